@@ -1,0 +1,38 @@
+"""The paper's isolator: horizontal springs on a push-rod, which they leave when they reach their free length (2).
+
+In:  nothing.
+Out: `MECHANISM`, the force as the geometry gives it; the Taylor coefficients and u_cr are derived, not stated.
+"""
+
+import sympy as sp
+
+from derivations.mechanisms import Mechanism, Piece
+
+x = sp.Symbol("x", real=True)
+k_v, k_h, L, Delta_h = sp.symbols("k_v k_h L Delta_h", positive=True)
+lam, r, delta_h = sp.symbols("lam r delta_h", positive=True)
+
+# A rod of length L, hinged L from the line of the mass: at displacement x its end stands sqrt(L^2 - x^2) away. The spring
+# is compressed by Delta_h at x = 0 and has lost that compression where the rod has drawn back by Delta_h.
+projection = sp.sqrt(L**2 - x**2)
+compression = Delta_h - (L - projection)
+horizontal_force = lam * k_h * compression
+vertical_component = -horizontal_force * x / projection
+
+alpha, beta, gamma, u_cr = sp.symbols("alpha beta gamma u_cr", real=True)
+
+MECHANISM = Mechanism(
+    name="rod_spring",
+    title="mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr",
+    x=x,
+    k_v=k_v,
+    length=L,
+    pieces=(Piece(vertical_component, until=compression), Piece(sp.Integer(0))),
+    ratios={lam: lam, r: k_h / k_v, delta_h: Delta_h / L},
+    dimensional={k_h: r * k_v, Delta_h: delta_h * L},
+    order=5,
+    coefficients=({1: alpha, 3: beta, 5: gamma}, {}),
+    breakpoints=(u_cr,),
+    reach=sp.Integer(1),
+    reach_reason="the push-rod stands vertical",
+)

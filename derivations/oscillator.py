@@ -1,0 +1,121 @@
+"""Step 1, equations (1)-(7): the equation of motion made dimensionless, the force's Taylor polynomial, its breakpoints.
+
+In:  a `Mechanism`.
+Out: `Oscillator`: the dimensionless equation of motion, the exact pieces of the force, the polynomial pieces in named
+     coefficients, and those coefficients and breakpoints in the mechanism's dimensionless ratios.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from derivations.mechanisms import Mechanism
+from derivations.symbols import F_0, Omega, mu, u, zeta
+
+# the letters of (1), dimensional
+m, c, F_c, F, omega, t, omega_n = sp.symbols("m c F_c F omega t omega_n", positive=True)
+# u', u'' and sign(u') as plain symbols: the equation of motion is linear in them
+u_dot, u_ddot, sign_u_dot, cos_forcing = sp.symbols("u_dot u_ddot sign_u_dot cos_forcing", real=True)
+
+
+@dataclass(frozen=True)
+class Oscillator:
+    """Dimensionless oscillator u'' + 2 zeta u' + u + mu sign(u') + F_k(u) = F_0 cos(Omega tau).
+
+    mechanism   -- where it comes from
+    groups      -- the dimensionless groups by their definitions (4)
+    exact       -- F_k(u) of each piece, untruncated (5)
+    exact_ends  -- |u| at which each piece but the last ends, in the ratios (5)
+    polynomials -- u + F_k(u) of each piece as a polynomial in named coefficients (6)
+    definitions -- those coefficients and breakpoints in the ratios (7)
+    """
+
+    mechanism: Mechanism
+    groups: dict[sp.Symbol, sp.Expr]
+    exact: tuple[sp.Expr, ...]
+    exact_ends: tuple[sp.Expr, ...]
+    polynomials: tuple[sp.Expr, ...]
+    definitions: dict[sp.Symbol, sp.Expr]
+
+
+def dimensionless_groups(mechanism: Mechanism) -> dict[sp.Symbol, sp.Expr]:
+    """(1), (3), (4): put x = L u, d/dt = omega_n d/dtau, divide by k_v L, and read the groups off the coefficients."""
+    k_v, length = mechanism.k_v, mechanism.length
+    natural = sp.sqrt(k_v / m)
+    x, x_dot, x_ddot = length * u, length * natural * u_dot, length * natural**2 * u_ddot
+    motion = m * x_ddot + c * x_dot + k_v * x + F_c * sign_u_dot - F * cos_forcing
+    scaled = sp.expand(motion / (k_v * length))
+    if scaled.coeff(u_ddot) != 1 or scaled.coeff(u) != 1:
+        raise ArithmeticError(f"{mechanism.name}: the scaling does not normalise inertia and vertical stiffness")
+    return {
+        omega_n: natural,
+        Omega: omega / omega_n,
+        zeta: sp.powdenest(scaled.coeff(u_dot) / 2, force=True),
+        mu: scaled.coeff(sign_u_dot),
+        F_0: -scaled.coeff(cos_forcing),
+        **mechanism.ratios,
+    }
+
+
+def dimensionless_force(mechanism: Mechanism, dimensional: sp.Expr) -> sp.Expr:
+    """(5): F_k(L u)/(k_v L) in the mechanism's ratios."""
+    length = mechanism.length
+    ratio = dimensional.subs(mechanism.x, length * u).subs(mechanism.dimensional) / (mechanism.k_v * length)
+    return _without_length(ratio, mechanism)
+
+
+def _without_length(expression: sp.Expr, mechanism: Mechanism) -> sp.Expr:
+    """The expression at length = k_v = 1, after a check that it depends on neither (it is dimensionless)."""
+    scales = {mechanism.length: 1, mechanism.k_v: 1}
+    for scale in scales:
+        if sp.simplify(sp.diff(expression, scale)) != 0:
+            raise ArithmeticError(f"{mechanism.name}: {expression} still depends on {scale}: it is not dimensionless")
+    return expression.subs(scales)
+
+
+def piece_end(mechanism: Mechanism, until: sp.Expr) -> sp.Expr:
+    """(5): the u > 0 at which a piece ends, in the ratios."""
+    condition = until.subs(mechanism.x, mechanism.length * u).subs(mechanism.dimensional) / mechanism.length
+    # check=False: SymPy would have to know delta_h < 1 to confirm the root, and drops it otherwise
+    roots = sp.solve(_without_length(condition, mechanism), u, check=False)
+    positive = [root for root in roots if not root.could_extract_minus_sign()]
+    if len(positive) != 1:
+        raise ArithmeticError(f"{mechanism.name}: a piece must end at one |u|; {condition} vanishes at {roots}")
+    # as a product under the root: sqrt(1 - (1 - delta_h)^2) loses every digit for a small preload
+    return sp.sqrt(sp.factor(sp.expand(positive[0] ** 2)))
+
+
+def taylor_polynomial(force: sp.Expr, order: int) -> dict[int, sp.Expr]:
+    """(6), (7): coefficients of F_k(u) by power of u, up to `order`; an even power is an error (the force is odd)."""
+    coefficients: dict[int, sp.Expr] = {}
+    derivative = force
+    for power in range(order + 1):
+        value = sp.expand(derivative.subs(u, 0) / sp.factorial(power))
+        if value != 0:
+            coefficients[power] = value
+        derivative = sp.diff(derivative, u)
+    even = [power for power in coefficients if power % 2 == 0]
+    if even:
+        raise ArithmeticError(f"the restoring force is not odd: powers {even} of u in its Taylor polynomial")
+    return coefficients
+
+
+def oscillator(mechanism: Mechanism) -> Oscillator:
+    """All of step 1 for one mechanism."""
+    exact = tuple(dimensionless_force(mechanism, piece.force) for piece in mechanism.pieces)
+    ends = tuple(piece_end(mechanism, piece.until) for piece in mechanism.pieces[:-1])
+
+    definitions: dict[sp.Symbol, sp.Expr] = {}
+    polynomials = []
+    for force, names in zip(exact, mechanism.coefficients, strict=True):
+        taylor = taylor_polynomial(force, mechanism.order)
+        whole = {power: taylor.get(power, sp.Integer(0)) + (1 if power == 1 else 0) for power in (1, *taylor)}
+        unnamed = sorted(set(taylor) - set(names)) if names else sorted(taylor)
+        if unnamed:
+            raise ArithmeticError(f"{mechanism.name}: powers {unnamed} of u have no named coefficient")
+        definitions |= {name: sp.factor(whole[power]) for power, name in names.items()}
+        polynomials.append(sum((name * u**power for power, name in names.items()), sp.Integer(0)) if names else u)
+    definitions |= dict(zip(mechanism.breakpoints, ends, strict=True))
+    return Oscillator(mechanism, dimensionless_groups(mechanism), exact, ends, tuple(polynomials), definitions)
