@@ -1,0 +1,48 @@
+# make paper   set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
+# make test    everything that CI runs (second command)
+# make derive  write generated/ anew; make check: compare generated/ with a fresh derivation; make bench: the benchmarks
+
+PYTHON ?= python3
+BIN := .venv/bin
+INSTALLED := .venv/installed
+NATIVE := $(wildcard src/slowflow/native/*.[ch] generated/c/*.h)
+
+.PHONY: paper test derive check lint bench bench-peers clean
+.DELETE_ON_ERROR:
+
+paper: derive
+	$(BIN)/slowflow paper --out output
+
+test: $(INSTALLED) check lint
+	$(BIN)/slowflow info
+	$(BIN)/python -m pytest
+	SLOWFLOW_BACKEND=numpy $(BIN)/python -m pytest -m both_backends
+
+derive: $(INSTALLED)
+	$(BIN)/python -m derivations
+
+check: $(INSTALLED)
+	$(BIN)/python -m derivations --check
+
+lint: $(INSTALLED)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+bench: $(INSTALLED)
+	$(BIN)/python -m benchmarks
+
+bench-peers:
+	$(PYTHON) -m venv .venv-peers
+	.venv-peers/bin/python benchmarks/peers.py
+
+$(INSTALLED): pyproject.toml setup.py $(NATIVE)
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "slowflow needs Python 3.11 or newer: make PYTHON=python3.12"; exit 1; }
+	@test -x $(BIN)/python || $(PYTHON) -m venv .venv || { echo "no venv module: on Debian, apt install python3-venv"; exit 1; }
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev]"
+	@touch $@
+
+clean:
+	rm -rf .venv .venv-peers build output *.egg-info src/*.egg-info .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+	find src generated -name '*.so' -delete
