@@ -1,0 +1,52 @@
+"""How far to look: in go a model and a forcing, out comes an amplitude that no steady state exceeds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from slowflow.model import Floats, Model
+from slowflow.roots import peak_roots
+
+#: where an undamped response is cut when the mechanism itself has no end
+UNBOUNDED_STATIC_MULTIPLE = 100.0
+#: e-foldings of A searched for a bound before the response counts as unbounded
+DOUBLINGS = 200
+
+
+def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
+    """The lowest F_0 for which each A (n,) is a steady state, and its Omega: min over Omega >= 0 of sqrt(R^2 + I^2)."""
+    h = model.averaged(A)[0]
+    flow = model.flow
+    Omega = np.concatenate([np.zeros((*A.shape, 1)), peak_roots(A, h, model.m, model.zeta)[0]], axis=-1)
+    level = np.hypot(
+        flow.R(Omega, A[..., np.newaxis], h[..., np.newaxis]),
+        flow.I(Omega, A[..., np.newaxis], model.m, model.zeta) + 0 * Omega,
+    )
+    lowest = np.nanargmin(level, axis=-1)[..., np.newaxis]
+    return np.take_along_axis(level, lowest, -1)[..., 0], np.take_along_axis(Omega, lowest, -1)[..., 0]
+
+
+def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
+    """An amplitude above that of every steady state at F_0, and a remark in words where the response has to be cut.
+
+    Without viscous damping the response to F_0 > m is unbounded (27); it is then cut at the mechanism's reach, or at a
+    multiple of the static deflection.
+    """
+    if model.zeta == 0:
+        if np.isfinite(model.reach):
+            return (
+                model.reach,
+                f"unbounded without viscous damping: cut at A = {model.reach:g}, {model.kernels.REACH_REASON}",
+            )
+        cut = max(UNBOUNDED_STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
+        return cut, f"unbounded without viscous damping: cut at A = {cut:g}"
+    # The least forcing rises without bound for large A: by viscous damping where the stiffness stays positive, by the
+    # stiffness itself otherwise. The start lies above every piece, so that the last one alone decides.
+    A = max(2 * max(model.breakpoints, default=0.0), F_0, 1e-6)
+    with np.errstate(over="ignore"):
+        ladder = A * 2.0 ** np.arange(DOUBLINGS)
+    level = least_forcing(model, ladder)[0]
+    below = np.flatnonzero(~(level > 1.01 * F_0))
+    if below.size and below[-1] == DOUBLINGS - 1:
+        raise OverflowError(f"no amplitude up to {ladder[-1]:g} bounds the response to F_0 = {F_0}")
+    return float(ladder[below[-1] + 1 if below.size else 0]), ""

@@ -1,0 +1,139 @@
+"""Saddle-node bifurcations: in goes a model, out come its folds at a forcing, their onset, and the detachment.
+
+Folds at F_0 are level crossings of the fold locus, which is explicit in A (see `loci`), and corners: at a breakpoint b
+of a force that jumps there, F_A changes sign between b and the next amplitude above, without passing zero.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from slowflow.bounds import amplitude_bound, least_forcing
+from slowflow.loci import Spans, fold_locus, spans
+from slowflow.model import Floats, Model
+from slowflow.results import Detachment, SaddleNodeOnset, SaddleNodes
+from slowflow.roots import peak_roots, response_roots
+
+#: Newton steps on F = F_A = 0 after the bracketed solution
+POLISHING_STEPS = 3
+#: factor by which the forcing is raised until the onset lies below it, and how often
+RAISE, RAISES = 4.0, 30
+
+
+def F_A(model: Model, Omega: Floats, A: Floats) -> Floats:
+    """Derivative of F with respect to A; a steady state is stable where it is positive (30)."""
+    h, h_A, _, _ = model.averaged(A)
+    return np.asarray(model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A))
+
+
+def polish(model: Model, Omega: Floats, A: Floats, F_0: float) -> tuple[Floats, Floats]:
+    """Newton steps on F = 0, F_A = 0 at each point, kept where they do not leave the neighbourhood."""
+    flow, m, zeta = model.flow, model.m, model.zeta
+    for _ in range(POLISHING_STEPS):
+        h, h_A, h_AA, _ = model.averaged(A)
+        F = flow.F(Omega, A, F_0, m, zeta, h)
+        slope = flow.F_A(Omega, A, m, zeta, h, h_A)
+        F_AA = flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA)
+        F_Omega = flow.F_Omega(Omega, A, m, zeta, h)
+        F_AOmega = flow.F_AOmega(Omega, A, m, zeta, h, h_A)
+        determinant = slope * F_AOmega - F_Omega * F_AA
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step_A = (F_Omega * slope - F_AOmega * F) / determinant
+            step_Omega = (F_AA * F - slope * slope) / determinant
+        near = (np.abs(step_A) < 1e-6 * A) & (np.abs(step_Omega) < 1e-6 * Omega)
+        A = np.where(near, A + np.where(near, step_A, 0.0), A)
+        Omega = np.where(near, Omega + np.where(near, step_Omega, 0.0), Omega)
+    return Omega, A
+
+
+def corner_folds(model: Model, F_0: float) -> tuple[Floats, Floats, np.ndarray]:
+    """Folds that sit on a breakpoint: Omega, A, and whether the stable side lies below."""
+    Omegas, As, ups = [], [], []
+    for b, jump in zip(model.breakpoints, model.jumps, strict=True):
+        if jump == 0:
+            continue
+        A = np.array([b])
+        Omega, count = response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
+        at = Omega[0, : count[0]]
+        below = F_A(model, at, np.full_like(at, b))
+        above = F_A(model, at, np.full_like(at, np.nextafter(b, np.inf)))
+        changes = (below > 0) != (above > 0)
+        Omegas.append(at[changes])
+        As.append(np.full(int(changes.sum()), b))
+        ups.append(below[changes] > 0)
+    if not Omegas:
+        return np.empty(0), np.empty(0), np.empty(0, dtype=bool)
+    return np.concatenate(Omegas), np.concatenate(As), np.concatenate(ups)
+
+
+def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
+    """Every fold at F_0 > m, in every regime, by rising Omega."""
+    A_max, remark = amplitude_bound(model, F_0)
+    A, Omega = spans(fold_locus(model), A_max).crossings(F_0)
+    Omega, A = polish(model, Omega, A, F_0)
+    h, h_A, h_AA, _ = model.averaged(A)
+    # Leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it in amplitude.
+    up = np.asarray(model.flow.F_AA(Omega, A, model.m, model.zeta, h, h_A, h_AA)) < 0
+    corner_Omega, corner_A, corner_up = corner_folds(model, F_0)
+    Omega, A, up = (np.concatenate(pair) for pair in ((Omega, corner_Omega), (A, corner_A), (up, corner_up)))
+    corner = np.arange(A.size) >= A.size - corner_A.size
+    order = np.argsort(Omega, kind="stable")
+    message = remark if A.size else f"no saddle node at F_0 = {F_0:g}: the response is single-valued"
+    return SaddleNodes(Omega[order], A[order], np.where(up, "jump-up", "jump-down")[order], corner[order], F_0, message)
+
+
+def onset(model: Model) -> SaddleNodeOnset:
+    """The lowest forcing that has a fold, in whatever regime it lies."""
+    if model.zeta == 0:
+        return _onset_without_viscous_damping(model)
+    F_0 = RAISE * max(model.m, 1e-6)
+    for _ in range(RAISES):
+        A_max, _ = amplitude_bound(model, F_0)
+        located = spans(fold_locus(model), A_max)
+        best = _lowest(model, located)
+        # Every fold at a forcing up to F_0 lies below A_max.
+        if best.F_SN is not None and best.F_SN <= F_0:
+            return best
+        F_0 *= RAISE
+    return SaddleNodeOnset(None, None, None, "", f"no saddle node up to F_0 = {F_0:g}")
+
+
+def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
+    """Lowest level over the spans' ends and over the corners' stationary points."""
+    candidates: list[tuple[float, float, float, str]] = []
+    if located.level.size:
+        row, end = np.unravel_index(np.argmin(located.level), located.level.shape)
+        A, Omega = float(located.A[row, end]), float(located.Omega[row, end])
+        mark = str(located.mark[row, end])
+        on_corner = any(b <= A <= np.nextafter(b, np.inf) for b in model.breakpoints)
+        candidates.append((float(located.level[row, end]), Omega, A, "corner" if on_corner else mark))
+    for b, jump in zip(model.breakpoints, model.jumps, strict=True):
+        if jump == 0:
+            continue
+        A_b = np.array([b])
+        stationary, count = peak_roots(A_b, model.averaged(A_b)[0], model.m, model.zeta)
+        at = stationary[0, : count[0]]
+        below, above = (F_A(model, at, np.full_like(at, A)) for A in (b, float(np.nextafter(b, np.inf))))
+        for Omega in at[(below > 0) != (above > 0)]:
+            h = model.averaged(A_b)[0]
+            R, I = model.flow.R(Omega, b, h)[0], model.flow.I(Omega, b, model.m, model.zeta)
+            candidates.append((float(np.hypot(R, I)), float(Omega), b, "corner"))
+    if not candidates:
+        return SaddleNodeOnset(None, None, None, "", "no saddle node")
+    F_SN, Omega, A, kind = min(candidates)
+    return SaddleNodeOnset(F_SN, Omega, A, kind, "")
+
+
+def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
+    """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
+    return SaddleNodeOnset(
+        None, None, None, "", f"no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {model.m:g} has a fold"
+    )
+
+
+def detachment(model: Model) -> Detachment:
+    """The lowest forcing for which the first breakpoint is a steady state (34)."""
+    if not model.breakpoints:
+        return Detachment(None, None, None, "no detachment: the force has one piece only")
+    level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
+    return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")

@@ -1,0 +1,163 @@
+"""What a user holds: an oscillator with its parameters. In go numbers, out come curves, folds and critical forcings.
+
+`Isolator` is the paper's mechanism, `Duffing` one cubic piece; the same solvers serve both. Everything is
+dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency in sqrt(k_v/m).
+"""
+
+from __future__ import annotations
+
+import warnings
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from slowflow_kernels import duffing, rod_spring
+
+from slowflow import folds, response, validate
+from slowflow.model import Floats, Model
+from slowflow.results import Detachment, FrequencyResponse, SaddleNodeOnset, SaddleNodes, SteadyStates, words
+
+#: frequencies shown unless others are asked for
+WINDOW = (0.0, 2.0)
+
+
+class Oscillator:
+    """A forced oscillator u'' + 2 zeta u' + u + mu sign(u') + F_k(u) = F_0 cos(Omega tau) (3), averaged.
+
+    Not made directly: see `Isolator` and `Duffing`.
+    """
+
+    def __init__(self, kernels: ModuleType, parameters: tuple[float, ...], mu: Any, zeta: Any) -> None:
+        self.mu = validate.number("mu", mu, least=0.0)
+        self.zeta = validate.number("zeta", zeta, least=0.0)
+        self._model = Model(kernels, parameters, self.mu, self.zeta)
+
+    @property
+    def sticking_forcing(self) -> float:
+        """4 mu/pi: a forcing that does not exceed it leaves the mass at rest (27)."""
+        return self._model.m
+
+    def frequency_response(
+        self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = WINDOW
+    ) -> FrequencyResponse:
+        """The response curve at F_0, every branch and isola, for frequencies in the window `Omega` (24), (25), (30).
+
+        About `samples` points; folds, peaks and corners are among them exactly. Raises ValueError for F_0 <= 0,
+        samples < 2, or a window that is not 0 <= low < high. F_0 <= 4 mu/pi gives no point and a message.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        samples = validate.count("samples", samples, least=2)
+        shown = validate.window("Omega", Omega)
+        if F_0 <= self._model.m:
+            none, flags = np.empty(0), np.empty(0, dtype=bool)
+            return FrequencyResponse(none, none, flags, self._sticks(F_0), self._model, np.empty(0, np.intp), (), F_0)
+        found = response.frequency_response(self._model, F_0, samples, shown)
+        return self._remarked(found)
+
+    def amplitudes(self, Omega: Any, F_0: float) -> SteadyStates:
+        """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
+
+        Flat arrays .Omega, .A, .phi, .stable, in the order of Omega, then by rising A. Raises ValueError for Omega <= 0
+        or F_0 <= 0. F_0 <= 4 mu/pi gives no state and a message.
+        """
+        at = validate.positive_array("Omega", Omega).ravel()
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        if F_0 <= self._model.m:
+            none = np.empty(0)
+            return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self._model)
+        return self._remarked(response.amplitudes(self._model, at, F_0))
+
+    def saddle_nodes(self, F_0: float) -> SaddleNodes:
+        """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        if F_0 <= self._model.m:
+            none = np.empty(0)
+            return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, self._sticks(F_0))
+        return self._remarked(folds.saddle_nodes(self._model, F_0))
+
+    def saddle_node_onset(self) -> SaddleNodeOnset:
+        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
+        return folds.onset(self._model)
+
+    def detachment(self) -> Detachment:
+        """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34)."""
+        return folds.detachment(self._model)
+
+    def backbone(self, A: Any) -> Floats:
+        """Omega on the backbone at the amplitudes A > 0 (26); nan where the averaged stiffness is negative."""
+        A = validate.positive_array("A", A)
+        h = self._model.averaged(A)[0]
+        with np.errstate(invalid="ignore"):
+            return np.asarray(self._model.flow.backbone(A, h))
+
+    def limit_envelope(self, Omega: Any, F_0: float) -> Floats:
+        """A_L at the frequencies Omega > 0 (27), which no response exceeds; inf for zeta = 0, 0 where it sticks."""
+        Omega = validate.positive_array("Omega", Omega)
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        if F_0 <= self._model.m:
+            return np.zeros_like(Omega)
+        if self.zeta == 0:
+            return np.full_like(Omega, np.inf)
+        return np.asarray(self._model.flow.limit_envelope(Omega, F_0, self._model.m, self.zeta))
+
+    def equivalent_damping(self, Omega: Any, A: Any) -> Floats:
+        """zeta_eq at (Omega, A), broadcast: the viscous damping ratio that dissipates as much per cycle (38)."""
+        Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
+        return np.asarray(self._model.flow.equivalent_damping(Omega, A, self._model.m, self.zeta)) + 0 * (Omega + A)
+
+    def _sticks(self, F_0: float) -> str:
+        return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self._model.m:g}"
+
+    def _remarked(self, found: Any) -> Any:
+        """The answer with a remark where amplitudes exceed the mechanism's reach."""
+        reach = self._model.reach
+        if not found.A.size or found.A.max() <= reach or "cut at" in found.message:
+            return found
+        remark = f"amplitudes above {reach:g} are not reached: {self._model.kernels.REACH_REASON}"
+        import dataclasses
+
+        return dataclasses.replace(found, message=words(found.message, remark))
+
+
+class Isolator(Oscillator):
+    """The high-static-low-dynamic-stiffness isolator of (1)-(7), springs leaving the push-rod at u_cr.
+
+    lam     -- number of horizontal springs, > 0
+    r       -- stiffness ratio k_h/k_v, > 0
+    delta_h -- preload of the horizontal springs over the rod length, in [0, 1); 0 is a linear oscillator, and more than
+               1/(lam r) is a negative stiffness at rest, which works with a warning
+    mu, zeta -- dry friction and viscous damping ratio, >= 0
+    """
+
+    def __init__(self, *, lam: float, r: float, delta_h: float, mu: float = 0.0, zeta: float = 0.0) -> None:
+        self.lam = validate.number("lam", lam, above=0.0)
+        self.r = validate.number("r", r, above=0.0)
+        self.delta_h = validate.number("delta_h", delta_h, least=0.0, below=1.0)
+        parameters = tuple(float(value) for value in rod_spring.coefficients(self.lam, self.r, self.delta_h))
+        super().__init__(rod_spring, parameters, mu, zeta)
+        self.alpha, self.beta, self.gamma, self.u_cr = parameters
+        if self.alpha < 0:
+            warnings.warn(
+                f"delta_h = {self.delta_h:g} exceeds 1/(lam r) = {1 / (self.lam * self.r):g}: "
+                f"negative stiffness at rest (alpha = {self.alpha:g}); the averaged motion is about u = 0",
+                stacklevel=2,
+            )
+
+    def __repr__(self) -> str:
+        return f"Isolator(lam={self.lam}, r={self.r}, delta_h={self.delta_h}, mu={self.mu}, zeta={self.zeta})"
+
+
+class Duffing(Oscillator):
+    """u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau).
+
+    alpha, beta -- linear and cubic stiffness; softening (beta < 0) and alpha <= 0 are allowed
+    mu, zeta    -- dry friction and viscous damping ratio, >= 0
+    """
+
+    def __init__(self, alpha: float, beta: float, mu: float = 0.0, zeta: float = 0.0) -> None:
+        self.alpha = validate.number("alpha", alpha)
+        self.beta = validate.number("beta", beta)
+        super().__init__(duffing, (self.alpha, self.beta), mu, zeta)
+
+    def __repr__(self) -> str:
+        return f"Duffing(alpha={self.alpha}, beta={self.beta}, mu={self.mu}, zeta={self.zeta})"

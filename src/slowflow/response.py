@@ -1,0 +1,379 @@
+"""The response curve at one forcing: in go a model and F_0, out come every branch, and every state at a frequency.
+
+For a given A the frequencies are the roots of a quartic. Their number changes only where the level of the peak locus or
+of the static locus crosses F_0; between those amplitudes each root is an arc, continuous in A, and the folds cut an arc
+into pieces along which Omega is monotone too. So a piece holds at most one state at any frequency, and one stability.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from slowflow.bounds import amplitude_bound
+from slowflow.folds import F_A, saddle_nodes
+from slowflow.loci import peak_locus, spans, static_locus
+from slowflow.model import Floats, Model
+from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, words
+from slowflow.roots import response_roots
+
+#: amplitudes closer than this, relatively, are one event
+SAME = 8 * np.finfo(float).eps
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A stretch of curve monotone in A and Omega: the `index`-th root by rising Omega, for low[0] <= A <= high[0].
+
+    low, high -- (A, Omega) at both ends; Omega is inf at A = 0
+    stable    -- the same all along
+    """
+
+    index: int
+    count: int
+    low: tuple[float, float]
+    high: tuple[float, float]
+    stable: bool
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Lowest and highest Omega."""
+        return min(self.low[1], self.high[1]), max(self.low[1], self.high[1])
+
+
+@dataclass(frozen=True)
+class Skeleton:
+    """All of a response curve but its points.
+
+    curves -- each a list of (piece, upward): pieces in order along the curve, and whether A rises along it
+    closed -- for each curve whether it is an isola
+    """
+
+    model: Model
+    F_0: float
+    curves: list[list[tuple[Piece, bool]]]
+    closed: list[bool]
+    folds: SaddleNodes
+    message: str
+
+    @property
+    def pieces(self) -> list[Piece]:
+        return [piece for curve in self.curves for piece, _ in curve]
+
+
+def _roots(model: Model, A: Floats, F_0: float) -> tuple[Floats, np.ndarray]:
+    return response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
+
+
+def _events(model: Model, F_0: float, A_max: float) -> list[tuple[float, float]]:
+    """(A, Omega) where the number of roots may change, by rising A: peaks, static states, breakpoints (Omega = nan)."""
+    found = [(b, np.nan) for b in model.breakpoints if b < A_max]
+    for locus in (peak_locus(model), static_locus(model)):
+        found += zip(*(array.tolist() for array in spans(locus, A_max).crossings(F_0)), strict=True)
+    merged: list[tuple[float, float]] = []
+    for A, Omega in sorted(found, key=lambda event: event[0]):
+        if merged and A - merged[-1][0] <= SAME * A:
+            merged[-1] = (merged[-1][0], Omega if np.isnan(merged[-1][1]) else merged[-1][1])
+        else:
+            merged.append((A, Omega))
+    return merged
+
+
+def skeleton(model: Model, F_0: float) -> Skeleton:
+    """Pieces and how they hang together, for F_0 > m."""
+    A_max, remark = amplitude_bound(model, F_0)
+    folds = saddle_nodes(model, F_0)
+    events = _events(model, F_0, A_max)
+    edges = np.array([0.0, *(A for A, _ in events), A_max])
+    _, counts = _roots(model, 0.5 * (edges[:-1] + edges[1:]), F_0)
+
+    # Which arcs meet at each event: a pair that is born or dies there, the others one to one.
+    arcs = [(k, i) for k in range(counts.size) for i in range(counts[k])]
+    ends: dict[tuple[int, int, bool], tuple[float, float]] = {}
+    joins: dict[tuple[int, int, bool], tuple[int, int, bool]] = {}
+
+    def join(one: tuple[int, int, bool], other: tuple[int, int, bool], at: tuple[float, float]) -> None:
+        joins[one], joins[other] = other, one
+        ends[one] = ends[other] = at
+
+    for k, (A, Omega) in enumerate(events):
+        left, right = int(counts[k]), int(counts[k + 1])
+        at_event, n_here = _roots(model, np.array([A]), F_0)
+        here = at_event[0, : n_here[0]]
+        richer, poorer, upper = (k, k + 1, True) if left > right else (k + 1, k, False)
+        more, fewer = max(left, right), min(left, right)
+        lost: set[int] = set()
+        if more - fewer == 2:
+            # the pair meets at Omega; the roots that stay lie on either side of it
+            below = int(np.searchsorted(_without_pair(here, Omega, fewer), Omega))
+            lost = {below, below + 1}
+            join((richer, below, upper), (richer, below + 1, upper), (A, Omega))
+        elif more - fewer == 1:
+            lost = {0}
+            ends[richer, 0, upper] = (A, 0.0)
+        elif more != fewer:
+            raise ArithmeticError(f"{more - fewer} roots vanish at A = {A:.17g}: unresolved at F_0 = {F_0:.17g}")
+        staying = [i for i in range(more) if i not in lost]
+        at_staying = here if here.size == fewer else _without_pair(here, Omega, fewer)
+        for place, (i, j) in enumerate(zip(staying, range(fewer), strict=True)):
+            join((richer, i, upper), (poorer, j, not upper), (A, float(at_staying[place])))
+    for i in range(int(counts[0])):
+        ends[0, i, False] = (0.0, np.inf)
+    last = counts.size - 1
+    for i in range(int(counts[last])):
+        ends[last, i, True] = (A_max, float(_roots(model, np.array([A_max]), F_0)[0][0, i]))
+
+    pieces = _cut_at_folds(model, arcs, counts, ends, edges, folds)
+    curves, closed = _trace(arcs, joins, pieces)
+    return Skeleton(model, F_0, curves, closed, folds, remark)
+
+
+def _without_pair(roots: Floats, Omega: float, fewer: int) -> Floats:
+    """The `fewer` roots that are left when those nearest to Omega are taken away."""
+    if roots.size <= fewer:
+        return roots
+    order = np.argsort(np.abs(roots - Omega))
+    return np.sort(roots[order[roots.size - fewer :]])
+
+
+def _cut_at_folds(
+    model: Model,
+    arcs: list[tuple[int, int]],
+    counts: np.ndarray,
+    ends: dict[tuple[int, int, bool], tuple[float, float]],
+    edges: Floats,
+    folds: SaddleNodes,
+) -> dict[tuple[int, int], list[Piece]]:
+    """Each arc's pieces by rising A."""
+    cuts: dict[tuple[int, int], list[tuple[float, float]]] = {arc: [] for arc in arcs}
+    roots, n = _roots(model, folds.A, folds.F_0)
+    for f in range(len(folds)):
+        if folds.corner[f]:
+            continue  # an arc ends at every breakpoint already
+        k = int(np.searchsorted(edges, folds.A[f])) - 1
+        nearest = int(np.nanargmin(np.abs(roots[f, : n[f]] - folds.Omega[f])))
+        cuts[k, min(nearest, int(counts[k]) - 1)].append((float(folds.A[f]), float(folds.Omega[f])))
+    pieces: dict[tuple[int, int], list[Piece]] = {}
+    for k, i in arcs:
+        corners = [ends[k, i, False], *sorted(cuts[k, i]), ends[k, i, True]]
+        A = np.array([0.5 * (low[0] + high[0]) for low, high in pairwise(corners)])
+        Omega, _ = _roots(model, A, folds.F_0)
+        stable = F_A(model, Omega[:, i], A) > 0
+        pieces[k, i] = [
+            Piece(i, int(counts[k]), low, high, bool(sign))
+            for (low, high), sign in zip(pairwise(corners), stable, strict=True)
+        ]
+    return pieces
+
+
+def _trace(
+    arcs: list[tuple[int, int]],
+    joins: dict[tuple[int, int, bool], tuple[int, int, bool]],
+    pieces: dict[tuple[int, int], list[Piece]],
+) -> tuple[list[list[tuple[Piece, bool]]], list[bool]]:
+    """Curves from arcs: open ones from one loose end to the other, at the lower Omega first, then the closed ones."""
+    loose = [(k, i, end) for k, i in arcs for end in (False, True) if (k, i, end) not in joins]
+    # the main curve first: it is the one that reaches A = 0
+    loose.sort(key=lambda end: (end[0] != 0 or end[2], end))
+    visited: set[tuple[int, int]] = set()
+    curves: list[list[tuple[Piece, bool]]] = []
+    closed: list[bool] = []
+    for start in [*loose, *((k, i, False) for k, i in arcs)]:
+        if start[:2] in visited:
+            continue
+        curve: list[tuple[Piece, bool]] = []
+        end: tuple[int, int, bool] | None = start
+        while end is not None and end[:2] not in visited:
+            k, i, at_high = end
+            visited.add((k, i))
+            upward = not at_high
+            curve += [(piece, upward) for piece in (pieces[k, i] if upward else pieces[k, i][::-1])]
+            end = joins.get((k, i, upward))
+        is_closed = start not in loose
+        first, final = _end(curve[0], first=True), _end(curve[-1], first=False)
+        if not is_closed and first[1] > final[1]:
+            curve = [(piece, not upward) for piece, upward in reversed(curve)]
+        curves.append(curve)
+        closed.append(is_closed)
+    return curves, closed
+
+
+def _end(step: tuple[Piece, bool], first: bool) -> tuple[float, float]:
+    piece, upward = step
+    return piece.low if upward == first else piece.high
+
+
+def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarray]:
+    """Every state at each of the given frequencies: Omega, A, stable; by the order of `Omega`, then by rising A."""
+    hits: list[tuple[int, Piece]] = []
+    for piece in found.pieces:
+        low, high = piece.range
+        hits += [(int(q), piece) for q in np.flatnonzero((low <= Omega) & (Omega < high))]
+    which = np.array([q for q, _ in hits], dtype=np.intp)
+    A = solve_pieces(found.model, found.F_0, [piece for _, piece in hits], Omega[which])
+    stable = np.array([piece.stable for _, piece in hits], dtype=bool)
+    order = np.lexsort((A, which))
+    return Omega[which][order], A[order], stable[order]
+
+
+def solve_pieces(model: Model, F_0: float, pieces: list[Piece], Omega: Floats) -> Floats:
+    """The amplitude at which each piece has the given Omega, which must lie in its range."""
+    if not pieces:
+        return np.empty(0)
+    from scipy.optimize import elementwise
+
+    index = np.array([piece.index for piece in pieces])
+    low = np.array([piece.low[0] for piece in pieces])
+    high = np.array([piece.high[0] for piece in pieces])
+    # At A = 0 Omega is infinite: the least amplitude that balances F_0 there is below F_0/(Omega^2 + ...).
+    low = np.where(low == 0, np.minimum(0.5 * high, _tail_amplitude(model, F_0, Omega)), low)
+
+    def off(A: Floats, which: np.ndarray, target: Floats) -> Floats:
+        roots, count = _roots(model, A, F_0)
+        i = index[which.astype(np.intp)]
+        picked = np.take_along_axis(roots, np.minimum(i, 2)[:, np.newaxis], axis=-1)[:, 0]
+        return np.where(i < count, picked - target, np.nan)
+
+    # inside an event the roots that meet there are lost to rounding: the ends' values are known, not computed
+    step = SAME * high
+    places = np.arange(index.size)
+    result = elementwise.find_root(off, (low + step, high - step), args=(places, Omega))
+    near_low = np.abs(_piece_end(pieces, "low") - Omega) <= np.abs(_piece_end(pieces, "high") - Omega)
+    A = np.where(result.success, result.x, np.where(near_low, low, high))
+    return _newton_in_A(model, F_0, Omega, A)
+
+
+def _piece_end(pieces: list[Piece], side: str) -> Floats:
+    return np.array([getattr(piece, side)[1] for piece in pieces])
+
+
+def _tail_amplitude(model: Model, F_0: float, Omega: Floats) -> Floats:
+    """An amplitude below the state of the branch that comes from A = 0, Omega = inf."""
+    A = np.sqrt((F_0 - model.m) * (F_0 + model.m)) / (Omega * Omega + 1)
+    for _ in range(200):
+        roots, count = _roots(model, A, F_0)
+        top = np.take_along_axis(roots, np.maximum(count - 1, 0)[:, np.newaxis], axis=-1)[:, 0]
+        if np.all(top > Omega):
+            break
+        A = np.where(top > Omega, A, 0.25 * A)
+    return A
+
+
+def _newton_in_A(model: Model, F_0: float, Omega: Floats, A: Floats) -> Floats:
+    """A last Newton step on F at fixed Omega, where F_A leaves one."""
+    h, h_A, _, _ = model.averaged(A)
+    F = model.flow.F(Omega, A, F_0, model.m, model.zeta, h)
+    slope = model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        step = F / slope
+    return np.where(np.abs(step) < 1e-8 * A, A - step, A)
+
+
+def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tuple[Piece, bool]], bool]]:
+    """The curves inside a frequency window: pieces cut at its edges, a curve that leaves it split there."""
+    low, high = window
+    cut: list[Piece] = []
+    edges: list[float] = []
+    for piece in found.pieces:
+        for edge in window:
+            if piece.range[0] < edge < piece.range[1]:
+                cut.append(piece)
+                edges.append(edge)
+    A_cut = dict(
+        zip(
+            ((id(piece), edge) for piece, edge in zip(cut, edges, strict=True)),
+            solve_pieces(found.model, found.F_0, cut, np.array(edges)).tolist(),
+            strict=True,
+        )
+    )
+
+    def clip(piece: Piece) -> Piece | None:
+        if piece.range[1] <= low or piece.range[0] >= high:
+            return None
+        ends = []
+        for A, Omega in (piece.low, piece.high):
+            edge = min(max(Omega, low), high)
+            ends.append((A, Omega) if edge == Omega else (A_cut[id(piece), edge], edge))
+        return Piece(piece.index, piece.count, ends[0], ends[1], piece.stable)
+
+    out: list[tuple[list[tuple[Piece, bool]], bool]] = []
+    for curve, closed in zip(found.curves, found.closed, strict=True):
+        runs: list[list[tuple[Piece, bool]]] = [[]]
+        for piece, upward in curve:
+            inside = clip(piece)
+            if inside is None:
+                runs.append([])
+                continue
+            runs[-1].append((inside, upward))
+            if _end((inside, upward), first=False) != _end((piece, upward), first=False):
+                runs.append([])
+        if closed and len(runs) > 1 and runs[0] and runs[-1]:  # the start of a closed curve is no end
+            runs[0] = runs.pop() + runs[0]
+        whole = len([run for run in runs if run]) == 1 and len(runs) == 1
+        out += [(run, closed and whole) for run in runs if run]
+    return out
+
+
+def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
+    """About `samples` points along every branch in the window; ends, folds, peaks and corners are among them exactly."""
+    found = skeleton(model, F_0)
+    curves = _clipped(found, window)
+    steps = [(number, piece, upward) for number, (curve, _) in enumerate(curves) for piece, upward in curve]
+    weights = np.array([_length(piece) for _, piece, _ in steps])
+    inner = np.ceil(samples * weights / weights.sum()).astype(int) if steps else np.empty(0, dtype=int)
+
+    # Points crowd towards the ends of a piece, where A or Omega may stand still.
+    grids, indices = [], []
+    for (_, piece, upward), n in zip(steps, inner, strict=True):
+        share = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n) / n)
+        grid = piece.low[0] + (piece.high[0] - piece.low[0]) * share
+        grids.append(grid if upward else grid[::-1])
+        indices.append(np.full(grid.size, piece.index))
+    A_inner = np.concatenate(grids) if grids else np.empty(0)
+    roots, _ = _roots(model, A_inner, F_0)
+    index = np.concatenate(indices) if indices else np.empty(0, dtype=int)
+    Omega_inner = np.take_along_axis(roots, index[:, np.newaxis], axis=-1)[:, 0] if index.size else np.empty(0)
+
+    Omega, A, stable, branch = [], [], [], []
+    at = 0
+    for k, ((number, piece, upward), n) in enumerate(zip(steps, inner, strict=True)):
+        first, final = _end((piece, upward), True), _end((piece, upward), False)
+        inside = slice(at, at + max(n - 1, 0))
+        at = inside.stop
+        resolved = ~np.isnan(Omega_inner[inside])
+        starts = k == 0 or steps[k - 1][0] != number
+        Omega += [[first[1]] if starts else [], Omega_inner[inside][resolved], [final[1]]]
+        A += [[first[0]] if starts else [], A_inner[inside][resolved], [final[0]]]
+        points = int(starts) + int(resolved.sum()) + 1
+        stable.append(np.full(points, piece.stable))
+        branch.append(np.full(points, number))
+    if not steps:
+        empty = np.empty(0)
+        message = words(found.message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
+        return FrequencyResponse(empty, empty, np.empty(0, bool), message, model, np.empty(0, np.intp), (), F_0)
+    return FrequencyResponse(
+        np.concatenate(Omega),
+        np.concatenate(A),
+        np.concatenate(stable),
+        found.message,
+        model,
+        np.concatenate(branch),
+        tuple(closed for _, closed in curves),
+        F_0,
+    )
+
+
+def _length(piece: Piece) -> float:
+    """Weight of a piece in the sharing out of points: its extent in Omega and A, with a floor for short ones."""
+    return abs(piece.high[1] - piece.low[1]) + abs(piece.high[0] - piece.low[0]) + 1e-3
+
+
+def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
+    """Every steady state at each frequency, by the order of Omega, then by rising A."""
+    found = skeleton(model, F_0)
+    at, A, stable = states_at(found, Omega)
+    missing = np.setdiff1d(Omega, at)
+    remark = "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
+    return SteadyStates(at, A, stable, words(found.message, remark), model)

@@ -1,0 +1,97 @@
+"""What the questions are answered with: plain records of arrays. Where there is no answer, `message` says why in words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.model import Floats, Model
+
+
+@dataclass(frozen=True)
+class SteadyStates:
+    """Steady states, one entry each: flat arrays of one length.
+
+    Omega, A -- frequency and amplitude, dimensionless
+    stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part
+    message  -- remarks in words; empty if there is nothing to say
+    """
+
+    Omega: Floats
+    A: Floats
+    stable: npt.NDArray[np.bool_]
+    message: str
+    _model: Model = field(repr=False)
+
+    @cached_property
+    def phi(self) -> Floats:
+        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed when first asked for."""
+        h = self._model.averaged(self.A)[0]
+        phase = self._model.flow.phase(self.Omega, self.A, self._model.m, self._model.zeta, h)
+        return np.asarray(phase) + 0 * self.A
+
+
+@dataclass(frozen=True)
+class FrequencyResponse(SteadyStates):
+    """A response curve: points in order along each branch.
+
+    branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
+    isola  -- for each branch, whether it is closed
+    F_0    -- the forcing
+    """
+
+    branch: npt.NDArray[np.intp]
+    isola: tuple[bool, ...]
+    F_0: float
+
+
+@dataclass(frozen=True)
+class SaddleNodes:
+    """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
+
+    kind   -- "jump-up": a sweep leaves the fold for a larger amplitude; "jump-down": for a smaller one
+    corner -- True where the fold sits on a breakpoint of the force
+    """
+
+    Omega: Floats
+    A: Floats
+    kind: npt.NDArray[np.str_]
+    corner: npt.NDArray[np.bool_]
+    F_0: float
+    message: str
+
+    def __len__(self) -> int:
+        return self.A.size
+
+
+@dataclass(frozen=True)
+class SaddleNodeOnset:
+    """The lowest forcing that has a fold; None and a message where there is none.
+
+    kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a breakpoint)
+    """
+
+    F_SN: float | None
+    Omega: float | None
+    A: float | None
+    kind: str
+    message: str
+
+
+@dataclass(frozen=True)
+class Detachment:
+    """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message for a mechanism without breakpoints."""
+
+    F_cr: float | None
+    Omega_cr: float | None
+    u_cr: float | None
+    message: str
+
+
+def words(*remarks: Any) -> str:
+    """Remarks joined into one message."""
+    return "; ".join(str(remark) for remark in remarks if remark)

@@ -1,0 +1,79 @@
+"""The boundary: in go a user's values, out come floats or arrays of floats, or a ValueError that names what is wrong.
+
+Nothing a user gives is parsed or evaluated: numbers are taken as numbers, anything else is refused.
+"""
+
+from __future__ import annotations
+
+import math
+from numbers import Real
+from typing import Any
+
+import numpy as np
+
+from slowflow.model import Floats
+
+
+def _refuse(name: str, value: Any, allowed: str) -> ValueError:
+    return ValueError(f"{name} = {value!r} is not allowed: {name} must be {allowed}")
+
+
+def number(
+    name: str,
+    value: Any,
+    *,
+    above: float = -math.inf,
+    least: float = -math.inf,
+    below: float = math.inf,
+    most: float = math.inf,
+) -> float:
+    """A finite real number in the given range, as a float."""
+    limits = [
+        f"{sign} {limit:g}"
+        for sign, limit in ((">", above), (">=", least), ("<", below), ("<=", most))
+        if math.isfinite(limit)
+    ]
+    allowed = "a finite real number" + (" " + " and ".join(limits) if limits else "")
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (Real, np.floating, np.integer)):
+        if not (isinstance(value, np.ndarray) and value.ndim == 0 and value.dtype.kind in "fiu"):
+            raise _refuse(name, value, allowed)
+    try:
+        result = float(value)
+    except OverflowError:
+        raise _refuse(name, value, allowed) from None
+    if not (math.isfinite(result) and above < result < below and least <= result <= most):
+        raise _refuse(name, value, allowed)
+    return result
+
+
+def count(name: str, value: Any, *, least: int) -> int:
+    """An integer of at least `least`."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)) or value < least:
+        raise _refuse(name, value, f"an integer >= {least}")
+    return int(value)
+
+
+def positive_array(name: str, value: Any) -> Floats:
+    """Finite real numbers > 0, of any shape."""
+    allowed = "a finite real number > 0, or an array of such"
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise _refuse(name, value, allowed) from None
+    if array.dtype.kind not in "fiu":
+        raise _refuse(name, value, allowed)
+    array = array.astype(float)
+    bad = ~(np.isfinite(array) & (array > 0))
+    if bad.any():
+        raise _refuse(name, array[bad].flat[0] if array.ndim else value, allowed)
+    return array
+
+
+def window(name: str, value: Any) -> tuple[float, float]:
+    """A pair of frequencies 0 <= low < high."""
+    try:
+        low, high = value
+    except (TypeError, ValueError):
+        raise _refuse(name, value, "a pair (low, high) with 0 <= low < high") from None
+    low = number(f"{name}[0]", low, least=0.0)
+    return low, number(f"{name}[1]", high, above=low)
