@@ -1,0 +1,511 @@
+"""Positive frequencies at a given amplitude: in go A, h, h_A, m, zeta, F_0, out come sorted Omega and their number.
+
+=================  =========================================  ==========  ==================
+function           equation                                   paper       roots
+=================  =========================================  ==========  ==================
+`response_roots`   F = R^2 + (I - F_0)(I + F_0) = 0           (24)        0, 1, 2 or 3
+`fold_roots`       F_A/2 = R (w^2 + h_A) + 2 zeta w I = 0     (30)        0, 1, 2 or 3
+`peak_roots`       F_Omega/(4 A) = w R + zeta I = 0           (34)        0, 1 or 2
+=================  =========================================  ==========  ==================
+
+with R = A w^2 + h and I = 2 zeta A w + m; everything is dimensionless.
+
+Method.  Both quartics are depressed, with a positive leading and a non-negative linear coefficient, and their
+derivative is k (A w^3 + p w + q), q >= 0.  So there are at most two positive critical points, a maximum w1 and then a
+minimum w2.  The signs at 0, w1 and w2 give the number of roots; between these points the quartic is monotone.  Each
+root is found by Halley steps kept in their bracket, on the unexpanded form, and corrected by Newton with a residual in
+double-double.  A sign that rounding could have decided is found again in double-double.
+
+Conventions, the same as in native/roots.h:
+
+- roots are counted with multiplicity: a curve that touches zero gives its double root twice, as two equal numbers
+  (three for a triple root), so that branches keep their partner up to the point where they meet;
+- "touches" means that the value at the critical point is zero to within the error of double-double, 2^-98 of its terms;
+- a root at w = 0 is not positive and is not counted;
+- unused places are NaN;
+- the domain is A > 0, m >= 0, zeta >= 0, F_0 >= 0, all finite; outside it the count is -1 and all places are NaN.
+
+The error of a root is at most u (1 + kappa), u = 2^-53, kappa the condition number of the root in the arguments.  For
+that, squares of the arguments must not overflow and the square of F_0 must stay above 1e-290; h_A may have any finite
+size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Counts = NDArray[np.int32]
+
+ROUGH = 2.0**-50  # a value below this part of its terms has no certain sign in double
+FINE = 2.0**-98  # the same in double-double
+CHUNK = 8192  # elements solved together: the work arrays stay in the cache, and memory is bounded
+
+
+def _two_sum(a: Floats, b: Floats) -> tuple[Floats, Floats]:
+    s = a + b
+    t = s - a
+    return s, (a - (s - t)) + (b - t)
+
+
+def _split(a: Floats) -> tuple[Floats, Floats]:
+    t = 134217729.0 * a
+    high = t - (t - a)
+    return high, a - high
+
+
+def _two_product(a: Floats, b: Floats) -> tuple[Floats, Floats]:
+    """Product and its rounding error, by Dekker's splitting: NumPy has no fma."""
+    p = a * b
+    a_high, a_low = _split(a)
+    b_high, b_low = _split(b)
+    return p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+# ==== The formulas.  Everything below this block is a solver that knows only these. ===================================
+
+
+@dataclass(frozen=True)
+class _Quartic:
+    """Parameters, and the coefficients of the derivative k (A w^3 + p w + q); p and q are double-double."""
+
+    A: Floats
+    h: Floats
+    m: Floats
+    zeta: Floats
+    other: Floats  # F_0 of the response, h_A of the fold
+    k: Floats
+    p: Floats
+    p_low: Floats
+    q: Floats
+    q_low: Floats
+
+    def take(self, which: NDArray[np.intp] | Bools) -> Self:
+        return type(self)(*(getattr(self, field.name)[which] for field in fields(self)))
+
+    def R_and_I(self, w: Floats, tail: Floats | float) -> tuple[Floats, Floats, Floats, Floats]:
+        """R and I in double-double at the point w + tail; the tail is a correction below the last place of w."""
+        Aw, Aw_low = _two_product(self.A, w)
+        Aww, Aww_low = _two_product(Aw, w)
+        R, R_low = _two_sum(Aww, self.h)
+        R_low += Aww_low + Aw_low * w + 2 * Aw * tail
+        y, y_low = _two_product(2 * self.zeta, Aw)
+        I, I_low = _two_sum(y, self.m)
+        I_low += y_low + 2 * self.zeta * (Aw_low + self.A * tail)
+        return R, R_low, I, I_low
+
+    def value(self, w: Floats) -> tuple[Floats, Floats]:
+        """The quartic in double, and a size; the error is below ROUGH * size."""
+        raise NotImplementedError
+
+    def value_dd(self, w: Floats, tail: Floats | float = 0.0) -> tuple[Floats, Floats]:
+        """The quartic at w + tail in double-double, rounded to double, and a size; the error is below FINE * size."""
+        raise NotImplementedError
+
+    def fine_at_0(self) -> Floats:
+        """The quartic at 0 to the last place but one."""
+        raise NotImplementedError
+
+    def value_at_0(self) -> Floats:
+        """The quartic at 0 in double, but with a certain sign."""
+        return self.fine_at_0()
+
+
+class _Response(_Quartic):
+    """F = R^2 + I^2 - F_0^2."""
+
+    @classmethod
+    def of(cls, A: Floats, h: Floats, m: Floats, zeta: Floats, F_0: Floats) -> Self:
+        # p = h + 2 zeta^2 A, q = zeta m
+        z, z_low = _two_product(2 * zeta, zeta)
+        y, y_low = _two_product(z, A)
+        p, p_low = _two_sum(h, y)
+        p, p_low = _two_sum(p, p_low + (y_low + z_low * A))
+        return cls(A, h, m, zeta, F_0, 4 * A, p, p_low, *_two_product(zeta, m))
+
+    def value(self, w: Floats) -> tuple[Floats, Floats]:
+        Aw = self.A * w
+        Aww = Aw * w
+        R = Aww + self.h
+        I = 2 * self.zeta * Aw + self.m
+        R_terms = Aww + np.abs(self.h)
+        above = I + self.other
+        return R * R + (I - self.other) * above, (np.abs(R) + ROUGH * R_terms) * R_terms + above * above
+
+    def value_dd(self, w: Floats, tail: Floats | float = 0.0) -> tuple[Floats, Floats]:
+        R, R_low, I, I_low = self.R_and_I(w, tail)
+        RR, RR_low = _two_product(R, R)
+        II, II_low = _two_product(I, I)
+        FF, FF_low = _two_product(self.other, self.other)
+        u, u_low = _two_sum(II, -FF)
+        v, v_low = _two_sum(RR, u)
+        low = (RR_low + R_low * (2 * R + R_low)) + ((II_low - FF_low) + 2 * I * I_low)
+        R_terms = self.A * w * w + np.abs(self.h)
+        size = (np.abs(R) + FINE * R_terms) * R_terms + (I + self.other) ** 2
+        return v + (v_low + (u_low + low)), size
+
+    def fine_at_0(self) -> Floats:
+        # six exact parts, distilled until they no longer overlap
+        high, low = zip(*(_two_product(x, x) for x in (self.h, self.m, self.other)), strict=True)
+        parts = [low[0], low[1], -low[2], high[0], high[1], -high[2]]
+        for _ in range(6):
+            for i in range(1, 6):
+                parts[i], parts[i - 1] = _two_sum(parts[i], parts[i - 1])
+        return np.asarray(parts[5] + (parts[4] + (parts[3] + (parts[2] + (parts[1] + parts[0])))))
+
+    def value_at_0(self) -> Floats:
+        size = self.h * self.h + (self.m + self.other) ** 2
+        value = self.h * self.h + (self.m - self.other) * (self.m + self.other)
+        unsure = np.flatnonzero(np.abs(value) < ROUGH * size)
+        if unsure.size:
+            value[unsure] = self.take(unsure).fine_at_0()
+        return value
+
+
+class _Fold(_Quartic):
+    """F_A/2 = R T + 2 zeta w I with T = w^2 + h_A."""
+
+    @classmethod
+    def of(cls, A: Floats, h: Floats, h_A: Floats, m: Floats, zeta: Floats) -> Self:
+        # p = (h + A h_A)/2 + 2 zeta^2 A, q = zeta m / 2
+        z, z_low = _two_product(2 * zeta, zeta)
+        y, y_low = _two_product(z, A)
+        t, t_low = _two_product(A, h_A)
+        u, u_low = _two_sum(h, t)
+        p, p_low = _two_sum(0.5 * u, y)
+        p, p_low = _two_sum(p, p_low + (y_low + z_low * A) + 0.5 * (u_low + t_low))
+        return cls(A, h, m, zeta, h_A, np.full_like(A, 4.0), p, p_low, *_two_product(0.5 * zeta, m))
+
+    def value(self, w: Floats) -> tuple[Floats, Floats]:
+        Aw = self.A * w
+        Aww = Aw * w
+        ww = w * w
+        R = Aww + self.h
+        T = ww + self.other
+        last = 2 * self.zeta * w * (2 * self.zeta * Aw + self.m)
+        R_terms = Aww + np.abs(self.h)
+        size = (np.abs(R) + ROUGH * R_terms) * (ww + np.abs(self.other)) + np.abs(T) * R_terms + last
+        return R * T + last, size
+
+    def value_dd(self, w: Floats, tail: Floats | float = 0.0) -> tuple[Floats, Floats]:
+        R, R_low, I, I_low = self.R_and_I(w, tail)
+        ww, ww_low = _two_product(w, w)
+        T, T_low = _two_sum(ww, self.other)
+        T_low += ww_low + 2 * w * tail
+        y, y_low = _two_product(2 * self.zeta, w)
+        yI, yI_low = _two_product(y, I)
+        RT, RT_low = _two_product(R, T)
+        v, v_low = _two_sum(RT, yI)
+        low = (RT_low + (R * T_low + R_low * (T + T_low))) + (yI_low + (y * I_low + (y_low + 2 * self.zeta * tail) * I))
+        R_terms = self.A * w * w + np.abs(self.h)
+        size = (np.abs(R) + FINE * R_terms) * (ww + np.abs(self.other)) + np.abs(T) * R_terms + yI
+        return v + (v_low + low), size
+
+    def fine_at_0(self) -> Floats:
+        return self.h * self.other
+
+
+# ==== The cubic A w^3 + p w + q, q >= 0 ===============================================================================
+
+
+def _cubic_slope(s: _Quartic, w: Floats) -> Floats:
+    return 3 * s.A * w * w + s.p
+
+
+def _cubic_dd(s: _Quartic, w: Floats) -> Floats:
+    """The cubic in double-double, rounded to double."""
+    Aw, Aw_low = _two_product(s.A, w)
+    Aww, Aww_low = _two_product(Aw, w)
+    b, b_low = _two_sum(Aww, s.p)
+    wb, wb_low = _two_product(w, b)
+    v, v_low = _two_sum(wb, s.q)
+    return v + (v_low + (wb_low + w * (b_low + (Aww_low + Aw_low * w + s.p_low)) + s.q_low))
+
+
+def _gap_dd(s: _Quartic) -> Floats:
+    """1 - rho^2 = (4 |p|^3 - 27 A q^2) / (4 |p|^3) in double-double, for p < 0; 0 where only rounding is left."""
+    p, p_low = -s.p, -s.p_low
+    p2, p2_low = _two_product(p, p)
+    p2_low += 2 * p * p_low
+    p3, p3_low = _two_product(p2, p)
+    p3_low += p2_low * p + p2 * p_low
+    q2, q2_low = _two_product(s.q, s.q)
+    q2_low += 2 * s.q * s.q_low
+    c, c_low = _two_product(np.full_like(s.A, 27.0), s.A)
+    d, d_low = _two_product(c, q2)
+    d_low += c * q2_low + c_low * q2
+    gap, gap_low = _two_sum(4 * p3, -d)
+    value = gap + (gap_low + (4 * p3_low - d_low))
+    return np.where(np.abs(value) <= FINE * 4 * p3, 0.0, value / (4 * p3))
+
+
+def _critical_points(s: _Quartic) -> tuple[Bools, Floats, Floats]:
+    """Where the cubic vanishes on w >= 0 (twice, with multiplicity), and the two points.
+
+    With y = w / sqrt(-p/3A) the cubic is y^3 - 3 y + 2 rho, whose roots are cos(b) ± sqrt(3) sin(b), 3 b = acos(rho).
+    cos(b) is well conditioned on 0 <= rho <= 1, and sin(b) = sin(3b) / (4 cos(b)^2 - 1), so two Newton steps on
+    4 c^3 - 3 c = rho take the place of the trigonometric functions.  The small root follows from Vieta.
+    """
+    falls = s.p < 0
+    r = np.sqrt(np.where(falls, -s.p, 1.0) / (3 * s.A))
+    rho = np.where(falls, 1.5 * s.q / (np.abs(s.p) * r), 2.0)
+    gap = (1 - rho) * (1 + rho)
+    unsure = np.flatnonzero(np.abs(rho - 1) <= 2.0**-26)
+    gap[unsure] = _gap_dd(s.take(unsure))
+    exist = gap >= 0
+    rho = np.minimum(rho, 1 + 2.0**-26)
+    # cubic Hermite interpolation of c(rho) between c(0) = sqrt(3)/2, c' = 1/6 and c(1) = 1, c' = 1/9
+    half_root_3 = np.sqrt(0.75)
+    rise = 1 - half_root_3
+    c = half_root_3 + rho * (1 / 6 + rho * ((3 * rise - 4 / 9) + rho * (5 / 18 - 2 * rise)))
+    for _ in range(2):
+        cc = c * c
+        c = (8 * cc * c + rho) / (12 * cc - 3)
+    y2 = c + np.sqrt(3 * np.maximum(gap, 0.0)) / (4 * c * c - 1)
+    biquadratic = s.q == 0
+    w1 = np.where(biquadratic, 0.0, r * rho / (y2 * c))
+    w2 = np.where(biquadratic, np.sqrt(np.maximum(-s.p / s.A, 0.0)), r * y2)
+    return exist, w1, w2
+
+
+def _polish_cubic(s: _Quartic, w: Floats) -> Floats:
+    """Newton with the double-double residual on simple roots of the cubic near w."""
+    w = w.copy()
+    active = np.arange(w.size)
+    for _ in range(8):
+        t, x = s.take(active), w[active]
+        slope = _cubic_slope(t, x)
+        step = _cubic_dd(t, x) / slope
+        # at a double root the slope is noise, and w is as good as it gets
+        simple = np.abs(step) <= 2.0**-10 * x
+        x = np.where(simple, x - step, x)
+        w[active] = x
+        active = active[simple & (3 * t.A * x * step * step > 2.0**-58 * x * np.abs(slope))]
+        if not active.size:
+            break
+    return w
+
+
+# ==== The quartic =====================================================================================================
+
+
+def _critical_values(s: _Quartic, w: Floats) -> Floats:
+    """The quartic at its critical points near w, with a certain sign; 0 where only rounding is left."""
+    value, size = s.value(w)
+    unsure = np.flatnonzero(np.abs(value) <= ROUGH * size)
+    if unsure.size:
+        t, x = s.take(unsure), w[unsure]
+        tail = np.zeros_like(x)
+        for last in (False, False, True):
+            step = _cubic_dd(t, x) / _cubic_slope(t, x)
+            # where maximum and minimum coincide the value does not depend on w in second order
+            step = np.where(np.abs(step) <= 2.0**-10 * x, step, 0.0)
+            if last:
+                tail = -step
+            else:
+                x = x - step
+        fine, size = t.value_dd(x, tail)
+        # the rise from w = 0, whose terms may be far smaller than those of the value; A w^3 + q = -p w is used
+        start = t.fine_at_0()
+        rise = t.k * x * x * (-0.5 * t.p - 0.75 * t.A * x * x)
+        by_rise = np.abs(start + rise) > 2.0**-40 * (np.abs(start) - t.k * x * x * t.p)
+        value[unsure] = np.where(by_rise, start + rise, np.where(np.abs(fine) <= FINE * size, 0.0, fine))
+    return value
+
+
+def _refine(s: _Quartic, w: Floats, lo: Floats, hi: Floats, rising: Floats) -> Floats:
+    """The roots between lo and hi, where the quartics are monotone and rise (+1) or fall (-1), from first guesses w."""
+    lo, hi = lo.copy(), hi.copy()
+    w = np.where((w > lo) & (w < hi), w, 0.5 * (lo + hi))
+
+    active = np.arange(w.size)
+    for _ in range(12):  # Halley in double, until the next error is below 2^-36 of the distance to a fold
+        t, x, below, above = s.take(active), w[active], lo[active], hi[active]
+        f, size = t.value(x)
+        certain = np.abs(f) > ROUGH * size
+        D = _cubic_slope(t, x)
+        C = x * (t.A * x * x + t.p) + t.q
+        left = f * rising[active] < 0
+        below = np.where(certain & left, x, below)
+        above = np.where(certain & ~left, x, above)
+        following = x - 2 * f * C / (2 * t.k * C * C - f * D)
+        following = np.where((following > below) & (following < above), following, 0.5 * (below + above))
+        moved = np.abs(following - x)
+        lo[active], hi[active] = below, above
+        w[active] = np.where(certain, following, x)
+        near = (moved * np.abs(D) <= 2.0**-12 * np.abs(C)) & (moved <= 2.0**-12 * following)
+        active = active[certain & ~near]
+        if not active.size:
+            break
+
+    active = np.arange(w.size)
+    for _ in range(100):  # Newton with the double-double residual: once, but for nearly multiple roots
+        t, x, below, above = s.take(active), w[active], lo[active], hi[active]
+        f, _size = t.value_dd(x)
+        D = _cubic_slope(t, x)
+        C = x * (t.A * x * x + t.p) + t.q
+        step = f / (t.k * C)
+        following = x - step
+        done = (step * step * np.abs(D) <= 2.0**-57 * np.abs(C) * x) & (following >= below) & (following <= above)
+        left = f * rising[active] < 0
+        below = np.where(left, x, below)
+        above = np.where(left, above, x)
+        inside = (following > below) & (following < above)
+        following = np.where(done | inside, following, 0.5 * (below + above))
+        lo[active], hi[active], w[active] = below, above, following
+        active = active[~done & (following != x) & (below < above)]
+        if not active.size:
+            break
+    return w
+
+
+def _quartic_roots(s: _Quartic) -> tuple[Floats, Counts]:
+    """All positive roots of each quartic, shape (n, 3), and their number."""
+    n = s.A.size
+    found = np.full((n, 3), np.nan)
+    f0 = s.value_at_0()
+    exist, w1, w2 = _critical_points(s)
+    f1, f2 = np.full(n, np.nan), np.full(n, np.nan)
+    f2[exist] = _critical_values(s.take(exist), w2[exist])
+    biquadratic = exist & (w1 == 0)
+    has_maximum = exist & (w1 > 0)
+    f1[has_maximum] = _critical_values(s.take(has_maximum), w1[has_maximum])
+
+    # where the quartic touches zero; NaN compares false
+    found[f1 == 0, :2] = w1[f1 == 0, None]
+    found[f2 == 0, 1:] = w2[f2 == 0, None]
+
+    # simple roots: (place, which, first guess, lo, hi, rising)
+    todo: list[tuple[int, NDArray[np.intp], Floats, Floats, Floats, float]] = []
+    A, k, p, q = s.A, s.k, s.p, s.q
+
+    # the quartic rises everywhere: one root, below the biquadratic's and, for p >= 0, below the line's
+    i = np.flatnonzero(~exist & (f0 < 0))
+    E = -f0[i] / k[i]
+    root = np.sqrt(p[i] * p[i] + 4 * A[i] * E)
+    high = np.sqrt(np.where(p[i] > 0, 4 * E / (p[i] + root), (root - p[i]) / A[i]))
+    start = np.where(p[i] >= 0, np.minimum(high, E / q[i]), high)
+    todo.append((0, i, start, np.zeros_like(high), 2 * high, 1.0))
+
+    # between 0 and the maximum the quartic is concave: the tangent at 0 and the parabola at w1 end below the root
+    drop = np.sqrt(2 * np.maximum(f1, 0.0) / (-k * _cubic_slope(s, w1)))
+    i = np.flatnonzero((f0 < 0) & (f1 > 0))
+    start = np.maximum(-f0[i] / (k[i] * q[i]), w1[i] - drop[i])
+    todo.append((0, i, start, np.zeros_like(start), w1[i], 1.0))
+
+    # with v^2 = slope'(w2)/(2A), d (v ± d/2) = ±S is exact for q = 0, and a close first guess otherwise
+    vv = 0.5 * np.maximum(3 * w2 * w2 + p / A, 0.0)
+    twice_S = 2 * np.sqrt(np.maximum(-f2, 0.0) / (k * A))
+    i = np.flatnonzero((f1 > 0) & (f2 < 0))
+    down = w2[i] - twice_S[i] / (np.sqrt(vv[i]) + np.sqrt(np.maximum(vv[i] - twice_S[i], 0.0)))
+    start = np.where(f1[i] < -f2[i], w1[i] + drop[i], down)
+    todo.append((1, i, start, w1[i], w2[i], -1.0))
+
+    i = np.flatnonzero(has_maximum & (f2 < 0))
+    start = w2[i] + twice_S[i] / (np.sqrt(vv[i]) + np.sqrt(vv[i] + twice_S[i]))
+    todo.append((2, i, start, w2[i], 2 * start, 1.0))
+
+    # biquadratic: closed form, the guess is the root but for rounding
+    i = np.flatnonzero(biquadratic & (f2 < 0))
+    xx = w2[i] * w2[i] + twice_S[i]
+    todo.append((2, i, np.sqrt(xx), w2[i], 2 * np.sqrt(xx), 1.0))
+    two = f0[i] > 0
+    i, xx = i[two], xx[two]
+    todo.append((1, i, np.sqrt(4 * f0[i] / (k[i] * A[i] * xx)), np.zeros_like(xx), w2[i], -1.0))
+
+    which = np.concatenate([item[1] for item in todo])
+    if which.size:
+        place = np.repeat([item[0] for item in todo], [item[1].size for item in todo])
+        rising = np.repeat([item[5] for item in todo], [item[1].size for item in todo])
+        start, lo, hi = (np.concatenate([item[j] for item in todo]) for j in (2, 3, 4))
+        found[which, place] = _refine(s.take(which), start, lo, hi, rising)
+    found.sort(axis=-1)
+    return found, np.sum(found > 0, axis=-1, dtype=np.int32)
+
+
+# ==== Public ==========================================================================================================
+
+
+def _response(A: Floats, h: Floats, m: Floats, zeta: Floats, F_0: Floats) -> tuple[Floats, Counts]:
+    found, count = np.full((A.size, 3), np.nan), np.zeros(A.size, np.int32)
+    moves = np.flatnonzero(F_0 >= m)  # otherwise I >= m > F_0: the mass sticks
+    found[moves], count[moves] = _quartic_roots(_Response.of(A[moves], h[moves], m[moves], zeta[moves], F_0[moves]))
+    return found, count
+
+
+def _fold(A: Floats, h: Floats, h_A: Floats, m: Floats, zeta: Floats) -> tuple[Floats, Counts]:
+    found = np.full((A.size, 3), np.nan)
+    two_factors = zeta == 0  # R = 0 and w^2 + h_A = 0
+    i = np.flatnonzero(two_factors)
+    found[i, 0] = np.sqrt(np.where(h[i] < 0, -h[i] / A[i], np.nan))
+    found[i, 1] = np.sqrt(np.where(h_A[i] < 0, -h_A[i], np.nan))
+    i = np.flatnonzero(~two_factors)
+    # beside a corner h_A is huge: measure w there in units of sqrt|h_A|, lest w^4 overflow
+    e = np.where(np.abs(h_A[i]) > 2.0**100, np.frexp(h_A[i])[1] // 4, 0)
+    scaled = (np.ldexp(A[i], 2 * e), np.ldexp(h[i], -2 * e), np.ldexp(h_A[i], -4 * e), np.ldexp(m[i], -2 * e))
+    found[i] = _quartic_roots(_Fold.of(*scaled, np.ldexp(zeta[i], -2 * e)))[0] * np.ldexp(1.0, 2 * e)[:, None]
+    found.sort(axis=-1)
+    return found, np.sum(found > 0, axis=-1, dtype=np.int32)
+
+
+def _peak(A: Floats, h: Floats, m: Floats, zeta: Floats) -> tuple[Floats, Counts]:
+    found = np.full((A.size, 2), np.nan)
+    s = _Response.of(A, h, m, zeta, np.zeros_like(A))
+    exist, w1, w2 = _critical_points(s)
+    for place, w, which in ((0, w1, exist & (w1 > 0)), (1, w2, exist)):
+        found[which, place] = _polish_cubic(s.take(which), w[which])
+    found.sort(axis=-1)
+    return found, np.sum(found > 0, axis=-1, dtype=np.int32)
+
+
+def _broadcast(
+    solve: Callable[..., tuple[Floats, Counts]], places: int, any_sign: tuple[int, ...], *parameters: ArrayLike
+) -> tuple[Floats, Counts]:
+    """Solve in chunks over the broadcast parameters; those outside the domain get the count -1."""
+    arrays = np.broadcast_arrays(*(np.asarray(parameter, dtype=np.float64) for parameter in parameters))
+    shape = arrays[0].shape
+    flat = [array.reshape(-1) for array in arrays]
+    n = flat[0].size
+    found, count = np.full((n, places), np.nan), np.full(n, -1, np.int32)
+    with np.errstate(all="ignore"):
+        for first in range(0, n, CHUNK):
+            part = [array[first : first + CHUNK] for array in flat]
+            valid = part[0] > 0
+            for number, array in enumerate(part):
+                valid &= np.isfinite(array) & ((array >= 0) | (number in any_sign))
+            i = np.flatnonzero(valid)
+            found[first + i], count[first + i] = solve(*(array[i] for array in part))
+    return found.reshape(*shape, places), count.reshape(shape)
+
+
+def response_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike, F_0: ArrayLike) -> tuple[Floats, Counts]:
+    """All Omega > 0 of the response curve F = 0, equation (24), at amplitude A under the forcing F_0.
+
+    The arguments broadcast and are dimensionless: A the amplitude, h = H(A) - A the averaged restoring force,
+    m = 4 mu/pi the averaged friction, zeta the damping ratio, F_0 the forcing.  Returns Omega, shape (..., 3), rising,
+    padded with NaN, and the number of roots, shape (...), -1 outside the domain (see the module); nothing is raised but
+    for arguments that do not broadcast.  With F_0 < m there is no root.
+    """
+    return _broadcast(_response, 3, (1,), A, h, m, zeta, F_0)
+
+
+def fold_roots(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tuple[Floats, Counts]:
+    """All Omega > 0 of the fold locus F_A = 0, equation (30), at amplitude A; the forcing there is sqrt(R^2 + I^2).
+
+    h_A is the derivative of h, of either sign and any finite size.  Otherwise as in `response_roots`.
+    """
+    return _broadcast(_fold, 3, (1, 2), A, h, h_A, m, zeta)
+
+
+def peak_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tuple[Floats, Counts]:
+    """All Omega > 0 of the peak locus F_Omega = 0, in (34), at amplitude A; the forcing there is sqrt(R^2 + I^2).
+
+    Returns Omega, shape (..., 2), and the number of roots; otherwise as in `response_roots`.
+    """
+    return _broadcast(_peak, 2, (1,), A, h, m, zeta)
