@@ -1,0 +1,74 @@
+"""The pipeline: `python -m derivations [--out DIR] [--check]`.
+
+    1. derive   mechanisms/*.py                  -> Results: exact expressions           (derivations.results)
+    2. choose   Results                          -> Modules of Kernels                   (derivations.emit.kernels)
+    3. passes   a kernel's lets and outputs      -> straight-line Programs               (derivations.emit.passes)
+    4. print    Programs                         -> NumPy and C source, by template      (derivations.emit.render)
+    5. record   Results, sources                 -> MANIFEST.json                        (derivations.emit.write)
+    6. write    file name -> text                -> files in DIR; stale files go         (derivations.emit.write)
+
+With --check, two fresh processes under different hash seeds do 1 to 6 in a temporary folder; both must equal DIR, first
+in their set of files, then in every byte.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from derivations.emit.kernels import all_modules
+from derivations.emit.render import render
+from derivations.emit.write import MANIFEST, differences, manifest, on_disk, write
+from derivations.results import derive
+
+ROOT = Path(__file__).parents[1]
+HASH_SEEDS = ("0", "20250415")
+
+
+def generate() -> dict[str, str]:
+    """Stages 1 to 5: every generated file, by name."""
+    results = derive()
+    modules = all_modules(results)
+    files, counts = render(modules)
+    # files |= ledger.files(results)
+    return files | {MANIFEST: manifest(files, results, modules, counts)}
+
+
+def check(folder: Path) -> list[str]:
+    """What differs between `folder` and what the derivation writes now, under each hash seed."""
+    found = on_disk(folder)
+    report: list[str] = []
+    for seed in HASH_SEEDS:
+        with tempfile.TemporaryDirectory() as scratch:
+            subprocess.run(
+                [sys.executable, "-m", "derivations", "--out", scratch],
+                check=True,
+                cwd=ROOT,
+                env={**os.environ, "PYTHONHASHSEED": seed},
+            )
+            new = differences(on_disk(Path(scratch)), found, folder.name)
+        if new and new != report:
+            report += [f"with PYTHONHASHSEED={seed}:\n", *new]
+    return report
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """0, or 1 if --check found a difference."""
+    parser = argparse.ArgumentParser(prog="python -m derivations", description=__doc__.splitlines()[0])
+    parser.add_argument("--out", type=Path, default=ROOT / "generated", metavar="DIR", help="default: %(default)s")
+    parser.add_argument("--check", action="store_true", help="compare DIR with a fresh derivation instead of writing it")
+    options = parser.parse_args(arguments)
+    if options.check:
+        report = check(options.out)
+        sys.stdout.writelines(report)
+        return 1 if report else 0
+    write(generate(), options.out)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

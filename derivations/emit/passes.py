@@ -1,0 +1,212 @@
+"""From a kernel's expressions to a straight line of assignments: common subexpressions once, powers as chains.
+
+In:  lets and outputs, exact SymPy expressions in structured form.
+Out: `Program`: the assignments in order, the outputs, and the operations counted after each pass.
+
+Nothing is expanded, factored or rounded here: the structured forms keep digits that an expansion cancels.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+
+@dataclass(frozen=True)
+class Program:
+    """Straight-line code for one branch of a kernel.
+
+    lets    -- assignments (symbol, expression) in order; an integer power in them is a square of a symbol
+    outputs -- expressions in the arguments and the lets
+    counts  -- floating-point operations after each pass, by pass
+    """
+
+    lets: tuple[Let, ...]
+    outputs: tuple[sp.Expr, ...]
+    counts: dict[str, int]
+
+
+def operations(expression: sp.Expr) -> int:
+    """Additions, multiplications, divisions, roots and function calls that evaluating the expression as written takes."""
+    total = 0
+    for node in sp.preorder_traversal(expression):
+        if is_constant(node):
+            continue
+        if node.is_Add:
+            total += len(node.args) - 1
+        elif node.is_Mul:
+            constants = [arg for arg in node.args if is_constant(arg)]
+            has_factor = sp.Mul(*constants).doit() not in (1, -1)
+            total += len(node.args) - len(constants) + has_factor - 1
+        elif node.is_Pow:
+            exponent = node.exp
+            total += int(abs(exponent)) - 1 if exponent.is_Integer else 1
+            # a reciprocal within a product is the division that the product counts
+        elif node.is_Function:
+            total += 1
+    return total
+
+
+def is_constant(expression: sp.Basic) -> bool:
+    """A number, such as 5/8 or 4/pi: printed as one literal."""
+    return isinstance(expression, sp.Expr) and not expression.free_symbols
+
+
+def straight_line(lets: Sequence[Let], outputs: Sequence[sp.Expr], reserved: Iterable[sp.Symbol]) -> Program:
+    """All passes. `reserved` are the names that the code around uses (the arguments)."""
+    lets, outputs = [(symbol, _held(value)) for symbol, value in lets], [_held(output) for output in outputs]
+    names = {symbol.name for symbol in reserved} | {symbol.name for symbol, _ in lets}
+    needed = _needed(lets, outputs)
+    counts = {"structured": sum(operations(e) for e in (*(value for _, value in needed), *outputs))}
+
+    lets, outputs = _common_subexpressions(needed, outputs)
+    counts["common subexpressions"] = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
+
+    lets, outputs = _power_chains(lets, outputs)
+    lets, outputs = _numbered(lets, outputs, names)
+    counts["power chains"] = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
+    return Program(tuple(lets), tuple(outputs), counts)
+
+
+def _held(expression: sp.Expr) -> sp.Expr:
+    """The expression with 2 (a + b) held as it is: rebuilding it, SymPy would multiply it out."""
+    if not expression.args or is_constant(expression):
+        return expression
+    args = [_held(arg) for arg in expression.args]
+    if expression.is_Mul and len(args) == 2 and args[0].is_Rational and args[0] != -1 and args[1].is_Add:
+        return sp.Mul(sp.UnevaluatedExpr(args[0]), args[1])
+    return expression.func(*args)
+
+
+def _symbols(expression: sp.Expr) -> list[sp.Symbol]:
+    return sorted(expression.free_symbols, key=lambda symbol: symbol.name)
+
+
+def _needed(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> list[Let]:
+    """The lets that the outputs need, each after those that it needs itself."""
+    values = dict(lets)
+    order: dict[sp.Symbol, sp.Expr] = {}
+
+    def visit(expression: sp.Expr) -> None:
+        for symbol in _symbols(expression):
+            if symbol in values and symbol not in order:
+                visit(values[symbol])
+                order[symbol] = values[symbol]
+
+    # the lets' own order first, so that the code reads like the derivation
+    wanted: set[sp.Symbol] = set()
+    stack = [symbol for output in outputs for symbol in _symbols(output)]
+    while stack:
+        symbol = stack.pop()
+        if symbol in values and symbol not in wanted:
+            wanted.add(symbol)
+            stack.extend(_symbols(values[symbol]))
+    for symbol, value in lets:
+        if symbol in wanted and symbol not in order:
+            visit(value)
+            order[symbol] = value
+    return list(order.items())
+
+
+def _common_subexpressions(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list[Let], list[sp.Expr]]:
+    """SymPy's cse over lets and outputs together."""
+    expressions = [value for _, value in lets] + list(outputs)
+    found, reduced = sp.cse(expressions, symbols=sp.numbered_symbols("cse_"), order="canonical")
+    # a common constant is no subexpression: it is folded into a literal
+    constants = {symbol: value for symbol, value in found if is_constant(value)}
+    shared = [(symbol, value.xreplace(constants)) for symbol, value in found if symbol not in constants]
+    reduced = [value.xreplace(constants) for value in reduced]
+    named = [(symbol, value) for (symbol, _), value in zip(lets, reduced, strict=False)]
+    new_outputs = reduced[len(lets) :]
+    # a shared value may need a let and a let may need a shared value: as late as possible, in the order of the lets
+    values = dict(shared)
+    done: dict[sp.Symbol, sp.Expr] = {}
+
+    def before(expression: sp.Expr) -> None:
+        for symbol in sorted(expression.free_symbols & values.keys(), key=lambda s: int(s.name[4:])):
+            if symbol not in done:
+                before(values[symbol])
+                done[symbol] = values[symbol]
+
+    for symbol, value in named:
+        before(value)
+        done[symbol] = value
+    for output in new_outputs:
+        before(output)
+    return list(done.items()), new_outputs
+
+
+def _power_chains(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list[Let], list[sp.Expr]]:
+    """Every integer power by squarings and multiplications: x^5 = (x^2)^2 x. A square used once stays where it is."""
+    uses = Counter(
+        (node.base, abs(int(node.exp)))
+        for expression in (*(value for _, value in lets), *outputs)
+        for node in sp.preorder_traversal(expression)
+        if node.is_Pow and node.exp.is_Integer and abs(node.exp) > 1
+    )
+    exponents = Counter(base for base, _ in uses)
+    result: list[Let] = []
+    powers: dict[tuple[sp.Symbol, int], sp.Symbol] = {}
+    bases: dict[sp.Expr, sp.Symbol] = {}
+
+    def power(base: sp.Symbol, exponent: int) -> sp.Symbol:
+        if exponent == 1:
+            return base
+        if (base, exponent) not in powers:
+            half = power(base, exponent // 2) if exponent % 2 == 0 else power(base, exponent - 1)
+            value = half**2 if exponent % 2 == 0 else half * base
+            powers[base, exponent] = sp.Symbol(f"{base.name}^{exponent}")
+            result.append((powers[base, exponent], value))
+        return powers[base, exponent]
+
+    def chained(expression: sp.Expr) -> sp.Expr:
+        if is_constant(expression) or not expression.args:
+            return expression
+        if expression.is_Pow and expression.exp.is_Integer:
+            base, exponent = chained(expression.base), int(expression.exp)
+            if abs(exponent) > 1 and not base.is_Symbol:
+                if base not in bases:
+                    bases[base] = sp.Symbol(f"base^{len(bases)}")
+                    result.append((bases[base], base))
+                base = bases[base]
+            once = abs(exponent) == 2 and uses[expression.base, 2] == 1 and exponents[expression.base] == 1
+            if abs(exponent) == 1 or once:
+                return base**exponent
+            chain = power(base, abs(exponent))
+            return 1 / chain if exponent < 0 else chain
+        return expression.func(*(chained(arg) for arg in expression.args))
+
+    for symbol, value in lets:
+        result.append((symbol, chained(value)))
+    outputs = [chained(output) for output in outputs]
+    # a common subexpression that was a mere power is now another name for the chain's
+    aliases = {symbol: value for symbol, value in result if value.is_Symbol}
+    result = [(symbol, value.xreplace(aliases)) for symbol, value in result if symbol not in aliases]
+    return result, [output.xreplace(aliases) for output in outputs]
+
+
+def _numbered(lets: Sequence[Let], outputs: Sequence[sp.Expr], named: set[str]) -> tuple[list[Let], list[sp.Expr]]:
+    """Names t0, t1, ... in order of assignment for what the passes introduced; powers of an argument as A2, A3."""
+    rename: dict[sp.Symbol, sp.Symbol] = {}
+    taken = set(named)
+    number = 0
+    for symbol, _ in lets:
+        if symbol.name in named:
+            continue
+        base, _, exponent = symbol.name.partition("^")
+        name = base + exponent
+        if base not in named or name in taken:
+            name, number = f"t{number}", number + 1
+        if name in taken:
+            raise ValueError(f"the name {name} is taken by an argument")
+        taken.add(name)
+        rename[symbol] = sp.Symbol(name)
+    return (
+        [(rename.get(symbol, symbol), value.xreplace(rename)) for symbol, value in lets],
+        [output.xreplace(rename) for output in outputs],
+    )

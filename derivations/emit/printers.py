@@ -1,0 +1,172 @@
+"""SymPy expressions as C99 and as NumPy source.
+
+In:  an expression as `passes` leaves it: exact numbers, at most squares of symbols.
+Out: source text, every number a double of 17 digits.
+
+Whatever a printer does not know is an error (`Unprintable`): an unsupported function, a floating-point number, an object
+that was not evaluated, a power that is not a chain.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.printing.c import C99CodePrinter
+from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.precedence import PRECEDENCE
+
+from derivations.emit.passes import is_constant
+
+
+class Unprintable(TypeError):
+    """The printer does not know this object."""
+
+
+def literal(number: sp.Expr) -> str:
+    """An exact real number as a double: 17 significant digits, always with a point or an exponent."""
+    if number.atoms(sp.Float):
+        raise Unprintable(f"a floating-point number among exact ones: {number}")
+    number = number.doit()
+    for node in sp.preorder_traversal(number):
+        if not (node.is_Rational or node is sp.pi or node.is_Add or node.is_Mul or node.is_Pow):
+            raise Unprintable(f"not a rational, pi, or a root, sum or product of such: {node}")
+    if not number.is_real:
+        raise Unprintable(f"not a finite real number: {number}")
+    # 40 digits first: SymPy's own conversion rounds once more
+    text = format(float(sp.N(number, 40)), ".17g")
+    return text if any(mark in text for mark in ".e") else text + ".0"
+
+
+class _Rules:
+    """What both languages share; mixed in before one of SymPy's printers."""
+
+    functions: dict[type, str]
+    infinity: str
+
+    def _print_Rational(self, expr: sp.Expr) -> str:
+        return literal(expr)
+
+    _print_Integer = _print_Half = _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Rational
+
+    def _print_Infinity(self, expr: sp.Expr) -> str:
+        return self.infinity
+
+    def _print_Float(self, expr: sp.Expr) -> str:
+        return literal(expr)
+
+    def _print_Add(self, expr: sp.Expr, order: str | None = None) -> str:
+        if is_constant(expr):
+            return literal(expr)
+        text = ""
+        for term in self._as_ordered_terms(expr):
+            part = f"({self._print(term)})" if term.is_Add else self._print(term)
+            if not text:
+                text = part
+            elif part.startswith("-"):
+                text += " - " + part[1:]
+            else:
+                text += " + " + part
+        return text
+
+    def _print_Mul(self, expr: sp.Expr) -> str:
+        if is_constant(expr):
+            return literal(expr)
+        factors = expr.as_ordered_factors()
+        constant = sp.Mul(*(factor.doit() for factor in factors if is_constant(factor)))
+        above, below = [], []
+        for factor in factors:
+            if is_constant(factor):
+                continue
+            if factor.is_Pow and factor.exp.could_extract_minus_sign():
+                below.append(self.parenthesize(sp.Pow(factor.base, -factor.exp), PRECEDENCE["Mul"]))
+            else:
+                above.append(self.parenthesize(factor, PRECEDENCE["Mul"]))
+        sign = "-" if constant.is_negative else ""
+        if abs(constant) != 1 or not above:
+            above.insert(0, literal(abs(constant)))
+        text = sign + " * ".join(above)
+        if below:
+            text += " / " + (below[0] if len(below) == 1 and " * " not in below[0] else f"({' * '.join(below)})")
+        return text
+
+    def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
+        if is_constant(expr):
+            return literal(expr)
+        base, exponent = expr.args
+        if exponent == sp.Rational(1, 2):
+            return f"{self.functions[sp.sqrt]}({self._print(base)})"
+        if exponent == 2 and base.is_Symbol:
+            return f"{self._print(base)} * {self._print(base)}"
+        if exponent in (-1, -2, sp.Rational(-1, 2)):
+            return self._print_Mul(sp.Mul(sp.Integer(1), expr, evaluate=False))
+        raise Unprintable(f"the power {expr} is not a chain of multiplications: it has to go through the passes")
+
+    def _print(self, expr: sp.Basic, **settings: object) -> str:
+        # SymPy's printers have a method for each function they know, which would come before the table
+        if isinstance(expr, sp.Function):
+            return self._print_Function(expr)
+        return super()._print(expr, **settings)
+
+    def _print_UnevaluatedExpr(self, expr: sp.UnevaluatedExpr) -> str:
+        return literal(expr)
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        if expr.func not in self.functions:
+            raise Unprintable(f"{type(self).__name__} does not know {expr.func}: {expr}")
+        return f"{self.functions[expr.func]}({', '.join(self._print(arg) for arg in expr.args)})"
+
+    def emptyPrinter(self, expr: sp.Basic) -> str:
+        raise Unprintable(f"{type(self).__name__} does not know {type(expr).__name__}: {expr}")
+
+    _print_not_supported = emptyPrinter
+
+    def doprint(self, expr: sp.Expr, assign_to: None = None) -> str:
+        """Source text of one expression."""
+        for node in sp.preorder_traversal(expr):
+            known = (
+                node.is_Symbol
+                or node.is_Add
+                or node.is_Mul
+                or node.is_Pow
+                or is_constant(node)
+                or (node.is_Function and node.func in self.functions)
+            )
+            if not known:
+                self.emptyPrinter(node)
+        return self._print(expr)
+
+
+class CPrinter(_Rules, C99CodePrinter):
+    """C99, with math.h's functions."""
+
+    infinity = "INFINITY"
+    functions = {
+        sp.sqrt: "sqrt",
+        sp.Abs: "fabs",
+        sp.sin: "sin",
+        sp.cos: "cos",
+        sp.tan: "tan",
+        sp.atan: "atan",
+        sp.atan2: "atan2",
+    }
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        # complex.h makes a macro of I
+        return "I_" if expr.name == "I" else expr.name
+
+
+class NumpyPrinter(_Rules, NumPyPrinter):
+    """NumPy, imported as np."""
+
+    infinity = "np.inf"
+    functions = {
+        sp.sqrt: "np.sqrt",
+        sp.Abs: "np.abs",
+        sp.sin: "np.sin",
+        sp.cos: "np.cos",
+        sp.tan: "np.tan",
+        sp.atan: "np.arctan",
+        sp.atan2: "np.arctan2",
+    }
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        return expr.name

@@ -1,0 +1,82 @@
+"""All steps of the derivation, run once for every mechanism and scene.
+
+In:  the mechanisms.
+Out: `Results`, what `emit/` prints and `ledger/` judges.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from derivations import resultants
+from derivations.averaging import Averaged, averaged
+from derivations.den_hartog import DenHartog, den_hartog
+from derivations.mechanisms import Mechanism, all_mechanisms
+from derivations.oscillator import Oscillator, oscillator
+from derivations.restoring import Restoring, restoring
+from derivations.resultants import Elimination
+from derivations.slow_flow import SCENES, SlowFlow, slow_flow
+from derivations.symbols import u
+
+
+@dataclass(frozen=True)
+class OfMechanism:
+    """What is derived for one mechanism.
+
+    oscillator        -- dimensionless force, coefficients, breakpoints
+    whole             -- h and its derivatives: the average of the whole restoring force u + F_k
+    beside_vertical   -- H and its derivatives: the average of F_k alone
+    saddle_node_onset -- (33), by scene
+    saddle_nodes      -- Res_Omega(F, F_A), by scene
+    """
+
+    oscillator: Oscillator
+    whole: Restoring
+    beside_vertical: Restoring
+    saddle_node_onset: dict[str, Elimination]
+    saddle_nodes: dict[str, Elimination]
+
+
+@dataclass(frozen=True)
+class Results:
+    """The whole derivation.
+
+    averaged   -- steps (8)-(20)
+    flows      -- slow flow and its polynomials, by scene
+    detachment -- (34), by scene
+    den_hartog -- (35)-(37)
+    mechanisms -- by name
+    """
+
+    averaged: Averaged
+    flows: dict[str, SlowFlow]
+    detachment: dict[str, Elimination]
+    den_hartog: DenHartog
+    mechanisms: dict[str, OfMechanism]
+
+
+def of_mechanism(mechanism: Mechanism, flows: dict[str, SlowFlow]) -> OfMechanism:
+    """Steps that need the mechanism."""
+    dimensionless = oscillator(mechanism)
+    whole = restoring(dimensionless.polynomials, mechanism.breakpoints)
+    return OfMechanism(
+        dimensionless,
+        whole,
+        restoring([piece - u for piece in dimensionless.polynomials], mechanism.breakpoints),
+        {scene: resultants.saddle_node_onset(flow, whole) for scene, flow in flows.items()},
+        {scene: resultants.saddle_nodes(flow, whole) for scene, flow in flows.items()},
+    )
+
+
+def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
+    """Everything, for the given mechanisms or for all of `mechanisms/`."""
+    equations = averaged()
+    flows = {scene: slow_flow(equations, scene) for scene in SCENES}
+    return Results(
+        equations,
+        flows,
+        {scene: resultants.detachment(flow) for scene, flow in flows.items()},
+        den_hartog(),
+        {mechanism.name: of_mechanism(mechanism, flows) for mechanism in mechanisms or all_mechanisms()},
+    )

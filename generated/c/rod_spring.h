@@ -1,0 +1,850 @@
+/* mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
+
+   Written by `make derive`; never edit.
+   Input: derivations/mechanisms/rod_spring.py, sha256 4b963fa4cfe8b884f3f3cc62065cd6e54430afc4cec7aeafef2d915baea8ed5b
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+
+#ifndef ROD_SPRING_H
+#define ROD_SPRING_H
+
+#include <math.h>
+
+#include "slow_flow.h"
+
+/* alpha, beta, gamma, u_cr */
+#define ROD_SPRING_PARAMETERS 4
+#define ROD_SPRING_BREAKPOINTS 1
+
+/* h, h_A, h_AA, h_AAA together.
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
+   Operations where passed_1: 247 structured, 119 common subexpressions, 112 power chains
+ */
+static inline void rod_spring_averaged(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        const double t0 = -alpha;
+        const double t1 = A * A;
+        const double t2 = gamma * t1;
+        const double t3 = 4.5 * beta;
+        out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+        out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+        out[2] = A * (-12.5 * t2 - t3);
+        out[3] = -37.5 * t2 - t3;
+        return;
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double psi_0 = atan2(root, u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double t3 = 0.5 * xy;
+    const double S1_2 = -t3 + 0.5 * theta;
+    const double S2_2 = 0.5 * psi_0 + t3;
+    const double A2 = A * A;
+    const double t4 = S1_4 * beta;
+    const double A4 = A2 * A2;
+    const double t5 = S1_6 * gamma;
+    const double t6 = A4 * t5;
+    const double t7 = S1_2 * alpha + S2_2;
+    const double t8 = 3.0 * beta;
+    const double t9 = 1.0 / A2;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t10 = gamma * u_cr2;
+    const double t11 = alpha - 1.0;
+    const double t12 = t11 + u_cr2 * (beta + t10);
+    const double t13 = 6.0 * t4;
+    const double A3 = A * A2;
+    const double t14 = t12 * u_cr3;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double t15 = 1.0 / root3;
+    const double t16 = t14 * t15;
+    const double t17 = t0 / A3;
+    const double t18 = u_cr3 * (-t11 - u_cr2 * (5.0 * t10 + t8));
+    const double t19 = t0 / A4;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    out[0] = -1.2732395447351628 * A * (A2 * t4 + t6 + t7);
+    out[1] = 1.2732395447351628 * (-A2 * S1_4 * t8 + t0 * t12 * t9 * u_cr3 - 5.0 * t6 - t7);
+    out[2] = -1.2732395447351628 * (A * t13 + 20.0 * A3 * t5 + t1 * t16 + 2.0 * t14 * t17 + t17 * t18);
+    out[3] = 1.2732395447351628 * (-60.0 * A2 * t5 - t13 + t14 * t15 * t9 + 6.0 * t14 * t19 + t15 * t18 * t9 + t16
+        * (2.0 * t9 + 3.0 / root2) + 3.0 * t18 * t19 + 2.0 * t19 * u_cr5 * (10.0 * t10 + t8));
+}
+
+/* h, h_A, h_AA together.
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Operations where passed_0: 23 structured, 17 common subexpressions, 17 power chains
+   Operations where passed_1: 132 structured, 87 common subexpressions, 83 power chains
+ */
+static inline void rod_spring_averaged_3(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        const double t0 = -alpha;
+        const double t1 = A * A;
+        const double t2 = gamma * t1;
+        out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+        out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+        out[2] = A * (-4.5 * beta - 12.5 * t2);
+        return;
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double psi_0 = atan2(root, u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double t3 = 0.5 * xy;
+    const double S1_2 = -t3 + 0.5 * theta;
+    const double S2_2 = 0.5 * psi_0 + t3;
+    const double A2 = A * A;
+    const double t4 = A2 * S1_4;
+    const double t5 = S1_6 * gamma;
+    const double A4 = A2 * A2;
+    const double t6 = A4 * t5;
+    const double t7 = S1_2 * alpha + S2_2;
+    const double t8 = 3.0 * beta;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t9 = gamma * u_cr2;
+    const double t10 = alpha - 1.0;
+    const double t11 = t10 + u_cr2 * (beta + t9);
+    const double A3 = A * A2;
+    const double t12 = t11 * u_cr3;
+    const double t13 = 1.0 / A3;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    out[0] = -1.2732395447351628 * A * (beta * t4 + t6 + t7);
+    out[1] = 1.2732395447351628 * (-t4 * t8 - 5.0 * t6 - t7 + t0 * t11 * u_cr3 / A2);
+    out[2] = -1.2732395447351628 * (6.0 * A * S1_4 * beta + 20.0 * A3 * t5 + 2.0 * t0 * t12 * t13 + t0 * t13 *
+        u_cr3 * (-t10 - u_cr2 * (t8 + 5.0 * t9)) + t1 * t12 / root3);
+}
+
+/* h, h_A together.
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
+   Operations where passed_1: 74 structured, 59 common subexpressions, 56 power chains
+ */
+static inline void rod_spring_averaged_2(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        const double t0 = -alpha;
+        const double t1 = A * A;
+        const double t2 = gamma * t1;
+        out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+        out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+        return;
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double psi_0 = atan2(root, u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double t3 = 0.5 * xy;
+    const double S1_2 = -t3 + 0.5 * theta;
+    const double S2_2 = 0.5 * psi_0 + t3;
+    const double A2 = A * A;
+    const double t4 = A2 * S1_4 * beta;
+    const double A4 = A2 * A2;
+    const double t5 = A4 * S1_6 * gamma;
+    const double t6 = S1_2 * alpha + S2_2;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    out[0] = -1.2732395447351628 * A * (t4 + t5 + t6);
+    out[1] = 1.2732395447351628 * (-3.0 * t4 - 5.0 * t5 - t6 + t0 * u_cr3 * (alpha + u_cr2 * (beta + gamma *
+        u_cr2) - 1.0) / A2);
+}
+
+/* The averaged restoring force h = H - A.
+   Equation (20)-(22). Domain: A >= 0.
+   Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
+   Operations where passed_1: 45 structured, 42 common subexpressions, 40 power chains
+ */
+static inline double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr) {
+        const double t0 = A * A;
+        return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0));
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double theta = atan(u_cr / root);
+    const double psi_0 = atan2(root, u_cr);
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double xy = root * t0 * x;
+    const double t1 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t1 + 0.375);
+    const double t2 = 0.5 * xy;
+    const double S1_2 = -t2 + 0.5 * theta;
+    const double S2_2 = 0.5 * psi_0 + t2;
+    const double A2 = A * A;
+    const double A4 = A2 * A2;
+    return -1.2732395447351628 * A * (A2 * S1_4 * beta + A4 * S1_6 * gamma + S1_2 * alpha + S2_2);
+}
+
+/* d/dA of the averaged restoring force h = H - A.
+   Equation (31). Domain: A >= 0.
+   Operations where passed_0: 8 structured, 7 common subexpressions, 7 power chains
+   Operations where passed_1: 60 structured, 55 common subexpressions, 52 power chains
+ */
+static inline double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr) {
+        const double t0 = A * A;
+        return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0);
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double psi_0 = atan2(root, u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double t3 = 0.5 * xy;
+    const double S1_2 = -t3 + 0.5 * theta;
+    const double S2_2 = 0.5 * psi_0 + t3;
+    const double A2 = A * A;
+    const double u_cr2 = u_cr * u_cr;
+    const double A4 = A2 * A2;
+    const double u_cr3 = u_cr * u_cr2;
+    return 1.2732395447351628 * (-3.0 * A2 * S1_4 * beta - 5.0 * A4 * S1_6 * gamma - S1_2 * alpha - S2_2 + t0 *
+        u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / A2);
+}
+
+/* d2/dA2 of the averaged restoring force h = H - A.
+   Equation from (31). Domain: A >= 0.
+   Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
+   Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
+ */
+static inline double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr) {
+        return A * (-12.5 * A * A * gamma - 4.5 * beta);
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t3 = gamma * u_cr2;
+    const double t4 = alpha - 1.0;
+    const double t5 = u_cr3 * (t4 + u_cr2 * (beta + t3));
+    const double t6 = t0 / A3;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    return -1.2732395447351628 * (6.0 * A * S1_4 * beta + 20.0 * A3 * S1_6 * gamma + 2.0 * t5 * t6 + t6 * u_cr3
+        * (-t4 - u_cr2 * (3.0 * beta + 5.0 * t3)) + t1 * t5 / root3);
+}
+
+/* d3/dA3 of the averaged restoring force h = H - A.
+   Equation from (31). Domain: A >= 0.
+   Operations where passed_0: 5 structured, 5 common subexpressions, 5 power chains
+   Operations where passed_1: 139 structured, 79 common subexpressions, 73 power chains
+ */
+static inline double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr) {
+        return -37.5 * A * A * gamma - 4.5 * beta;
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double A2 = A * A;
+    const double t3 = 3.0 * beta;
+    const double u_cr2 = u_cr * u_cr;
+    const double t4 = gamma * u_cr2;
+    const double A4 = A2 * A2;
+    const double t5 = t0 / A4;
+    const double t6 = alpha - 1.0;
+    const double t7 = t6 + u_cr2 * (beta + t4);
+    const double t8 = 1.0 / A2;
+    const double u_cr3 = u_cr * u_cr2;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double t9 = u_cr3 / root3;
+    const double t10 = t8 * t9;
+    const double t11 = t5 * u_cr3;
+    const double t12 = -t6 - u_cr2 * (t3 + 5.0 * t4);
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    return 1.2732395447351628 * (-60.0 * A2 * S1_6 * gamma - 6.0 * S1_4 * beta + t10 * t12 + t10 * t7 + 3.0 *
+        t11 * t12 + 6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2));
+}
+
+/* The averaged force H beside the vertical spring.
+   Equation (20)-(22). Domain: A >= 0.
+   Operations where passed_0: 10 structured, 9 common subexpressions, 9 power chains
+   Operations where passed_1: 41 structured, 39 common subexpressions, 37 power chains
+ */
+static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr) {
+        const double t0 = A * A;
+        return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0);
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double theta = atan(u_cr / root);
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double xy = root * t0 * x;
+    const double t1 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t1 + 0.375);
+    const double S1_2 = 0.5 * theta - 0.5 * xy;
+    const double A2 = A * A;
+    const double A4 = A2 * A2;
+    return -1.2732395447351628 * A * (A2 * S1_4 * beta + A4 * S1_6 * gamma + S1_2 * (alpha - 1.0));
+}
+
+/* d/dA of the averaged force H beside the vertical spring.
+   Equation (31). Domain: A >= 0.
+   Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
+   Operations where passed_1: 56 structured, 51 common subexpressions, 48 power chains
+ */
+static inline double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr) {
+        const double t0 = A * A;
+        return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0;
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double S1_2 = 0.5 * theta - 0.5 * xy;
+    const double t3 = alpha - 1.0;
+    const double A2 = A * A;
+    const double u_cr2 = u_cr * u_cr;
+    const double A4 = A2 * A2;
+    const double u_cr3 = u_cr * u_cr2;
+    return 1.2732395447351628 * (-3.0 * A2 * S1_4 * beta - 5.0 * A4 * S1_6 * gamma - S1_2 * t3 + t0 * u_cr3 *
+        (t3 + u_cr2 * (beta + gamma * u_cr2)) / A2);
+}
+
+/* d2/dA2 of the averaged force H beside the vertical spring.
+   Equation from (31). Domain: A >= 0.
+   Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
+   Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
+ */
+static inline double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr) {
+        return A * (-12.5 * A * A * gamma - 4.5 * beta);
+    }
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / root;
+    const double theta = atan(t0 * u_cr);
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double xy = root * t1 * x;
+    const double t2 = x * x;
+    const double S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125);
+    const double S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375);
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t3 = gamma * u_cr2;
+    const double t4 = alpha - 1.0;
+    const double t5 = u_cr3 * (t4 + u_cr2 * (beta + t3));
+    const double t6 = t0 / A3;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    return -1.2732395447351628 * (6.0 * A * S1_4 * beta + 20.0 * A3 * S1_6 * gamma + 2.0 * t5 * t6 + t6 * u_cr3
+        * (-t4 - u_cr2 * (3.0 * beta + 5.0 * t3)) + t1 * t5 / root3);
+}
+
+/* The parameters alpha, beta, gamma, u_cr from the design ratios.
+   Equation (5), (7). Domain: any ratios.
+   Operations: 15 structured, 11 common subexpressions, 11 power chains
+ */
+static inline void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
+{
+    const double t0 = lam * r;
+    const double t1 = t0 * (delta_h - 1.0);
+    out[0] = -delta_h * t0 + 1.0;
+    out[1] = -0.5 * t1;
+    out[2] = -0.375 * t1;
+    out[3] = sqrt(delta_h) * sqrt(2.0 - delta_h);
+}
+
+/* The |u| at which a piece of the force ends.
+   Equation (5). Domain: any parameters.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline void rod_spring_breakpoints(const double *p, double *out)
+{
+    const double u_cr = p[3];
+    out[0] = u_cr;
+}
+
+/* What the truncated force loses at each breakpoint: f below less f above.
+   Equation (6). Domain: any parameters.
+   Operations: 8 structured, 7 common subexpressions, 7 power chains
+ */
+static inline void rod_spring_jumps(const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    const double t0 = u_cr * u_cr;
+    out[0] = u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0);
+}
+
+/* Whole dimensionless restoring force u + F_k(u), truncated.
+   Equation (3), (6). Domain: any u.
+   Operations where piece_1: 7 structured, 6 common subexpressions, 6 power chains
+   Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    if (fabs(u) <= u_cr) {
+        const double t0 = u * u;
+        return u * (alpha + t0 * (beta + gamma * t0));
+    }
+    return u;
+}
+
+/* Whole dimensionless restoring force u + F_k(u), untruncated.
+   Equation (3), (5). Domain: |u| < 1.
+   Operations where piece_1: 13 structured, 10 common subexpressions, 10 power chains
+   Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_exact_force(double u, double lam, double r, double delta_h)
+{
+    if (fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h)) {
+        const double t0 = sqrt(1.0 - u * u);
+        return -lam * r * u * (delta_h + t0 - 1.0) / t0 + u;
+    }
+    return u;
+}
+
+/* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
+   Equation (33). Domain: roots with 0 < A <= u_cr.
+   Operations: 718 structured, 299 common subexpressions, 253 power chains
+ */
+#define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
+static inline void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double t0 = alpha * alpha;
+    const double zeta2 = zeta * zeta;
+    const double zeta4 = zeta2 * zeta2;
+    const double m2 = m * m;
+    const double m4 = m2 * m2;
+    const double t1 = m4 * zeta4;
+    const double t2 = alpha * t1;
+    const double beta2 = beta * beta;
+    const double t3 = beta * gamma;
+    const double t4 = m2 * zeta4;
+    const double t5 = t0 * t4;
+    const double gamma2 = gamma * gamma;
+    const double beta3 = beta * beta2;
+    const double t6 = beta3 * zeta4;
+    const double t7 = alpha * m2;
+    const double beta4 = beta2 * beta2;
+    const double t8 = beta4 * zeta4;
+    const double t9 = beta4 * zeta2;
+    const double t10 = alpha * gamma;
+    const double beta5 = beta * beta4;
+    const double t11 = beta5 * zeta2;
+    const double t12 = gamma * m2;
+    const double t13 = alpha * gamma2;
+    const double t14 = beta3 * zeta2;
+    const double t15 = beta5 * zeta4;
+    const double gamma3 = gamma * gamma2;
+    const double t16 = gamma3 * t4;
+    const double t17 = beta2 * gamma2;
+    const double t18 = t7 * zeta2;
+    const double beta6 = beta3 * beta3;
+    const double t19 = beta6 * zeta2;
+    const double t20 = beta * gamma3;
+    const double t21 = t0 * zeta4;
+    const double beta7 = beta * beta6;
+    const double gamma4 = gamma2 * gamma2;
+    const double t22 = gamma4 * zeta4;
+    const double t23 = gamma4 * zeta2;
+    const double t24 = m2 * zeta2;
+    const double t25 = beta2 * gamma3;
+    const double gamma5 = gamma * gamma4;
+    const double t26 = gamma5 * zeta2;
+    const double gamma6 = gamma3 * gamma3;
+    const double t27 = gamma6 * zeta2;
+    const double gamma7 = gamma * gamma6;
+    const double beta8 = beta4 * beta4;
+    const double gamma8 = gamma4 * gamma4;
+    out[0] = 4096.0 * t0 * t1;
+    out[1] = 36864.0 * beta * t2;
+    out[2] = 34560.0 * beta2 * t1 + 76800.0 * gamma * t2;
+    out[3] = 294912.0 * beta2 * t5 + 107520.0 * t1 * t3;
+    out[4] = 72000.0 * gamma2 * t1 + 1474560.0 * t3 * t5 + 1658880.0 * t6 * t7;
+    out[5] = 11335680.0 * beta2 * t10 * t4 + 1843200.0 * gamma2 * t5 + 1430784.0 * m2 * t8 - 1710720.0 * t7 * t9;
+    out[6] = 25651200.0 * beta * t13 * t4 - 17038080.0 * gamma * t14 * t7 - 1819584.0 * m2 * t11 + 5308416.0 * t0
+        * t8 + 11335680.0 * t12 * t6;
+    out[7] = 11943936.0 * alpha * t15 + 19200000.0 * alpha * t16 + 53084160.0 * gamma * t0 * t6 - 19692720.0 * t12
+        * t9 - 63417600.0 * t17 * t18 + 32659200.0 * t17 * t4;
+    out[8] = -1119744.0 * alpha * t19 + 40032000.0 * beta * t16 + 6718464.0 * beta6 * zeta4 - 83397600.0 * gamma2
+        * m2 * t14 + 129392640.0 * t10 * t8 + 199065600.0 * t17 * t21 - 104544000.0 * t18 * t20;
+    out[9] = -1259712.0 * beta7 * zeta2 + 78382080.0 * gamma * t15 + 17200000.0 * m2 * t22 - 14307840.0 * t10 *
+        t11 + 550195200.0 * t13 * t6 + 331776000.0 * t20 * t21 - 64400000.0 * t23 * t7 - 171684000.0 * t24 * t25;
+    out[10] = 1140480000.0 * alpha * t25 * zeta4 - 170100000.0 * beta * gamma4 * t24 + 59049.0 * beta8 - 17146080.0
+        * gamma * t19 + 371692800.0 * gamma2 * t8 + 207360000.0 * t0 * t22 - 75427200.0 * t13 * t9;
+    out[11] = 1140480000.0 * alpha * beta * gamma4 * zeta4 - 209952000.0 * alpha * gamma3 * t14 + 912384000.0 *
+        beta3 * gamma3 * zeta4 + 918540.0 * beta7 * gamma - 98560800.0 * gamma2 * t11 - 63750000.0 * m2 * t26;
+    out[12] = -325440000.0 * alpha * beta2 * t23 + 432000000.0 * alpha * gamma5 * zeta4 + 1215360000.0 * beta2 *
+        t22 + 6196500.0 * beta6 * gamma2 - 309906000.0 * gamma3 * t9;
+    out[13] = -266400000.0 * alpha * beta * t26 + 828000000.0 * beta * gamma5 * zeta4 + 23692500.0 * beta5 * gamma3
+        - 575100000.0 * gamma4 * t14;
+    out[14] = -90000000.0 * alpha * t27 - 629100000.0 * beta2 * t26 + 56193750.0 * beta4 * gamma4 + 225000000.0 *
+        gamma6 * zeta4;
+    out[15] = -375000000.0 * beta * t27 + 84712500.0 * beta3 * gamma5;
+    out[16] = 79312500.0 * beta2 * gamma6 - 93750000.0 * gamma7 * zeta2;
+    out[17] = 42187500.0 * beta * gamma7;
+    out[18] = 9765625.0 * gamma8;
+}
+
+/* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
+   Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
+   Operations: 1405 structured, 504 common subexpressions, 460 power chains
+ */
+#define ROD_SPRING_SADDLE_NODES_COUNT 17
+static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double F_02 = F_0 * F_0;
+    const double m2 = m * m;
+    const double m3 = m * m2;
+    const double m6 = m3 * m3;
+    const double F_04 = F_02 * F_02;
+    const double m4 = m2 * m2;
+    const double F_03 = F_0 * F_02;
+    const double F_06 = F_03 * F_03;
+    const double zeta2 = zeta * zeta;
+    const double t0 = m6 * zeta2;
+    const double t1 = 512.0 * alpha;
+    const double zeta4 = zeta2 * zeta2;
+    const double t2 = 1024.0 * zeta4;
+    const double t3 = F_02 * m4;
+    const double t4 = F_04 * m2;
+    const double t5 = t4 * zeta2;
+    const double t6 = F_06 * zeta2;
+    const double t7 = alpha * alpha;
+    const double t8 = t3 * zeta2;
+    const double t9 = 1536.0 * beta;
+    const double beta2 = beta * beta;
+    const double t10 = 288.0 * beta2;
+    const double t11 = 1280.0 * gamma;
+    const double t12 = m4 * zeta4;
+    const double t13 = alpha * t12;
+    const double t14 = 864.0 * beta2;
+    const double t15 = F_02 * zeta4;
+    const double t16 = m2 * t15;
+    const double t17 = alpha * beta;
+    const double t18 = beta * gamma;
+    const double t19 = 960.0 * t18;
+    const double t20 = 2880.0 * t18;
+    const double t21 = beta2 * zeta4;
+    const double t22 = F_04 * beta2;
+    const double t23 = alpha * zeta2;
+    const double t24 = beta2 * m4;
+    const double t25 = alpha * gamma;
+    const double t26 = m2 * zeta2;
+    const double t27 = F_02 * t26;
+    const double t28 = alpha * t27;
+    const double gamma2 = gamma * gamma;
+    const double t29 = 800.0 * gamma2;
+    const double t30 = 7680.0 * t18;
+    const double t31 = 2400.0 * gamma2;
+    const double beta3 = beta * beta2;
+    const double t32 = beta3 * zeta2;
+    const double t33 = 3840.0 * t18;
+    const double t34 = F_02 * m2;
+    const double t35 = m2 * t7;
+    const double beta4 = beta2 * beta2;
+    const double t36 = 324.0 * beta4;
+    const double t37 = beta4 * m2;
+    const double t38 = gamma2 * zeta4;
+    const double t39 = 6912.0 * alpha;
+    const double t40 = beta3 * t15;
+    const double t41 = gamma2 * t23;
+    const double t42 = F_04 * gamma;
+    const double t43 = beta2 * zeta2;
+    const double t44 = m2 * zeta4;
+    const double t45 = beta3 * t44;
+    const double t46 = gamma * m4;
+    const double t47 = t7 * zeta4;
+    const double t48 = 2160.0 * beta3;
+    const double t49 = 5184.0 * beta4;
+    const double t50 = 2592.0 * t37;
+    const double t51 = F_02 * zeta2;
+    const double t52 = beta4 * t51;
+    const double t53 = beta3 * gamma;
+    const double t54 = beta * gamma2;
+    const double t55 = 9600.0 * t54 * zeta2;
+    const double t56 = t21 * t25;
+    const double beta5 = beta * beta4;
+    const double t57 = 1944.0 * beta5;
+    const double t58 = 5400.0 * gamma2;
+    const double gamma3 = gamma * gamma2;
+    const double t59 = gamma3 * zeta2;
+    const double t60 = 6000.0 * F_04;
+    const double t61 = alpha * t38;
+    const double t62 = beta * t61;
+    const double t63 = F_02 * t32;
+    const double t64 = 17280.0 * t25;
+    const double t65 = m2 * t32;
+    const double t66 = beta2 * gamma2;
+    const double t67 = beta * gamma3;
+    const double t68 = beta5 * zeta4;
+    const double t69 = alpha * gamma3;
+    const double t70 = 14580.0 * gamma;
+    const double t71 = gamma2 * t21;
+    const double t72 = 43200.0 * alpha * t66;
+    const double gamma4 = gamma2 * gamma2;
+    const double t73 = 2500.0 * gamma4;
+    const double t74 = 5000.0 * gamma4;
+    const double t75 = F_02 * t59;
+    const double t76 = 48000.0 * t17;
+    const double t77 = m2 * t59;
+    const double t78 = 43200.0 * gamma2;
+    const double t79 = 20000.0 * gamma4;
+    const double t80 = alpha * t79;
+    const double t81 = 63000.0 * beta2;
+    const double t82 = 45000.0 * beta * gamma4;
+    const double gamma5 = gamma * gamma4;
+    const double t83 = 12500.0 * gamma5;
+    const double t84 = gamma5 * zeta4;
+    const double m8 = m4 * m4;
+    const double F_08 = F_04 * F_04;
+    const double beta6 = beta3 * beta3;
+    const double gamma6 = gamma3 * gamma3;
+    out[0] = -256.0 * F_02 * m6 + 384.0 * F_04 * m4 - 256.0 * F_06 * m2 + 64.0 * F_08 + 64.0 * m8;
+    out[1] = 1024.0 * F_02 * alpha * m4 * zeta2 + 1024.0 * F_04 * m2 * zeta4 - t0 * t1 - t1 * t5 - t2 * t3;
+    out[2] = -384.0 * beta * t0 - 1920.0 * beta * t5 + 768.0 * beta * t6 + m4 * t2 * t7 + t8 * t9;
+    out[3] = -F_06 * t10 - 320.0 * gamma * t0 - 2880.0 * gamma * t5 + 1920.0 * gamma * t8 + m6 * t10 + t11 * t6 +
+        t13 * t9 - t14 * t3 + t14 * t4 + 3072.0 * t16 * t17;
+    out[4] = 2304.0 * F_04 * t21 - F_06 * t19 + 1152.0 * beta2 * t28 + 576.0 * m4 * t21 + m6 * t19 + t11 * t13 +
+        5120.0 * t16 * t25 - t20 * t3 + t20 * t4 + 1152.0 * t22 * t23 - 2304.0 * t23 * t24;
+    out[5] = F_04 * t23 * t33 + F_04 * t30 * zeta4 - 864.0 * F_04 * t32 - F_06 * t29 - m4 * t23 * t30 - 1728.0 *
+        m4 * t32 + m6 * t29 + t12 * t19 - 1920.0 * t16 * t18 + 4608.0 * t21 * t35 + t28 * t33 - t3 * t31 + t31 * t4
+        + 2592.0 * t32 * t34;
+    out[6] = -648.0 * F_02 * t37 + F_04 * t36 + 6400.0 * F_04 * t38 + 3200.0 * F_04 * t41 + 12240.0 * beta2 *
+        gamma * t27 + 3200.0 * gamma2 * t28 + 15360.0 * m2 * t18 * t47 + m4 * t36 + 400.0 * m4 * t38 - 6400.0 * m4 *
+        t41 - 3200.0 * t34 * t38 + t39 * t40 + t39 * t45 - 5040.0 * t42 * t43 - 7200.0 * t43 * t46;
+    out[7] = 34560.0 * F_02 * t56 - F_04 * t55 - 2592.0 * alpha * t52 + 28800.0 * m2 * t56 - m4 * t55 + t15 * t49
+        - t23 * t50 + 19200.0 * t27 * t54 - 4320.0 * t34 * t53 + 12800.0 * t35 * t38 + t42 * t48 + t46 * t48 + t50 *
+        zeta4;
+    out[8] = 57600.0 * F_02 * t62 + 30240.0 * gamma * t40 + 12960.0 * gamma * t45 + 38400.0 * m2 * t62 - 4000.0 *
+        m4 * t59 + t22 * t58 + t24 * t58 - t26 * t57 + 10000.0 * t34 * t59 - 10800.0 * t34 * t66 + t47 * t49 - t51 *
+        t57 - t59 * t60 - t63 * t64 - t64 * t65;
+    out[9] = 64800.0 * F_02 * t71 + 7776.0 * alpha * t68 + 23400.0 * m2 * t71 + 6000.0 * m4 * t67 + 32000.0 * t15
+        * t69 - t26 * t72 - 12000.0 * t34 * t67 - t37 * t70 * zeta2 + 16000.0 * t44 * t69 + 34560.0 * t47 * t53 -
+        t51 * t72 - t52 * t70 + t60 * t67;
+    out[10] = F_04 * t73 + 58320.0 * alpha * beta4 * gamma * zeta4 + 2916.0 * beta6 * zeta4 + m4 * t73 + 60000.0 *
+        t15 * t67 - t34 * t74 + 18000.0 * t44 * t67 - t63 * t78 - t65 * t78 + 86400.0 * t7 * t71 - t75 * t76 - t76 *
+        t77;
+    out[11] = 172800.0 * beta3 * t61 + 24300.0 * gamma * t68 + t15 * t79 - t26 * t80 + t44 * t74 + 96000.0 * t47 *
+        t67 - t51 * t80 - t75 * t81 - t77 * t81;
+    out[12] = 83025.0 * beta4 * t38 + 40000.0 * gamma4 * t47 + 252000.0 * t21 * t69 - t26 * t82 - t51 * t82;
+    out[13] = 180000.0 * alpha * beta * gamma4 * zeta4 + 148500.0 * beta3 * gamma3 * zeta4 - t26 * t83 - t51 * t83;
+    out[14] = 50000.0 * alpha * t84 + 146250.0 * gamma4 * t21;
+    out[15] = 75000.0 * beta * t84;
+    out[16] = 15625.0 * gamma6 * zeta4;
+}
+
+/* Cosine balance, -F_0 cos phi at a fixed point.
+   Equation (23). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_R(double Omega, double A, double mu, double zeta, const double *p)
+{
+    (void)(mu);
+    (void)(zeta);
+    const double average[1] = {
+        rod_spring_h(A, p[0], p[1], p[2], p[3]),
+    };
+    return slow_flow_R(Omega, A, average[0]);
+}
+
+/* Sine balance, -F_0 sin phi at a fixed point.
+   Equation (23). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_I(double Omega, double A, double mu, double zeta, const double *p)
+{
+    (void)(p);
+    return slow_flow_I(Omega, A, slow_flow_friction(mu), zeta);
+}
+
+/* Frequency response; zero at a steady state.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+{
+    const double average[1] = {
+        rod_spring_h(A, p[0], p[1], p[2], p[3]),
+    };
+    return slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
+}
+
+/* dF/dA; positive where stable.
+   Equation (24), (30). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_F_A(double Omega, double A, double mu, double zeta, const double *p)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    return slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
+}
+
+/* d2F/dA2.
+   Equation (24), (33). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_F_AA(double Omega, double A, double mu, double zeta, const double *p)
+{
+    double average[3];
+    rod_spring_averaged_3(A, p, average);
+    return slow_flow_F_AA(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], average[2]);
+}
+
+/* d3F/dA3.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_F_AAA(double Omega, double A, double mu, double zeta, const double *p)
+{
+    double average[4];
+    rod_spring_averaged(A, p, average);
+    return slow_flow_F_AAA(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], average[2], average[3]);
+}
+
+/* dF/dOmega.
+   Equation (24), (34). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_F_Omega(double Omega, double A, double mu, double zeta, const double *p)
+{
+    const double average[1] = {
+        rod_spring_h(A, p[0], p[1], p[2], p[3]),
+    };
+    return slow_flow_F_Omega(Omega, A, slow_flow_friction(mu), zeta, average[0]);
+}
+
+/* d2F/dA dOmega.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_F_AOmega(double Omega, double A, double mu, double zeta, const double *p)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    return slow_flow_F_AOmega(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
+}
+
+/* Phase phi of a steady state, from -pi to 0.
+   Equation (25). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_phase(double Omega, double A, double mu, double zeta, const double *p)
+{
+    const double average[1] = {
+        rod_spring_h(A, p[0], p[1], p[2], p[3]),
+    };
+    return slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
+}
+
+/* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+   Equation (28). Domain: Omega > 0, A > 0. */
+static inline void rod_spring_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], out);
+}
+
+/* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+   Equation (30). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_stability(double Omega, double A, double mu, double zeta, const double *p)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    return slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
+}
+
+/* Fundamental harmonic of the force on the base over F_0, at a steady state.
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. */
+static inline double rod_spring_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+{
+    const double average[1] = {
+        rod_spring_h(A, p[0], p[1], p[2], p[3]),
+    };
+    return slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
+}
+
+/* Frequency on the backbone.
+   Equation (26). Domain: A > 0, h <= 0. */
+static inline double rod_spring_backbone(double A, const double *p)
+{
+    const double average[1] = {
+        rod_spring_h(A, p[0], p[1], p[2], p[3]),
+    };
+    return slow_flow_backbone(A, average[0]);
+}
+
+/* Largest amplitude that the forcing can hold at this frequency.
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. */
+static inline double rod_spring_limit_envelope(double Omega, double F_0, double mu, double zeta)
+{
+    return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
+}
+
+/* Viscous damping ratio that dissipates as much as zeta and friction together.
+   Equation (38). Domain: Omega > 0, A > 0. */
+static inline double rod_spring_equivalent_damping(double Omega, double A, double mu, double zeta)
+{
+    return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
+}
+
+#endif

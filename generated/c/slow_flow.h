@@ -1,0 +1,267 @@
+/* Slow flow of any mechanism, in h = H - A and its derivatives.
+
+   Written by `make derive`; never edit.
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/resultants.py
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+
+#ifndef SLOW_FLOW_H
+#define SLOW_FLOW_H
+
+#include <math.h>
+
+/* Dry friction's share of I.
+   Equation (23). Domain: mu >= 0.
+   Operations: 1 structured, 1 common subexpressions, 1 power chains
+ */
+static inline double slow_flow_friction(double mu)
+{
+    return 1.2732395447351628 * mu;
+}
+
+/* Cosine balance, -F_0 cos phi at a fixed point.
+   Equation (23). Domain: Omega > 0, A > 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline double slow_flow_R(double Omega, double A, double h)
+{
+    return A * Omega * Omega + h;
+}
+
+/* Sine balance, -F_0 sin phi at a fixed point.
+   Equation (23). Domain: Omega > 0, A > 0.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double slow_flow_I(double Omega, double A, double m, double zeta)
+{
+    return 2.0 * A * Omega * zeta + m;
+}
+
+/* Frequency response; zero at a steady state.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 12 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double slow_flow_F(double Omega, double A, double F_0, double m, double zeta, double h)
+{
+    const double R = A * Omega * Omega + h;
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    return R * R + (-F_0 + I_) * (F_0 + I_);
+}
+
+/* dF/dA; positive where stable.
+   Equation (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 15 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double slow_flow_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = 2.0 * Omega * zeta;
+    const double I_ = A * t1 + m;
+    return 2.0 * (I_ * t1 + R * (h_A + t0));
+}
+
+/* d2F/dA2.
+   Equation (24), (33). Domain: Omega > 0, A > 0.
+   Operations: 14 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+{
+    (void)(m);
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = h_A + t0;
+    return 2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1);
+}
+
+/* d3F/dA3.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 10 structured, 9 common subexpressions, 9 power chains
+ */
+static inline double slow_flow_F_AAA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
+{
+    (void)(m);
+    (void)(zeta);
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    return 2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0));
+}
+
+/* dF/dOmega.
+   Equation (24), (34). Domain: Omega > 0, A > 0.
+   Operations: 12 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double slow_flow_F_Omega(double Omega, double A, double m, double zeta, double h)
+{
+    const double R = A * Omega * Omega + h;
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    return 4.0 * A * (I_ * zeta + Omega * R);
+}
+
+/* d2F/dA dOmega.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 21 structured, 17 common subexpressions, 17 power chains
+ */
+static inline double slow_flow_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double I_ = m + t2 * zeta;
+    return 4.0 * (I_ * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta * zeta);
+}
+
+/* Phase phi of a steady state, from -pi to 0.
+   Equation (25). Domain: Omega > 0, A > 0.
+   Operations: 8 structured, 8 common subexpressions, 8 power chains
+ */
+static inline double slow_flow_phase(double Omega, double A, double m, double zeta, double h)
+{
+    const double R = A * Omega * Omega + h;
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    return atan2(-I_, -R);
+}
+
+/* Frequency on the backbone.
+   Equation (26). Domain: A > 0, h <= 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline double slow_flow_backbone(double A, double h)
+{
+    return sqrt(-h) / sqrt(A);
+}
+
+/* Largest amplitude that the forcing can hold at this frequency.
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double slow_flow_limit_envelope(double Omega, double F_0, double m, double zeta)
+{
+    return 0.5 * (F_0 - m) / (Omega * zeta);
+}
+
+/* Viscous damping ratio that dissipates as much as zeta and friction together.
+   Equation (38). Domain: Omega > 0, A > 0.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double slow_flow_equivalent_damping(double Omega, double A, double m, double zeta)
+{
+    return zeta + 0.5 * m / (A * Omega);
+}
+
+/* Fundamental harmonic of the force on the base over F_0, at a steady state.
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+   Operations: 9 structured, 9 common subexpressions, 9 power chains
+ */
+static inline double slow_flow_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
+{
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    return sqrt(I_ * I_ + h * h) / F_0;
+}
+
+/* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+   Equation (28). Domain: Omega > 0, A > 0.
+   Operations: 17 structured, 13 common subexpressions, 13 power chains
+ */
+static inline void slow_flow_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
+{
+    const double t0 = Omega * Omega;
+    const double t1 = 0.5 / Omega;
+    const double t2 = t1 / A;
+    out[0] = -zeta;
+    out[1] = t1 * (A * t0 + h);
+    out[2] = t2 * (-h_A - t0);
+    out[3] = t2 * (-2.0 * A * Omega * zeta - m);
+}
+
+/* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+   Equation (30). Domain: Omega > 0, A > 0.
+   Operations: 15 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double slow_flow_stability(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = 2.0 * Omega * zeta;
+    const double I_ = A * t1 + m;
+    return (I_ * t1 + R * (h_A + t0)) / A;
+}
+
+/* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24). Domain: A > 0.
+   Operations: 16 structured, 15 common subexpressions, 15 power chains
+ */
+static inline void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
+{
+    const double t0 = A * A;
+    out[0] = h * h + (-F_0 + m) * (F_0 + m);
+    out[1] = 4.0 * A * m * zeta;
+    out[2] = 2.0 * A * h + 4.0 * t0 * zeta * zeta;
+    out[3] = t0;
+}
+
+/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24), (30). Domain: A > 0.
+   Operations: 8 structured, 8 common subexpressions, 8 power chains
+ */
+static inline void slow_flow_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
+{
+    out[0] = h * h_A;
+    out[1] = 2.0 * m * zeta;
+    out[2] = A * (h_A + 4.0 * zeta * zeta) + h;
+    out[3] = A;
+}
+
+/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
+   Equation (34). Domain: A > 0.
+   Operations: 5 structured, 5 common subexpressions, 5 power chains
+ */
+static inline void slow_flow_peak_cubic(double A, double m, double zeta, double h, double *out)
+{
+    out[0] = m * zeta;
+    out[1] = 2.0 * A * zeta * zeta + h;
+    out[2] = A;
+}
+
+/* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+   Equation (34). Domain: A > 0.
+   Operations: 183 structured, 91 common subexpressions, 69 power chains
+ */
+#define SLOW_FLOW_DETACHMENT_COUNT 4
+static inline void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
+{
+    const double h2 = h * h;
+    const double m2 = m * m;
+    const double m4 = m2 * m2;
+    const double zeta2 = zeta * zeta;
+    const double zeta4 = zeta2 * zeta2;
+    const double A2 = A * A;
+    const double t0 = A2 * zeta4;
+    const double t1 = A * zeta2;
+    const double t2 = h * t1;
+    const double h3 = h * h2;
+    const double zeta3 = zeta * zeta2;
+    const double zeta6 = zeta3 * zeta3;
+    const double A3 = A * A2;
+    const double t3 = A3 * zeta6;
+    const double t4 = 32.0 * t3;
+    const double zeta8 = zeta4 * zeta4;
+    const double A4 = A2 * A2;
+    const double t5 = 16.0 * A4 * zeta8;
+    const double t6 = 8.0 * t1;
+    const double t7 = h3 * t6;
+    const double t8 = h2 * m2;
+    const double t9 = 8.0 * t0;
+    const double m3 = m * m2;
+    const double m6 = m3 * m3;
+    const double h4 = h2 * h2;
+    out[0] = -8.0 * h * m2 * t3 - h2 * m4 - h2 * t5 - h3 * t4 - 16.0 * h4 * t0 - m2 * t7 - m4 * t0 - 10.0 * m4 *
+        t2 - m6 - 32.0 * t0 * t8;
+    out[1] = h * t4 + h2 * t9 + 20.0 * m2 * t0 + 2.0 * m2 * t2 + 3.0 * m4 + t5 - t7 + 2.0 * t8;
+    out[2] = h * t6 - h2 - 3.0 * m2 + t9;
+    out[3] = 1.0;
+}
+
+#endif

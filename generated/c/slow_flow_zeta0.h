@@ -1,0 +1,261 @@
+/* Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0.
+
+   Written by `make derive`; never edit.
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/resultants.py
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+
+#ifndef SLOW_FLOW_ZETA0_H
+#define SLOW_FLOW_ZETA0_H
+
+#include <math.h>
+
+/* Dry friction's share of I.
+   Equation (23). Domain: mu >= 0.
+   Operations: 1 structured, 1 common subexpressions, 1 power chains
+ */
+static inline double slow_flow_zeta0_friction(double mu)
+{
+    return 1.2732395447351628 * mu;
+}
+
+/* Cosine balance, -F_0 cos phi at a fixed point.
+   Equation (23). Domain: Omega > 0, A > 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline double slow_flow_zeta0_R(double Omega, double A, double h)
+{
+    return A * Omega * Omega + h;
+}
+
+/* Sine balance, -F_0 sin phi at a fixed point.
+   Equation (23). Domain: Omega > 0, A > 0.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double slow_flow_zeta0_I(double Omega, double A, double m, double zeta)
+{
+    (void)(Omega);
+    (void)(A);
+    (void)(zeta);
+    return m;
+}
+
+/* Frequency response; zero at a steady state.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 8 structured, 8 common subexpressions, 8 power chains
+ */
+static inline double slow_flow_zeta0_F(double Omega, double A, double F_0, double m, double zeta, double h)
+{
+    (void)(zeta);
+    const double R = A * Omega * Omega + h;
+    return R * R + (-F_0 + m) * (F_0 + m);
+}
+
+/* dF/dA; positive where stable.
+   Equation (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 7 structured, 6 common subexpressions, 6 power chains
+ */
+static inline double slow_flow_zeta0_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    (void)(m);
+    (void)(zeta);
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    return 2.0 * R * (h_A + t0);
+}
+
+/* d2F/dA2.
+   Equation (24), (33). Domain: Omega > 0, A > 0.
+   Operations: 9 structured, 8 common subexpressions, 8 power chains
+ */
+static inline double slow_flow_zeta0_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+{
+    (void)(m);
+    (void)(zeta);
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = h_A + t0;
+    return 2.0 * (R * h_AA + t1 * t1);
+}
+
+/* d3F/dA3.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 10 structured, 9 common subexpressions, 9 power chains
+ */
+static inline double slow_flow_zeta0_F_AAA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
+{
+    (void)(m);
+    (void)(zeta);
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    return 2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0));
+}
+
+/* dF/dOmega.
+   Equation (24), (34). Domain: Omega > 0, A > 0.
+   Operations: 6 structured, 6 common subexpressions, 6 power chains
+ */
+static inline double slow_flow_zeta0_F_Omega(double Omega, double A, double m, double zeta, double h)
+{
+    (void)(m);
+    (void)(zeta);
+    const double R = A * Omega * Omega + h;
+    return 4.0 * A * Omega * R;
+}
+
+/* d2F/dA dOmega.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 9 structured, 8 common subexpressions, 8 power chains
+ */
+static inline double slow_flow_zeta0_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    (void)(m);
+    (void)(zeta);
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    return 4.0 * Omega * (A * (h_A + t0) + R);
+}
+
+/* Phase phi of a steady state, from -pi to 0.
+   Equation (25). Domain: Omega > 0, A > 0.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double slow_flow_zeta0_phase(double Omega, double A, double m, double zeta, double h)
+{
+    (void)(zeta);
+    const double R = A * Omega * Omega + h;
+    return atan2(-m, -R);
+}
+
+/* Frequency on the backbone.
+   Equation (26). Domain: A > 0, h <= 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline double slow_flow_zeta0_backbone(double A, double h)
+{
+    return sqrt(-h) / sqrt(A);
+}
+
+/* Largest amplitude that the forcing can hold at this frequency.
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double m, double zeta)
+{
+    (void)(Omega);
+    (void)(F_0);
+    (void)(m);
+    (void)(zeta);
+    return INFINITY;
+}
+
+/* Viscous damping ratio that dissipates as much as zeta and friction together.
+   Equation (38). Domain: Omega > 0, A > 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline double slow_flow_zeta0_equivalent_damping(double Omega, double A, double m, double zeta)
+{
+    (void)(zeta);
+    return 0.5 * m / (A * Omega);
+}
+
+/* Fundamental harmonic of the force on the base over F_0, at a steady state.
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+   Operations: 5 structured, 5 common subexpressions, 5 power chains
+ */
+static inline double slow_flow_zeta0_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
+{
+    (void)(Omega);
+    (void)(A);
+    (void)(zeta);
+    return sqrt(h * h + m * m) / F_0;
+}
+
+/* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+   Equation (28). Domain: Omega > 0, A > 0.
+   Operations: 13 structured, 9 common subexpressions, 9 power chains
+ */
+static inline void slow_flow_zeta0_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
+{
+    (void)(zeta);
+    const double t0 = Omega * Omega;
+    const double t1 = 0.5 / Omega;
+    const double t2 = t1 / A;
+    out[0] = 0.0;
+    out[1] = t1 * (A * t0 + h);
+    out[2] = t2 * (-h_A - t0);
+    out[3] = -m * t2;
+}
+
+/* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+   Equation (30). Domain: Omega > 0, A > 0.
+   Operations: 7 structured, 6 common subexpressions, 6 power chains
+ */
+static inline double slow_flow_zeta0_stability(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    (void)(m);
+    (void)(zeta);
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    return R * (h_A + t0) / A;
+}
+
+/* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24). Domain: A > 0.
+   Operations: 8 structured, 8 common subexpressions, 8 power chains
+ */
+static inline void slow_flow_zeta0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
+{
+    (void)(zeta);
+    out[0] = h * h + (-F_0 + m) * (F_0 + m);
+    out[1] = 0.0;
+    out[2] = 2.0 * A * h;
+    out[3] = A * A;
+}
+
+/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24), (30). Domain: A > 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline void slow_flow_zeta0_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
+{
+    (void)(m);
+    (void)(zeta);
+    out[0] = h * h_A;
+    out[1] = 0.0;
+    out[2] = A * h_A + h;
+    out[3] = A;
+}
+
+/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
+   Equation (34). Domain: A > 0.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline void slow_flow_zeta0_peak_cubic(double A, double m, double zeta, double h, double *out)
+{
+    (void)(m);
+    (void)(zeta);
+    out[0] = 0.0;
+    out[1] = h;
+    out[2] = A;
+}
+
+/* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+   Equation (34). Domain: A > 0.
+   Operations: 11 structured, 9 common subexpressions, 7 power chains
+ */
+#define SLOW_FLOW_ZETA0_DETACHMENT_COUNT 3
+static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, double h, double *out)
+{
+    (void)(A);
+    (void)(zeta);
+    const double t0 = h * h;
+    const double m2 = m * m;
+    const double m4 = m2 * m2;
+    out[0] = m2 * t0 + m4;
+    out[1] = -2.0 * m2 - t0;
+    out[2] = 1.0;
+}
+
+#endif

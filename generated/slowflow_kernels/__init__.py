@@ -1,0 +1,33 @@
+"""Kernels derived from the equation of motion, printed for NumPy. Written by `make derive`; never edit.
+
+    from slowflow_kernels import rod_spring
+
+Nothing is imported before it is asked for. Everything is dimensionless; arguments broadcast like a ufunc's.
+"""
+
+import importlib
+
+MODULES = (
+    "slow_flow",
+    "slow_flow_mu0",
+    "slow_flow_zeta0",
+    "slow_flow_mu0_zeta0",
+    "den_hartog",
+    "duffing",
+    "duffing_mu0",
+    "duffing_zeta0",
+    "duffing_mu0_zeta0",
+    "rod_spring",
+    "rod_spring_mu0",
+    "rod_spring_zeta0",
+    "rod_spring_mu0_zeta0",
+    "rod_spring_attached",
+)
+
+__all__ = ["MODULES", *MODULES]  # noqa: PLE0604
+
+
+def __getattr__(name):
+    if name in MODULES:
+        return importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,448 @@
+"""Duffing oscillator: one cubic piece, no breakpoint.
+
+Written by `make derive`; never edit.
+Input: derivations/mechanisms/duffing.py, sha256 b5a3ce130e6ec4e9c140519ed8419765186863307baf7829506b145622786822
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
+docstring gives equation number, domain and the operations after each pass.
+"""
+
+from slowflow_kernels import slow_flow
+from slowflow_kernels._broadcast import floats, full, stacked
+
+PARAMETERS = ("alpha", "beta")
+RATIOS = ("kappa_1", "kappa_3")
+REACH = float("inf")
+REACH_REASON = ""
+
+__all__ = [
+    "F",
+    "F_A",
+    "F_AA",
+    "F_AAA",
+    "F_AOmega",
+    "F_Omega",
+    "H",
+    "H_A",
+    "H_AA",
+    "I",
+    "PARAMETERS",
+    "R",
+    "RATIOS",
+    "REACH",
+    "REACH_REASON",
+    "averaged",
+    "averaged_2",
+    "averaged_3",
+    "backbone",
+    "coefficients",
+    "equivalent_damping",
+    "exact_force",
+    "force",
+    "h",
+    "h_A",
+    "h_AA",
+    "h_AAA",
+    "jacobian",
+    "limit_envelope",
+    "phase",
+    "saddle_node_onset",
+    "saddle_nodes",
+    "stability",
+    "transmissibility",
+]
+
+
+def averaged(A, alpha, beta):
+    """h, h_A, h_AA, h_AAA together.
+
+    Equation (20)-(22), (31). Domain: A >= 0.
+    Operations: 12 structured, 9 common subexpressions, 9 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    t0 = A * A * beta
+    t1 = 4.5 * beta
+    arguments = (A, alpha, beta)
+    return (
+        A * (-alpha - 0.75 * t0),
+        -alpha - 2.25 * t0,
+        full(-A * t1, arguments),
+        full(-t1, arguments),
+    )
+
+
+def averaged_3(A, alpha, beta):
+    """h, h_A, h_AA together.
+
+    Equation (20)-(22), (31). Domain: A >= 0.
+    Operations: 11 structured, 9 common subexpressions, 9 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    t0 = A * A * beta
+    arguments = (A, alpha, beta)
+    return (
+        A * (-alpha - 0.75 * t0),
+        -alpha - 2.25 * t0,
+        full(-4.5 * A * beta, arguments),
+    )
+
+
+def averaged_2(A, alpha, beta):
+    """h, h_A together.
+
+    Equation (20)-(22), (31). Domain: A >= 0.
+    Operations: 9 structured, 7 common subexpressions, 7 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    t0 = A * A * beta
+    return (
+        A * (-alpha - 0.75 * t0),
+        -alpha - 2.25 * t0,
+    )
+
+
+def h(A, alpha, beta):
+    """The averaged restoring force h = H - A.
+
+    Equation (20)-(22). Domain: A >= 0.
+    Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    return A * (-0.75 * A * A * beta - alpha)
+
+
+def h_A(A, alpha, beta):
+    """d/dA of the averaged restoring force h = H - A.
+
+    Equation (31). Domain: A >= 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    return -2.25 * A * A * beta - alpha
+
+
+def h_AA(A, alpha, beta):
+    """d2/dA2 of the averaged restoring force h = H - A.
+
+    Equation from (31). Domain: A >= 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    return full(-4.5 * A * beta, (A, alpha, beta))
+
+
+def h_AAA(A, alpha, beta):
+    """d3/dA3 of the averaged restoring force h = H - A.
+
+    Equation from (31). Domain: A >= 0.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    return full(-4.5 * beta, (A, alpha, beta))
+
+
+def H(A, alpha, beta):
+    """The averaged force H beside the vertical spring.
+
+    Equation (20)-(22). Domain: A >= 0.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    return A * (-0.75 * A * A * beta - alpha + 1.0)
+
+
+def H_A(A, alpha, beta):
+    """d/dA of the averaged force H beside the vertical spring.
+
+    Equation (31). Domain: A >= 0.
+    Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    return -2.25 * A * A * beta - alpha + 1.0
+
+
+def H_AA(A, alpha, beta):
+    """d2/dA2 of the averaged force H beside the vertical spring.
+
+    Equation from (31). Domain: A >= 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    return full(-4.5 * A * beta, (A, alpha, beta))
+
+
+def coefficients(kappa_1, kappa_3):
+    """The parameters alpha, beta from the design ratios.
+
+    Equation (5), (7). Domain: any ratios.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    kappa_1, kappa_3 = floats(kappa_1, kappa_3)
+    arguments = (kappa_1, kappa_3)
+    return (
+        full(kappa_1 + 1.0, arguments),
+        full(kappa_3, arguments),
+    )
+
+
+def force(u, alpha, beta):
+    """Whole dimensionless restoring force u + F_k(u), truncated.
+
+    Equation (3), (6). Domain: any u.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    u, alpha, beta = floats(u, alpha, beta)
+    return u * (alpha + beta * u * u)
+
+
+def exact_force(u, kappa_1, kappa_3):
+    """Whole dimensionless restoring force u + F_k(u), untruncated.
+
+    Equation (3), (5). Domain: any u.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    u, kappa_1, kappa_3 = floats(u, kappa_1, kappa_3)
+    u2 = u * u
+    u3 = u * u2
+    return kappa_1 * u + kappa_3 * u3 + u
+
+
+def saddle_node_onset(m, zeta, alpha, beta):
+    """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
+
+    Equation (33). Domain: roots with A > 0.
+    Operations: 137 structured, 78 common subexpressions, 53 power chains.
+    """
+    m, zeta, alpha, beta = floats(m, zeta, alpha, beta)
+    t0 = alpha * alpha
+    zeta2 = zeta * zeta
+    zeta4 = zeta2 * zeta2
+    m2 = m * m
+    m4 = m2 * m2
+    t1 = m4 * zeta4
+    beta2 = beta * beta
+    t2 = alpha * zeta4
+    beta4 = beta2 * beta2
+    t3 = m2 * zeta2
+    beta5 = beta * beta4
+    beta3 = beta * beta2
+    beta6 = beta3 * beta3
+    beta7 = beta * beta6
+    beta8 = beta4 * beta4
+    return stacked(
+        (
+            4096.0 * t0 * t1,
+            36864.0 * alpha * beta * t1,
+            34560.0 * beta2 * t1,
+            294912.0 * beta2 * m2 * t0 * zeta4,
+            1658880.0 * beta3 * m2 * t2,
+            -1710720.0 * alpha * beta4 * t3 + 1430784.0 * beta4 * m2 * zeta4,
+            5308416.0 * beta4 * t0 * zeta4 - 1819584.0 * beta5 * t3,
+            11943936.0 * beta5 * t2,
+            -1119744.0 * alpha * beta6 * zeta2 + 6718464.0 * beta6 * zeta4,
+            -1259712.0 * beta7 * zeta2,
+            59049.0 * beta8,
+        ),
+        (m, zeta, alpha, beta),
+    )
+
+
+def saddle_nodes(F_0, m, zeta, alpha, beta):
+    """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
+
+    Equation from (24), (30). Domain: roots with A > 0.
+    Operations: 432 structured, 196 common subexpressions, 162 power chains.
+    """
+    F_0, m, zeta, alpha, beta = floats(F_0, m, zeta, alpha, beta)
+    F_02 = F_0 * F_0
+    m2 = m * m
+    m3 = m * m2
+    m6 = m3 * m3
+    F_04 = F_02 * F_02
+    m4 = m2 * m2
+    F_03 = F_0 * F_02
+    F_06 = F_03 * F_03
+    zeta2 = zeta * zeta
+    t0 = m6 * zeta2
+    t1 = 128.0 * alpha
+    zeta4 = zeta2 * zeta2
+    t2 = 256.0 * zeta4
+    t3 = F_02 * m4
+    t4 = F_04 * m2
+    t5 = beta * zeta2
+    t6 = alpha * alpha
+    beta2 = beta * beta
+    t7 = 72.0 * beta2
+    t8 = alpha * zeta4
+    t9 = 216.0 * beta2
+    t10 = F_02 * alpha * zeta4
+    t11 = beta2 * zeta4
+    t12 = alpha * zeta2
+    t13 = beta2 * t12
+    t14 = m2 * zeta2
+    beta3 = beta * beta2
+    t15 = beta3 * zeta2
+    beta4 = beta2 * beta2
+    t16 = 81.0 * beta4
+    t17 = beta4 * m2
+    t18 = 1728.0 * beta3
+    t19 = F_02 * zeta2
+    beta5 = beta * beta4
+    t20 = 486.0 * beta5
+    m8 = m4 * m4
+    F_08 = F_04 * F_04
+    beta6 = beta3 * beta3
+    return stacked(
+        (
+            -64.0 * F_02 * m6 + 96.0 * F_04 * m4 - 64.0 * F_06 * m2 + 16.0 * F_08 + 16.0 * m8,
+            256.0 * F_02 * alpha * m4 * zeta2 + 256.0 * F_04 * m2 * zeta4 - t0 * t1 - t1 * t4 * zeta2 - t2 * t3,
+            192.0 * F_06 * t5 - 96.0 * beta * t0 + m4 * t2 * t6 + 384.0 * t3 * t5 - 480.0 * t4 * t5,
+            -F_06 * t7 + 768.0 * beta * m2 * t10 + 384.0 * beta * m4 * t8 + m6 * t7 - t3 * t9 + t4 * t9,
+            288.0 * F_02 * alpha * beta2 * t14 + 576.0 * F_04 * t11 + 288.0 * F_04 * t13 + 144.0 * m4 * t11 - 576.0
+            * m4 * t13,
+            648.0 * F_02 * beta3 * m2 * zeta2 - 216.0 * F_04 * t15 + 1152.0 * beta2 * m2 * t6 * zeta4 - 432.0 * m4 *
+            t15,
+            -162.0 * F_02 * t17 + F_04 * t16 + m2 * t18 * t8 + m4 * t16 + t10 * t18,
+            1296.0 * F_02 * beta4 * zeta4 - 648.0 * alpha * beta4 * t19 + 648.0 * beta4 * m2 * zeta4 - 648.0 * t12 *
+            t17,
+            1296.0 * beta4 * t6 * zeta4 - t14 * t20 - t19 * t20,
+            1944.0 * beta5 * t8,
+            729.0 * beta6 * zeta4,
+        ),
+        (F_0, m, zeta, alpha, beta),
+    )
+
+
+def R(Omega, A, mu, zeta, alpha, beta):
+    """Cosine balance, -F_0 cos phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta)
+    arguments = (Omega, A, mu, zeta, alpha, beta)
+    return full(slow_flow.R(Omega, A, average), arguments)
+
+
+def I(Omega, A, mu, zeta, alpha, beta):
+    """Sine balance, -F_0 sin phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    arguments = (Omega, A, mu, zeta, alpha, beta)
+    return full(slow_flow.I(Omega, A, slow_flow.friction(mu), zeta), arguments)
+
+
+def F(Omega, A, F_0, mu, zeta, alpha, beta):
+    """Frequency response; zero at a steady state.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta)
+    return slow_flow.F(Omega, A, F_0, slow_flow.friction(mu), zeta, average)
+
+
+def F_A(Omega, A, mu, zeta, alpha, beta):
+    """dF/dA; positive where stable.
+
+    Equation (24), (30). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta)
+    return slow_flow.F_A(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+
+
+def F_AA(Omega, A, mu, zeta, alpha, beta):
+    """d2F/dA2.
+
+    Equation (24), (33). Domain: Omega > 0, A > 0.
+    """
+    average, average_A, average_AA = averaged_3(A, alpha, beta)
+    return slow_flow.F_AA(Omega, A, slow_flow.friction(mu), zeta, average, average_A, average_AA)
+
+
+def F_AAA(Omega, A, mu, zeta, alpha, beta):
+    """d3F/dA3.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average, average_A, average_AA, average_AAA = averaged(A, alpha, beta)
+    return slow_flow.F_AAA(Omega, A, slow_flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
+
+
+def F_Omega(Omega, A, mu, zeta, alpha, beta):
+    """dF/dOmega.
+
+    Equation (24), (34). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta)
+    return slow_flow.F_Omega(Omega, A, slow_flow.friction(mu), zeta, average)
+
+
+def F_AOmega(Omega, A, mu, zeta, alpha, beta):
+    """d2F/dA dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta)
+    return slow_flow.F_AOmega(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+
+
+def phase(Omega, A, mu, zeta, alpha, beta):
+    """Phase phi of a steady state, from -pi to 0.
+
+    Equation (25). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta)
+    return slow_flow.phase(Omega, A, slow_flow.friction(mu), zeta, average)
+
+
+def jacobian(Omega, A, mu, zeta, alpha, beta):
+    """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+
+    Equation (28). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta)
+    return slow_flow.jacobian(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+
+
+def stability(Omega, A, mu, zeta, alpha, beta):
+    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+
+    Equation (30). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta)
+    return slow_flow.stability(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+
+
+def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
+    """Fundamental harmonic of the force on the base over F_0, at a steady state.
+
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    """
+    average = h(A, alpha, beta)
+    return slow_flow.transmissibility(Omega, A, F_0, slow_flow.friction(mu), zeta, average)
+
+
+def backbone(A, alpha, beta):
+    """Frequency on the backbone.
+
+    Equation (26). Domain: A > 0, h <= 0.
+    """
+    average = h(A, alpha, beta)
+    return slow_flow.backbone(A, average)
+
+
+def limit_envelope(Omega, F_0, mu, zeta):
+    """Largest amplitude that the forcing can hold at this frequency.
+
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    """
+    return slow_flow.limit_envelope(Omega, F_0, slow_flow.friction(mu), zeta)
+
+
+def equivalent_damping(Omega, A, mu, zeta):
+    """Viscous damping ratio that dissipates as much as zeta and friction together.
+
+    Equation (38). Domain: Omega > 0, A > 0.
+    """
+    return slow_flow.equivalent_damping(Omega, A, slow_flow.friction(mu), zeta)

@@ -1,0 +1,268 @@
+"""mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, in the scene mu = 0.
+
+Written by `make derive`; never edit.
+Input: derivations/mechanisms/rod_spring.py, sha256 4b963fa4cfe8b884f3f3cc62065cd6e54430afc4cec7aeafef2d915baea8ed5b
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
+docstring gives equation number, domain and the operations after each pass.
+"""
+
+from slowflow_kernels import slow_flow_mu0
+from slowflow_kernels._broadcast import floats, full, stacked
+from slowflow_kernels.rod_spring import (
+    H,
+    H_A,
+    H_AA,
+    PARAMETERS,
+    RATIOS,
+    REACH,
+    REACH_REASON,
+    averaged,
+    averaged_2,
+    averaged_3,
+    breakpoints,
+    coefficients,
+    exact_force,
+    force,
+    h,
+    h_A,
+    h_AA,
+    h_AAA,
+    jumps,
+)
+
+__all__ = [
+    "F",
+    "F_A",
+    "F_AA",
+    "F_AAA",
+    "F_AOmega",
+    "F_Omega",
+    "H",
+    "H_A",
+    "H_AA",
+    "I",
+    "PARAMETERS",
+    "R",
+    "RATIOS",
+    "REACH",
+    "REACH_REASON",
+    "averaged",
+    "averaged_2",
+    "averaged_3",
+    "backbone",
+    "breakpoints",
+    "coefficients",
+    "equivalent_damping",
+    "exact_force",
+    "force",
+    "h",
+    "h_A",
+    "h_AA",
+    "h_AAA",
+    "jacobian",
+    "jumps",
+    "limit_envelope",
+    "phase",
+    "saddle_node_onset",
+    "saddle_nodes",
+    "stability",
+    "transmissibility",
+]
+
+
+def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
+    """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
+
+    Equation (33). Domain: roots with 0 < A <= u_cr.
+    Operations: 60 structured, 44 common subexpressions, 38 power chains.
+    """
+    m, zeta, alpha, beta, gamma, u_cr = floats(m, zeta, alpha, beta, gamma, u_cr)
+    t0 = zeta * zeta
+    beta2 = beta * beta
+    t1 = beta2 * t0
+    beta3 = beta * beta2
+    gamma2 = gamma * gamma
+    t2 = gamma2 * t0
+    gamma3 = gamma * gamma2
+    beta4 = beta2 * beta2
+    gamma4 = gamma2 * gamma2
+    return stacked(
+        (
+            -2304.0 * alpha * t1,
+            -11520.0 * alpha * beta * gamma * t0 - 2592.0 * beta3 * t0,
+            -14400.0 * alpha * t2 + 243.0 * beta4 - 15120.0 * gamma * t1,
+            -27600.0 * beta * t2 + 1890.0 * beta3 * gamma,
+            5400.0 * beta2 * gamma2 - 15000.0 * gamma3 * t0,
+            6750.0 * beta * gamma3,
+            3125.0 * gamma4,
+        ),
+        (m, zeta, alpha, beta, gamma, u_cr),
+    )
+
+
+def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
+    """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
+
+    Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
+    Operations: 66 structured, 48 common subexpressions, 44 power chains.
+    """
+    F_0, m, zeta, alpha, beta, gamma, u_cr = floats(F_0, m, zeta, alpha, beta, gamma, u_cr)
+    F_02 = F_0 * F_0
+    t0 = zeta * zeta
+    beta2 = beta * beta
+    t1 = beta * gamma
+    gamma2 = gamma * gamma
+    t2 = alpha * t0
+    F_04 = F_02 * F_02
+    beta3 = beta * beta2
+    gamma3 = gamma * gamma2
+    return stacked(
+        (
+            8.0 * F_04,
+            0.0,
+            48.0 * F_02 * beta * t0,
+            -18.0 * F_02 * beta2 + 80.0 * F_02 * gamma * t0,
+            -60.0 * F_02 * t1 + 72.0 * alpha * beta2 * t0,
+            -50.0 * F_02 * gamma2 + 54.0 * beta3 * t0 + 240.0 * t1 * t2,
+            225.0 * beta2 * gamma * t0 + 200.0 * gamma2 * t2,
+            300.0 * beta * gamma2 * t0,
+            125.0 * gamma3 * t0,
+        ),
+        (F_0, m, zeta, alpha, beta, gamma, u_cr),
+    )
+
+
+def R(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """Cosine balance, -F_0 cos phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, gamma, u_cr)
+    arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
+    return full(slow_flow_mu0.R(Omega, A, average), arguments)
+
+
+def I(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """Sine balance, -F_0 sin phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
+    return full(slow_flow_mu0.I(Omega, A, slow_flow_mu0.friction(mu), zeta), arguments)
+
+
+def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
+    """Frequency response; zero at a steady state.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.F(Omega, A, F_0, slow_flow_mu0.friction(mu), zeta, average)
+
+
+def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """dF/dA; positive where stable.
+
+    Equation (24), (30). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.F_A(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+
+
+def F_AA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """d2F/dA2.
+
+    Equation (24), (33). Domain: Omega > 0, A > 0.
+    """
+    average, average_A, average_AA = averaged_3(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.F_AA(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A, average_AA)
+
+
+def F_AAA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """d3F/dA3.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average, average_A, average_AA, average_AAA = averaged(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.F_AAA(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A, average_AA, average_AAA)
+
+
+def F_Omega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """dF/dOmega.
+
+    Equation (24), (34). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.F_Omega(Omega, A, slow_flow_mu0.friction(mu), zeta, average)
+
+
+def F_AOmega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """d2F/dA dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.F_AOmega(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+
+
+def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """Phase phi of a steady state, from -pi to 0.
+
+    Equation (25). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.phase(Omega, A, slow_flow_mu0.friction(mu), zeta, average)
+
+
+def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+
+    Equation (28). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.jacobian(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+
+
+def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+
+    Equation (30). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.stability(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+
+
+def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
+    """Fundamental harmonic of the force on the base over F_0, at a steady state.
+
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    """
+    average = h(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.transmissibility(Omega, A, F_0, slow_flow_mu0.friction(mu), zeta, average)
+
+
+def backbone(A, alpha, beta, gamma, u_cr):
+    """Frequency on the backbone.
+
+    Equation (26). Domain: A > 0, h <= 0.
+    """
+    average = h(A, alpha, beta, gamma, u_cr)
+    return slow_flow_mu0.backbone(A, average)
+
+
+def limit_envelope(Omega, F_0, mu, zeta):
+    """Largest amplitude that the forcing can hold at this frequency.
+
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    """
+    return slow_flow_mu0.limit_envelope(Omega, F_0, slow_flow_mu0.friction(mu), zeta)
+
+
+def equivalent_damping(Omega, A, mu, zeta):
+    """Viscous damping ratio that dissipates as much as zeta and friction together.
+
+    Equation (38). Domain: Omega > 0, A > 0.
+    """
+    return slow_flow_mu0.equivalent_damping(Omega, A, slow_flow_mu0.friction(mu), zeta)

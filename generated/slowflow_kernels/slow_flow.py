@@ -1,0 +1,322 @@
+"""Slow flow of any mechanism, in h = H - A and its derivatives.
+
+Written by `make derive`; never edit.
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/resultants.py
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
+docstring gives equation number, domain and the operations after each pass.
+"""
+
+import numpy as np
+
+from slowflow_kernels._broadcast import floats, full, stacked
+
+__all__ = [
+    "F",
+    "F_A",
+    "F_AA",
+    "F_AAA",
+    "F_AOmega",
+    "F_Omega",
+    "I",
+    "R",
+    "backbone",
+    "detachment",
+    "equivalent_damping",
+    "fold_quartic",
+    "friction",
+    "jacobian",
+    "limit_envelope",
+    "peak_cubic",
+    "phase",
+    "response_quartic",
+    "stability",
+    "transmissibility",
+]
+
+
+def friction(mu):
+    """Dry friction's share of I.
+
+    Equation (23). Domain: mu >= 0.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    (mu,) = floats(mu)
+    return 1.2732395447351628 * mu
+
+
+def R(Omega, A, h):
+    """Cosine balance, -F_0 cos phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    Omega, A, h = floats(Omega, A, h)
+    return A * Omega * Omega + h
+
+
+def I(Omega, A, m, zeta):
+    """Sine balance, -F_0 sin phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    Omega, A, m, zeta = floats(Omega, A, m, zeta)
+    return 2.0 * A * Omega * zeta + m
+
+
+def F(Omega, A, F_0, m, zeta, h):
+    """Frequency response; zero at a steady state.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 12 structured, 12 common subexpressions, 12 power chains.
+    """
+    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
+    R = A * Omega * Omega + h
+    I = 2.0 * A * Omega * zeta + m
+    return R * R + (-F_0 + I) * (F_0 + I)
+
+
+def F_A(Omega, A, m, zeta, h, h_A):
+    """dF/dA; positive where stable.
+
+    Equation (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 15 structured, 12 common subexpressions, 12 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = 2.0 * Omega * zeta
+    I = A * t1 + m
+    return 2.0 * (I * t1 + R * (h_A + t0))
+
+
+def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
+    """d2F/dA2.
+
+    Equation (24), (33). Domain: Omega > 0, A > 0.
+    Operations: 14 structured, 12 common subexpressions, 12 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = h_A + t0
+    return full(2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
+
+
+def F_AAA(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
+    """d3F/dA3.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 10 structured, 9 common subexpressions, 9 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    return full(2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0)), (Omega, A, m, zeta, h, h_A, h_AA, h_AAA))
+
+
+def F_Omega(Omega, A, m, zeta, h):
+    """dF/dOmega.
+
+    Equation (24), (34). Domain: Omega > 0, A > 0.
+    Operations: 12 structured, 12 common subexpressions, 12 power chains.
+    """
+    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
+    R = A * Omega * Omega + h
+    I = 2.0 * A * Omega * zeta + m
+    return 4.0 * A * (I * zeta + Omega * R)
+
+
+def F_AOmega(Omega, A, m, zeta, h, h_A):
+    """d2F/dA dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 21 structured, 17 common subexpressions, 17 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    return 4.0 * (I * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta * zeta)
+
+
+def phase(Omega, A, m, zeta, h):
+    """Phase phi of a steady state, from -pi to 0.
+
+    Equation (25). Domain: Omega > 0, A > 0.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    """
+    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
+    R = A * Omega * Omega + h
+    I = 2.0 * A * Omega * zeta + m
+    return np.arctan2(-I, -R)
+
+
+def backbone(A, h):
+    """Frequency on the backbone.
+
+    Equation (26). Domain: A > 0, h <= 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    A, h = floats(A, h)
+    return np.sqrt(-h) / np.sqrt(A)
+
+
+def limit_envelope(Omega, F_0, m, zeta):
+    """Largest amplitude that the forcing can hold at this frequency.
+
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
+    return 0.5 * (F_0 - m) / (Omega * zeta)
+
+
+def equivalent_damping(Omega, A, m, zeta):
+    """Viscous damping ratio that dissipates as much as zeta and friction together.
+
+    Equation (38). Domain: Omega > 0, A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    Omega, A, m, zeta = floats(Omega, A, m, zeta)
+    return zeta + 0.5 * m / (A * Omega)
+
+
+def transmissibility(Omega, A, F_0, m, zeta, h):
+    """Fundamental harmonic of the force on the base over F_0, at a steady state.
+
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    Operations: 9 structured, 9 common subexpressions, 9 power chains.
+    """
+    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
+    I = 2.0 * A * Omega * zeta + m
+    return np.sqrt(I * I + h * h) / F_0
+
+
+def jacobian(Omega, A, m, zeta, h, h_A):
+    """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+
+    Equation (28). Domain: Omega > 0, A > 0.
+    Operations: 17 structured, 13 common subexpressions, 13 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    t1 = 0.5 / Omega
+    t2 = t1 / A
+    arguments = (Omega, A, m, zeta, h, h_A)
+    return (
+        full(-zeta, arguments),
+        full(t1 * (A * t0 + h), arguments),
+        full(t2 * (-h_A - t0), arguments),
+        full(t2 * (-2.0 * A * Omega * zeta - m), arguments),
+    )
+
+
+def stability(Omega, A, m, zeta, h, h_A):
+    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+
+    Equation (30). Domain: Omega > 0, A > 0.
+    Operations: 15 structured, 12 common subexpressions, 12 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = 2.0 * Omega * zeta
+    I = A * t1 + m
+    return (I * t1 + R * (h_A + t0)) / A
+
+
+def response_quartic(A, F_0, m, zeta, h):
+    """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+
+    Equation (24). Domain: A > 0.
+    Operations: 16 structured, 15 common subexpressions, 15 power chains.
+    """
+    A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
+    t0 = A * A
+    arguments = (A, F_0, m, zeta, h)
+    return (
+        full(h * h + (-F_0 + m) * (F_0 + m), arguments),
+        full(4.0 * A * m * zeta, arguments),
+        full(2.0 * A * h + 4.0 * t0 * zeta * zeta, arguments),
+        full(t0, arguments),
+    )
+
+
+def fold_quartic(A, m, zeta, h, h_A):
+    """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+
+    Equation (24), (30). Domain: A > 0.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    """
+    A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
+    arguments = (A, m, zeta, h, h_A)
+    return (
+        full(h * h_A, arguments),
+        full(2.0 * m * zeta, arguments),
+        full(A * (h_A + 4.0 * zeta * zeta) + h, arguments),
+        full(A, arguments),
+    )
+
+
+def peak_cubic(A, m, zeta, h):
+    """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
+
+    Equation (34). Domain: A > 0.
+    Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    """
+    A, m, zeta, h = floats(A, m, zeta, h)
+    arguments = (A, m, zeta, h)
+    return (
+        full(m * zeta, arguments),
+        full(2.0 * A * zeta * zeta + h, arguments),
+        full(A, arguments),
+    )
+
+
+def detachment(A, m, zeta, h):
+    """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+
+    Equation (34). Domain: A > 0.
+    Operations: 183 structured, 91 common subexpressions, 69 power chains.
+    """
+    A, m, zeta, h = floats(A, m, zeta, h)
+    h2 = h * h
+    m2 = m * m
+    m4 = m2 * m2
+    zeta2 = zeta * zeta
+    zeta4 = zeta2 * zeta2
+    A2 = A * A
+    t0 = A2 * zeta4
+    t1 = A * zeta2
+    t2 = h * t1
+    h3 = h * h2
+    zeta3 = zeta * zeta2
+    zeta6 = zeta3 * zeta3
+    A3 = A * A2
+    t3 = A3 * zeta6
+    t4 = 32.0 * t3
+    zeta8 = zeta4 * zeta4
+    A4 = A2 * A2
+    t5 = 16.0 * A4 * zeta8
+    t6 = 8.0 * t1
+    t7 = h3 * t6
+    t8 = h2 * m2
+    t9 = 8.0 * t0
+    m3 = m * m2
+    m6 = m3 * m3
+    h4 = h2 * h2
+    return stacked(
+        (
+            -8.0 * h * m2 * t3 - h2 * m4 - h2 * t5 - h3 * t4 - 16.0 * h4 * t0 - m2 * t7 - m4 * t0 - 10.0 * m4 * t2 -
+            m6 - 32.0 * t0 * t8,
+            h * t4 + h2 * t9 + 20.0 * m2 * t0 + 2.0 * m2 * t2 + 3.0 * m4 + t5 - t7 + 2.0 * t8,
+            h * t6 - h2 - 3.0 * m2 + t9,
+            1.0,
+        ),
+        (A, m, zeta, h),
+    )

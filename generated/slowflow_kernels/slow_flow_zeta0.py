@@ -1,0 +1,286 @@
+"""Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0.
+
+Written by `make derive`; never edit.
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/resultants.py
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
+docstring gives equation number, domain and the operations after each pass.
+"""
+
+import numpy as np
+
+from slowflow_kernels._broadcast import floats, full, stacked
+
+__all__ = [
+    "F",
+    "F_A",
+    "F_AA",
+    "F_AAA",
+    "F_AOmega",
+    "F_Omega",
+    "I",
+    "R",
+    "backbone",
+    "detachment",
+    "equivalent_damping",
+    "fold_quartic",
+    "friction",
+    "jacobian",
+    "limit_envelope",
+    "peak_cubic",
+    "phase",
+    "response_quartic",
+    "stability",
+    "transmissibility",
+]
+
+
+def friction(mu):
+    """Dry friction's share of I.
+
+    Equation (23). Domain: mu >= 0.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    (mu,) = floats(mu)
+    return 1.2732395447351628 * mu
+
+
+def R(Omega, A, h):
+    """Cosine balance, -F_0 cos phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    Omega, A, h = floats(Omega, A, h)
+    return A * Omega * Omega + h
+
+
+def I(Omega, A, m, zeta):
+    """Sine balance, -F_0 sin phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    """
+    Omega, A, m, zeta = floats(Omega, A, m, zeta)
+    return full(m, (Omega, A, m, zeta))
+
+
+def F(Omega, A, F_0, m, zeta, h):
+    """Frequency response; zero at a steady state.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    """
+    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
+    R = A * Omega * Omega + h
+    return full(R * R + (-F_0 + m) * (F_0 + m), (Omega, A, F_0, m, zeta, h))
+
+
+def F_A(Omega, A, m, zeta, h, h_A):
+    """dF/dA; positive where stable.
+
+    Equation (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    return full(2.0 * R * (h_A + t0), (Omega, A, m, zeta, h, h_A))
+
+
+def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
+    """d2F/dA2.
+
+    Equation (24), (33). Domain: Omega > 0, A > 0.
+    Operations: 9 structured, 8 common subexpressions, 8 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = h_A + t0
+    return full(2.0 * (R * h_AA + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
+
+
+def F_AAA(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
+    """d3F/dA3.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 10 structured, 9 common subexpressions, 9 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    return full(2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0)), (Omega, A, m, zeta, h, h_A, h_AA, h_AAA))
+
+
+def F_Omega(Omega, A, m, zeta, h):
+    """dF/dOmega.
+
+    Equation (24), (34). Domain: Omega > 0, A > 0.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
+    R = A * Omega * Omega + h
+    return full(4.0 * A * Omega * R, (Omega, A, m, zeta, h))
+
+
+def F_AOmega(Omega, A, m, zeta, h, h_A):
+    """d2F/dA dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 9 structured, 8 common subexpressions, 8 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    return full(4.0 * Omega * (A * (h_A + t0) + R), (Omega, A, m, zeta, h, h_A))
+
+
+def phase(Omega, A, m, zeta, h):
+    """Phase phi of a steady state, from -pi to 0.
+
+    Equation (25). Domain: Omega > 0, A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
+    R = A * Omega * Omega + h
+    return full(np.arctan2(-m, -R), (Omega, A, m, zeta, h))
+
+
+def backbone(A, h):
+    """Frequency on the backbone.
+
+    Equation (26). Domain: A > 0, h <= 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    A, h = floats(A, h)
+    return np.sqrt(-h) / np.sqrt(A)
+
+
+def limit_envelope(Omega, F_0, m, zeta):
+    """Largest amplitude that the forcing can hold at this frequency.
+
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    """
+    Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
+    return full(np.inf, (Omega, F_0, m, zeta))
+
+
+def equivalent_damping(Omega, A, m, zeta):
+    """Viscous damping ratio that dissipates as much as zeta and friction together.
+
+    Equation (38). Domain: Omega > 0, A > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    Omega, A, m, zeta = floats(Omega, A, m, zeta)
+    return full(0.5 * m / (A * Omega), (Omega, A, m, zeta))
+
+
+def transmissibility(Omega, A, F_0, m, zeta, h):
+    """Fundamental harmonic of the force on the base over F_0, at a steady state.
+
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    """
+    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
+    return full(np.sqrt(h * h + m * m) / F_0, (Omega, A, F_0, m, zeta, h))
+
+
+def jacobian(Omega, A, m, zeta, h, h_A):
+    """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+
+    Equation (28). Domain: Omega > 0, A > 0.
+    Operations: 13 structured, 9 common subexpressions, 9 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    t1 = 0.5 / Omega
+    t2 = t1 / A
+    arguments = (Omega, A, m, zeta, h, h_A)
+    return (
+        full(0.0, arguments),
+        full(t1 * (A * t0 + h), arguments),
+        full(t2 * (-h_A - t0), arguments),
+        full(-m * t2, arguments),
+    )
+
+
+def stability(Omega, A, m, zeta, h, h_A):
+    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+
+    Equation (30). Domain: Omega > 0, A > 0.
+    Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    return full(R * (h_A + t0) / A, (Omega, A, m, zeta, h, h_A))
+
+
+def response_quartic(A, F_0, m, zeta, h):
+    """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+
+    Equation (24). Domain: A > 0.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    """
+    A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
+    arguments = (A, F_0, m, zeta, h)
+    return (
+        full(h * h + (-F_0 + m) * (F_0 + m), arguments),
+        full(0.0, arguments),
+        full(2.0 * A * h, arguments),
+        full(A * A, arguments),
+    )
+
+
+def fold_quartic(A, m, zeta, h, h_A):
+    """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+
+    Equation (24), (30). Domain: A > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
+    arguments = (A, m, zeta, h, h_A)
+    return (
+        full(h * h_A, arguments),
+        full(0.0, arguments),
+        full(A * h_A + h, arguments),
+        full(A, arguments),
+    )
+
+
+def peak_cubic(A, m, zeta, h):
+    """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
+
+    Equation (34). Domain: A > 0.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    """
+    A, m, zeta, h = floats(A, m, zeta, h)
+    arguments = (A, m, zeta, h)
+    return (
+        full(0.0, arguments),
+        full(h, arguments),
+        full(A, arguments),
+    )
+
+
+def detachment(A, m, zeta, h):
+    """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+
+    Equation (34). Domain: A > 0.
+    Operations: 11 structured, 9 common subexpressions, 7 power chains.
+    """
+    A, m, zeta, h = floats(A, m, zeta, h)
+    t0 = h * h
+    m2 = m * m
+    m4 = m2 * m2
+    return stacked(
+        (
+            m2 * t0 + m4,
+            -2.0 * m2 - t0,
+            1.0,
+        ),
+        (A, m, zeta, h),
+    )
