@@ -1,0 +1,28 @@
+"""The equation of motion (3) itself, solved without averaging: periodic motions, response curves, sweeps.
+
+In:  an `Oscillator` (restoring force in pieces, dry friction, viscous damping), a forcing amplitude and a frequency.
+Out: `steady_state`, `exact_response`, `sweep`; motions switch exactly between slip, stick, attached and detached.
+"""
+
+from slowflow.exact.continuation import Fold, Response, exact_response
+from slowflow.exact.force import Force, Law, Oscillator, Piece, linear, polynomial, rod_spring, rod_spring_exact
+from slowflow.exact.shooting import SteadyState, steady_state
+from slowflow.exact.sweep import Sweep, sweep
+
+__all__ = [
+    "Fold",
+    "Force",
+    "Law",
+    "Oscillator",
+    "Piece",
+    "Response",
+    "SteadyState",
+    "Sweep",
+    "exact_response",
+    "linear",
+    "polynomial",
+    "rod_spring",
+    "rod_spring_exact",
+    "steady_state",
+    "sweep",
+]

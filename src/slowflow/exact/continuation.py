@@ -1,0 +1,410 @@
+"""The response curve over Omega, through folds and through every change in the order of switches.
+
+In:  an oscillator, F_0, a range of Omega; perhaps a steady state to start from.
+Out: `Response`: points in the order of the curve with amplitude, stability and stops; folds; borders between orders.
+
+Within one order of switches the curve is smooth (see `cycle`) and followed by pseudo-arclength; every point is then
+followed through its switches. Where the order changes the border is solved for, and the curve is taken up on the other
+side: a fold that sits on the border (`corner`) is found as such, and no fold is made up there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
+from slowflow.exact.force import Oscillator
+from slowflow.exact.integrate import Integrator, default_integrator
+from slowflow.exact.motion import Forced, follow
+from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
+
+STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
+SMALLEST_STEP = 1e-9
+STRAIGHT = 0.98  # cosine of the largest angle between neighbouring tangents
+MOST_POINTS = 20_000
+
+
+@dataclass(frozen=True)
+class Fold:
+    """A saddle node of the curve.
+
+    `kind` is what a sweep does there, `corner` whether it sits where the order of switches changes, e.g. where the
+    springs just detach.
+    """
+
+    Omega: float
+    A: float
+    kind: str
+    corner: bool
+
+
+@dataclass(frozen=True)
+class Response:
+    """Exact response curve at one F_0; arrays run along the curve.
+
+    Omega, A     -- frequency, largest |u|
+    stable       -- whether both Floquet multipliers lie inside the unit circle
+    multipliers  -- over one period of the forcing, shape (points, 2)
+    stops        -- rests in one period of the forcing
+    folds        -- by rising Omega
+    borders      -- (Omega, A) where the order of switches changes
+    closed       -- whether the curve closed on itself (an isola)
+    """
+
+    F_0: float
+    Omega: Array
+    A: Array
+    stable: NDArray[np.bool_]
+    multipliers: NDArray[np.complex128]
+    stops: NDArray[np.int64]
+    folds: tuple[Fold, ...]
+    borders: tuple[tuple[float, float], ...]
+    closed: bool
+    states: tuple[_Point, ...]
+
+    def steady_state(self, index: int) -> SteadyState:
+        """The full steady state of a point of the curve."""
+        point = self.states[index]
+        return describe(point.cycle, point.z, self.F_0, point.equations)
+
+
+class _Point(NamedTuple):
+    cycle: Cycle
+    z: Array
+    equations: Equations
+    tangent: Array
+    role: str  # "", "fold", "border", "corner"
+
+    @property
+    def multipliers(self) -> NDArray[np.complex128]:
+        found = self.cycle.multipliers(self.equations)
+        return found**2 if self.cycle.half_turns == 1 else found
+
+
+def exact_response(
+    system: Oscillator,
+    F_0: float,
+    Omega_range: tuple[float, float] = (0.5, 1.5),
+    *,
+    start: SteadyState | None = None,
+    step: float = STEP,
+    integrator: Integrator | None = None,
+) -> Response:
+    """The response curve between two frequencies, through all its folds.
+
+    start -- a point of the curve; without it the steady state at the lower frequency, reached from rest. A curve that
+             does not hang together with that one (an isola) needs its own start.
+    step  -- largest distance of neighbouring points: relative change of u_0, radians of phase, twice that of Omega
+
+    Raises ValueError for parameters out of range, ArithmeticError where the curve cannot be followed.
+    """
+    low, high = (float(end) for end in Omega_range)
+    if not (0 < low < high < math.inf):
+        raise ValueError(f"Omega_range = {Omega_range} must rise and be positive")
+    if not 0 < step <= 0.5:
+        raise ValueError(f"step = {step} must lie in (0, 0.5]")
+    check_forcing(system, low, F_0)
+    integrator = integrator or default_integrator()
+    if start is None:
+        start = steady_state(system, low, F_0, integrator=integrator)
+    if not low <= start.Omega <= high:
+        raise ValueError(f"start.Omega = {start.Omega} lies outside Omega_range = {Omega_range}")
+    path = _Path(F_0, low, high, step)
+    first = path.begin(start, 1.0)
+    forward = list(path.follow(first))
+    closed = path.closed
+    backward: list[_Point] = []
+    if not closed and start.Omega > low:
+        backward = list(path.follow(path.begin(start, -1.0)))[1:]
+    points = [point._replace(tangent=-point.tangent) for point in reversed(backward)] + forward
+    return _response(F_0, points, closed)
+
+
+class _Path:
+    """Follows a curve of cycles point by point."""
+
+    def __init__(self, F_0: float, low: float, high: float, step: float) -> None:
+        self.F_0, self.low, self.high, self.step = F_0, low, high, step
+        self.closed = False
+
+    def begin(self, start: SteadyState, direction: float) -> _Point:
+        """The first point, to be left towards rising (direction 1) or falling Omega."""
+        cycle, z = start.cycle, start.unknowns
+        equations = cycle.equations(z, self.F_0)
+        tangent = self._tangent(z, equations, None)
+        if tangent[-1] * direction < 0:
+            tangent = -tangent
+        return _Point(cycle, z, equations, tangent, "")
+
+    def follow(self, point: _Point) -> Iterator[_Point]:
+        """The points from `point` on, until Omega leaves the range or the curve closes."""
+        first = point
+        yield point
+        size = 0.1 * self.step
+        travelled = 0.0
+        for _ in range(MOST_POINTS):
+            new = self._corrected(point, size)
+            usable = new is not None and self._cosine(point, new) > STRAIGHT and self._distance(point, new) < 2 * size
+            if usable and new is not None and not self._inside(new):
+                yield self._at_end(point, new)
+                return
+            if usable and new is not None and new.cycle.holds(new.z, self.F_0):
+                if new.tangent[-1] * point.tangent[-1] < 0:
+                    yield self._fold(point, new, size)
+                yield new
+                travelled += size
+                if travelled > 10 * self.step and self._meets(point, new, first):
+                    self.closed = True
+                    return
+                point = new
+                size = min(1.5 * size, self.step)
+                continue
+            if usable and new is not None:
+                crossed = self._cross(point, size)
+                if crossed is not None:
+                    yield from crossed
+                    point = crossed[-1]
+                    size = 0.05 * self.step
+                    continue
+            size *= 0.5
+            if size < SMALLEST_STEP:
+                break
+        raise ArithmeticError(
+            f"the response curve at F_0 = {self.F_0} cannot be followed beyond Omega = {point.z[-1]:.9g}, "
+            f"A = {point.equations.A:.9g}"
+        )
+
+    def _weights(self, z: Array) -> Array:
+        # spans count too: where phases are about to vanish, the curve is smooth in them and in nothing else
+        weights = np.full(z.size, 0.1)
+        weights[0] = 1.0 / z[0] ** 2
+        weights[1] = 1.0
+        weights[-1] = 4.0
+        return weights
+
+    def _tangent(self, z: Array, equations: Equations, along: Array | None) -> Array:
+        """Unit tangent; `along` fixes its sense where it has the same number of phases."""
+        matrix = equations.jacobian[:, :-1]
+        weights = self._weights(z)
+        row = weights * along if along is not None else weights
+        if along is None:
+            # the last row only has to be independent of the others: the null vector by SVD decides
+            tangent = np.linalg.svd(matrix)[2][-1]
+        else:
+            tangent = np.linalg.solve(np.vstack((matrix, row)), np.append(np.zeros(matrix.shape[0]), 1.0))
+        unit: Array = tangent / math.sqrt(float(tangent @ (weights * tangent)))
+        return unit
+
+    def _corrected(self, point: _Point, size: float) -> _Point | None:
+        """The point of the curve at arclength `size` from `point`, whether or not its order of switches holds."""
+        if size == 0.0:
+            return point
+        predicted = point.z + size * point.tangent
+        row = self._weights(point.z) * point.tangent
+
+        def on_plane(z: Array, _: Equations) -> tuple[float, Array]:
+            return float(row @ (z - predicted)), row
+
+        found = point.cycle.newton(predicted, self.F_0, on_plane, most=8)
+        if found is None:
+            return None
+        try:
+            tangent = self._tangent(found[0], found[1], point.tangent)
+        except np.linalg.LinAlgError:
+            return None
+        return _Point(point.cycle, *found, tangent, "")
+
+    def _cosine(self, a: _Point, b: _Point) -> float:
+        return float(a.tangent @ (self._weights(a.z) * b.tangent))
+
+    def _distance(self, a: _Point, b: _Point) -> float:
+        difference = b.z - a.z
+        return math.sqrt(float(difference @ (self._weights(a.z) * difference)))
+
+    def _inside(self, point: _Point) -> bool:
+        return self.low < float(point.z[-1]) < self.high
+
+    def _at_end(self, point: _Point, beyond: _Point) -> _Point:
+        """The point where the curve leaves the range of Omega."""
+        target = self.high if beyond.z[-1] >= self.high else self.low
+        share = (target - point.z[-1]) / (beyond.z[-1] - point.z[-1])
+        z = point.z + share * (beyond.z - point.z)
+        z[-1] = target
+        found = point.cycle.newton(z, self.F_0)
+        if found is None:
+            return beyond
+        return _Point(point.cycle, *found, self._tangent(found[0], found[1], point.tangent), "")
+
+    def _fold(self, point: _Point, new: _Point, size: float) -> _Point:
+        """Where the tangent's Omega component vanishes, by regula falsi (Illinois) along the curve."""
+        a, b = 0.0, size
+        at_a, at_b = float(point.tangent[-1]), float(new.tangent[-1])
+        middle = new
+        for _ in range(60):
+            c = (a * at_b - b * at_a) / (at_b - at_a)
+            corrected = self._corrected(point, c)
+            if corrected is None:
+                break
+            middle = corrected
+            at_c = float(middle.tangent[-1])
+            if at_c == 0.0 or abs(at_c) < 1e-13:
+                break
+            if at_c * at_b < 0:
+                a, at_a = b, at_b
+            else:
+                at_a *= 0.5
+            b, at_b = c, at_c
+            if abs(b - a) < 1e-14:
+                break
+        return middle._replace(role="fold")
+
+    def _meets(self, a: _Point, b: _Point, first: _Point) -> bool:
+        """Whether the curve passes its first point between two neighbours."""
+        if not (a.cycle.signature == b.cycle.signature == first.cycle.signature):
+            return False
+        weights = self._weights(first.z)
+        before, after = (float((p.z - first.z) @ (weights * first.tangent)) for p in (a, b))
+        near = min(self._distance(first, a), self._distance(first, b))
+        return before < 0 <= after and near <= 2 * self.step
+
+    def _cross(self, point: _Point, size: float) -> list[_Point] | None:
+        """The border beyond `point`, and a first point with the new order of switches; a fold before it, if any."""
+        held, lost = 0.0, size
+        for _ in range(24):
+            middle = 0.5 * (held + lost)
+            at = self._corrected(point, middle)
+            if at is not None and at.cycle.holds(at.z, self.F_0):
+                held = middle
+            else:
+                lost = middle
+        last = self._corrected(point, held)
+        if last is None:
+            return None
+        for beyond in (1e-4, 1e-3, 1e-5, 1e-2, 1e-6):
+            trial = self._corrected(point, held + beyond * self.step * 10)
+            if trial is None:
+                continue
+            new = self._other_side(last, trial)
+            if new is not None:
+                found = [self._border(last, new), new]
+                if last.tangent[-1] * point.tangent[-1] < 0:
+                    found.insert(0, self._fold(point, last, held))
+                return found
+        return None
+
+    def _other_side(self, last: _Point, trial: _Point) -> _Point | None:
+        """A point near the border with the new order of switches.
+
+        Where a span of the trial is negative, its phase vanishes there: the order is the one without it. Elsewhere the
+        order is the one that the trial's motion shows.
+        """
+        guess = _without_vanished(trial) if np.any(trial.z[2:-1] < 0.0) else self._as_followed(trial)
+        if guess is None or guess[0].signature == last.cycle.signature:
+            return None
+        cycle, z = guess
+        for index in (0, -1):
+            row = np.zeros(z.size)
+            row[index] = 1.0
+            for offset in (0.0, 1e-5, -1e-5, 1e-4, -1e-4, 1e-3, -1e-3):
+                at = z.copy()
+                at[index] = z[index] * (1.0 + offset)
+                new = self._with_fixed(cycle, at, row, last)
+                if new is not None:
+                    return new
+        return None
+
+    def _as_followed(self, trial: _Point) -> tuple[Cycle, Array] | None:
+        cycle, z = trial.cycle, trial.z
+        forced = Forced(cycle.system, float(z[-1]), self.F_0, cycle.integrator)
+        start = cycle.signature[0] if cycle.starts_from_rest else None
+        theta = float(z[1])
+        try:
+            motion = follow(forced, theta, float(z[0]), 0.0, theta + (cycle.half_turns + 3) * math.pi, start)
+        except ArithmeticError:
+            return None
+        return closed_cycle(cycle.system, cycle.integrator, cycle.half_turns, motion, forced.Omega)
+
+    def _with_fixed(self, cycle: Cycle, z: Array, row: Array, last: _Point) -> _Point | None:
+        """The solution with one unknown kept, if its order of switches holds and it lies near the border."""
+        kept = float(row @ z)
+
+        def keep(at: Array, _: Equations) -> tuple[float, Array]:
+            return float(row @ at) - kept, row
+
+        found = cycle.newton(z, self.F_0, keep)
+        if found is None or not cycle.holds(found[0], self.F_0):
+            return None
+        offset = found[0][[0, -1]] - last.z[[0, -1]]
+        if abs(offset[0]) > 0.05 * last.z[0] or abs(offset[1]) > 0.05:
+            return None
+        tangent = self._tangent(found[0], found[1], None)
+        weights = self._weights(found[0])[[0, -1]]
+        if float(tangent[[0, -1]] @ (weights * offset)) < 0:
+            tangent = -tangent
+        return _Point(cycle, *found, tangent, "")
+
+    def _border(self, last: _Point, new: _Point) -> _Point:
+        """The border between two orders of switches, solved for on the side with fewer phases."""
+        simple = min((last, new), key=lambda p: len(p.cycle.signature))
+        role = "corner" if last.tangent[-1] * new.tangent[-1] < 0 else "border"
+        if simple.equations.borders:
+            margins = [abs(border.margin) for border in simple.equations.borders]
+            index = margins.index(min(margins))
+
+            def at_border(_: Array, equations: Equations) -> tuple[float, Array]:
+                border = equations.borders[index]
+                return border.margin, border.gradient[:-1]
+
+            found = simple.cycle.newton(simple.z, self.F_0, at_border)
+            if found is not None and abs(found[0][0] - last.z[0]) < 1e-2 * last.z[0]:
+                return _Point(simple.cycle, *found, simple.tangent, role)
+        return last._replace(role=role)
+
+
+def _without_vanished(trial: _Point) -> tuple[Cycle, Array] | None:
+    """The cycle without the phases whose span is negative; a slip that a vanished rest cut in two is one again."""
+    phases: list[tuple[int, int]] = []
+    spans: list[float] = []
+    for i, (phase, span) in enumerate(zip(trial.cycle.signature, trial.z[2:-1], strict=True)):
+        if span < 0.0:
+            continue
+        if phases and phases[-1] == phase and trial.cycle.signature[i - 1][0] == 0:
+            spans[-1] += span
+        else:
+            phases.append(phase)
+            spans.append(float(span))
+    if not phases or phases[0][0] != -1:
+        return None
+    z = np.array([trial.z[0], trial.z[1], *spans, trial.z[-1]])
+    return replace(trial.cycle, signature=tuple(phases)), z
+
+
+def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
+    multipliers = np.array([point.multipliers for point in points])
+    stable = np.all(np.abs(multipliers) < 1.0, axis=1)
+    A = np.array([point.equations.A for point in points])
+    folds = []
+    for i, point in enumerate(points):
+        if point.role in ("fold", "corner") and 0 < i < len(points) - 1:
+            # a sweep leaves the stable side, for a larger amplitude if that is the lower one
+            up = A[i - 1] < A[i + 1] if stable[i - 1] else A[i + 1] < A[i - 1]
+            corner = point.role == "corner"
+            folds.append(Fold(float(point.z[-1]), float(A[i]), "jump-up" if up else "jump-down", corner))
+    return Response(
+        F_0=F_0,
+        Omega=np.array([float(point.z[-1]) for point in points]),
+        A=A,
+        stable=stable,
+        multipliers=multipliers,
+        stops=np.array([point.cycle.stops_per_turn() for point in points]),
+        folds=tuple(sorted(folds, key=lambda fold: fold.Omega)),
+        borders=tuple((float(p.z[-1]), p.equations.A) for p in points if p.role in ("border", "corner")),
+        closed=closed,
+        states=tuple(points),
+    )

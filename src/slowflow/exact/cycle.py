@@ -1,0 +1,252 @@
+"""The equations of a periodic motion with a given order of switches, and their Jacobian; Floquet multipliers.
+
+In:  an oscillator, the signature (slip, region) of the phases, a trial solution.
+Out: residual, Jacobian, monodromy.
+
+A cycle starts when the mass begins to slip downwards, at (theta_0, u_0) with v = 0, and ends n half turns of the
+forcing later in (-1)^n times the same state; n = 1 holds for the half-wave symmetric motions, n = 2 for any motion with
+the forcing's period. Unknown are u_0, theta_0, the span of every phase, and the frequency. Each phase is integrated
+over its span without looking for events; that its end is the switch is an equation. So everything stays smooth where a
+phase appears or vanishes: its span passes through zero there, while the monodromy matrix itself is singular.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.exact.force import Oscillator
+from slowflow.exact.integrate import FAR, Drive, Integrator
+from slowflow.exact.motion import Forced, Phase, edge_ahead, follow, signature
+
+Array = NDArray[np.float64]
+Signature = tuple[tuple[int, int], ...]
+
+
+class Border(NamedTuple):
+    """A margin that is positive while no phase has to be put in at a turning point, and its gradient (a jacobian's row).
+
+    It is the distance of the turning point from a breakpoint, or the excess of the push there over friction.
+    """
+
+    margin: float
+    gradient: Array
+
+
+class Equations(NamedTuple):
+    """residual (k+2), jacobian (k+2, k+4): columns u_0, theta_0, k spans, Omega, F_0; monodromy over the cycle (2, 2).
+
+    A is the largest |u| at a switch; borders lists the margins within which the order of switches holds.
+    """
+
+    residual: Array
+    jacobian: Array
+    monodromy: Array
+    A: float
+    borders: tuple[Border, ...]
+
+
+Extra = Callable[[Array, Equations], tuple[float, Array]]
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """A periodic motion's order of switches; the unknowns z are (u_0, theta_0, spans..., Omega)."""
+
+    system: Oscillator
+    integrator: Integrator
+    signature: Signature
+    half_turns: int
+
+    @property
+    def sign(self) -> int:
+        """The factor of the state after the cycle."""
+        return -1 if self.half_turns % 2 else 1
+
+    @property
+    def starts_from_rest(self) -> bool:
+        """Whether the mass breaks away at the start of the cycle, rather than turns round."""
+        return self.signature[-1][0] == 0
+
+    def equations(self, z: Array, F_0: float) -> Equations:
+        """Residual and derivatives at z, and the monodromy matrix with saltation at every switch.
+
+        The monodromy matrix takes a deviation of (u, v) at the start, times `sign`, to one after the cycle; the start's
+        own switch is counted at the end.
+        """
+        system, integrator, phases = self.system, self.integrator, self.signature
+        k = len(phases)
+        Omega = float(z[-1])
+        forced = Forced(system, Omega, F_0, integrator)
+        u, v, theta = float(z[0]), 0.0, float(z[1])
+        residual = np.empty(k + 2)
+        jacobian = np.zeros((k + 2, k + 4))
+        # derivatives of u, v, theta by the unknowns
+        of_state = np.zeros((2, k + 4))
+        of_state[0, 0] = 1.0
+        of_theta = np.zeros(k + 4)
+        of_theta[1] = 1.0
+        monodromy = np.eye(2)
+        A = abs(u)
+        borders: list[Border] = []
+        for i, (slip, region) in enumerate(phases):
+            end = theta + float(z[2 + i])
+            next_slip, next_region = phases[(i + 1) % k]
+            if i == k - 1:
+                next_slip, next_region = self.sign * next_slip, self.sign * next_region
+            A = max(A, abs(u))
+            if slip == 0:
+                push = forced.push(region, end, u)
+                of_theta[2 + i] = 1.0
+                of_state[1] = 0.0
+                residual[i] = push - next_slip * system.mu
+                jacobian[i] = -F_0 * math.sin(end) * of_theta - forced.piece(region).slope(u) * of_state[0]
+                jacobian[i, -1] += math.cos(end)
+                # at break-away the push balances friction: the acceleration is continuous, only v is forgotten
+                monodromy[1] = 0.0
+                v, theta = 0.0, end
+                continue
+            piece, drive = forced.piece(region), Drive(Omega, F_0, system.zeta, slip * system.mu)
+            rate = np.array([v, forced.acceleration(slip, region, theta, u, v)]) / Omega
+            u, v, flow = integrator.advance(piece, drive, theta, u, v, end)
+            of_state -= np.outer(rate, of_theta)
+            of_state = flow[:, :2] @ of_state
+            of_theta[2 + i] = 1.0
+            acceleration = forced.acceleration(slip, region, end, u, v)
+            of_state += np.outer((v / Omega, acceleration / Omega), of_theta)
+            of_state[:, -2:] += flow[:, 2:]
+            monodromy = flow[:, :2] @ monodromy
+            theta = end
+            if next_region != region:
+                edge = edge_ahead(system, slip, region)
+                residual[i] = u - edge
+                jacobian[i] = of_state[0]
+                jump = forced.acceleration(slip, next_region, end, u, v) - acceleration
+                if v != 0.0:
+                    monodromy[1] += (jump / v) * monodromy[0]
+            else:
+                residual[i] = v
+                jacobian[i] = of_state[1]
+                if next_slip == 0:
+                    monodromy[1] = 0.0
+                else:
+                    if acceleration != 0.0:
+                        monodromy[1] *= forced.acceleration(next_slip, region, end, u, v) / acceleration
+                    borders += self._borders(forced, slip, next_slip, region, end, u, of_state[0], of_theta)
+        residual[k] = u - self.sign * float(z[0])
+        jacobian[k] = of_state[0]
+        jacobian[k, 0] -= self.sign
+        residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * self.half_turns
+        jacobian[k + 1, 2:-2] = 1.0
+        return Equations(residual, jacobian, self.sign * monodromy, max(A, abs(u)), tuple(borders))
+
+    def _borders(
+        self,
+        forced: Forced,
+        slip: int,
+        next_slip: int,
+        region: int,
+        theta: float,
+        u: float,
+        of_u: Array,
+        of_theta: Array,
+    ) -> list[Border]:
+        edge = edge_ahead(self.system, slip, region)
+        found = [] if abs(edge) == FAR else [Border(slip * (edge - u), -slip * of_u)]
+        if self.system.mu > 0:
+            slope = -forced.F_0 * math.sin(theta) * of_theta - forced.piece(region).slope(u) * of_u
+            slope[-1] += math.cos(theta)
+            margin = next_slip * forced.push(region, theta, u) - self.system.mu
+            found.append(Border(margin, next_slip * slope))
+        return found
+
+    def phases(self, z: Array, F_0: float) -> list[Phase]:
+        """The motion that really starts at z's (theta_0, u_0), one phase beyond what the signature lists."""
+        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        start = self.signature[0] if self.starts_from_rest else None
+        theta = float(z[1])
+        end = theta + math.pi * self.half_turns
+        # the last switch falls on the end of the cycle, up to rounding: a little longer, to have it counted
+        return follow(forced, theta, float(z[0]), 0.0, end + 1e-6, start)[: len(self.signature) + 1]
+
+    def holds(self, z: Array, F_0: float) -> bool:
+        """Whether the motion from z's start really switches in the order of the signature."""
+        if np.any(z[2:-1] <= 0.0):
+            return False
+        found = self.phases(z, F_0)
+        k = len(self.signature)
+        return signature(found[:k]) == self.signature and abs(found[k - 1].end - z[1] - np.sum(z[2:-1])) < 1e-5
+
+    def newton(
+        self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = 12, tolerance: float = 1e-13
+    ) -> tuple[Array, Equations] | None:
+        """Newton's iteration; None where it does not converge.
+
+        Omega is kept unless `extra` gives one more equation: its value and its gradient by z.
+        """
+        last = math.inf
+        for _ in range(most):
+            try:
+                found = self.equations(z, F_0)
+                if extra is None:
+                    residual, jacobian = found.residual, found.jacobian[:, :-2]
+                else:
+                    value, gradient = extra(z, found)
+                    residual = np.append(found.residual, value)
+                    jacobian = np.vstack((found.jacobian[:, :-1], gradient))
+                step = np.linalg.solve(jacobian, -residual)
+            except (np.linalg.LinAlgError, ArithmeticError):
+                return None
+            size = float(np.max(np.abs(step)))
+            error = float(np.max(np.abs(residual)))
+            if not math.isfinite(size) or size > 2.0:
+                return None
+            if error <= tolerance or (error <= 100.0 * tolerance and size >= 0.5 * last):
+                return z, found
+            z = z.copy()
+            z[: step.size] += step
+            last = size
+        return None
+
+    def multipliers(self, equations: Equations) -> NDArray[np.complex128]:
+        """Floquet multipliers over the cycle of `half_turns`: negative ones are possible only for the half-map."""
+        values: NDArray[np.complex128] = np.linalg.eigvals(equations.monodromy).astype(np.complex128)
+        return values
+
+    def stops_per_turn(self) -> int:
+        """Rests in one turn of the forcing."""
+        rests = sum(slip == 0 for slip, _ in self.signature)
+        return 2 * rests // self.half_turns if self.half_turns in (1, 2) else rests
+
+
+def closed_cycle(
+    system: Oscillator, integrator: Integrator, half_turns: int, phases: list[Phase], Omega: float
+) -> tuple[Cycle, Array] | None:
+    """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
+
+    `phases` must span at least half_turns + 2 half turns; None where no downward slip is followed by its image.
+    """
+    span = math.pi * half_turns
+    sign = -1 if half_turns % 2 else 1
+    starts = [
+        i
+        for i, phase in enumerate(phases)
+        if phase.slip == -1 and phase.v == 0.0 and phase.theta + span < phases[-1].end - 0.3
+    ]
+    if not starts:
+        return None
+    first = max(starts, key=lambda i: phases[i].u)
+    theta = phases[first].theta
+    images = [i for i, phase in enumerate(phases) if i > first and phase.slip == -sign and phase.v == 0.0]
+    if not images:
+        return None
+    last = min(images, key=lambda i: abs(phases[i].theta - theta - span))
+    chosen = phases[first:last]
+    spans = [phase.end - phase.theta for phase in chosen]
+    z = np.array([phases[first].u, theta % (2.0 * math.pi), *spans, Omega])
+    return Cycle(system, integrator, signature(chosen), half_turns), z

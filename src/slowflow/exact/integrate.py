@@ -1,0 +1,247 @@
+"""Smooth motion between two switches: u' = v/Omega, v' = (F_0 cos theta - 2 zeta v - f(u) - friction)/Omega.
+
+In:  a piece of the force, the constants of the phase, a state, a span of theta = Omega tau.
+Out: the state at its end, with its derivatives or up to the first stop or breakpoint, or on a grid.
+
+Primes are derivatives by theta; v is the velocity du/dtau. The Taylor integrator heyoka is used where it is installed,
+SciPy's DOP853 elsewhere; both offer what `Integrator` lists and agree to 1e-9.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+
+from slowflow.exact.force import Law, Piece
+
+Array = NDArray[np.float64]
+
+TIME, STOP, EDGE = 0, 1, 2
+FAR = 1e6  # stands for "no breakpoint ahead": no motion of an isolator comes near
+
+
+class Drive(NamedTuple):
+    """The constants of a slip phase; friction is mu times the sign of the velocity."""
+
+    Omega: float
+    F_0: float
+    zeta: float
+    friction: float
+
+
+class Integrator(Protocol):
+    """What the motion needs from an integrator."""
+
+    def advance(
+        self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, Array]:
+        """State (u, v) at `end`, also before theta, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
+        ...
+
+    def until(
+        self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, float, int]:
+        """First stop (slip v falls through 0), arrival at u = edge, or `end`: (theta, u, v, STOP | EDGE | TIME)."""
+        ...
+
+    def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
+        """States at the rising `grid` (theta <= grid): shape (grid.size, 2)."""
+        ...
+
+
+class _Compiled(NamedTuple):
+    variations: Any
+    events: Any
+
+
+class HeyokaIntegrator:
+    """Taylor series of order 20, error per step of one rounding; each law is compiled once, in about half a second."""
+
+    name = "heyoka"
+
+    def __init__(self) -> None:
+        import heyoka  # type: ignore[import-untyped]
+
+        # it warns where it cannot separate two stops within one rounding of each other, which is what a border is
+        heyoka.set_logger_level_error()
+        self._heyoka = heyoka
+        self._compiled: dict[Law, _Compiled] = {}
+        self._end = heyoka.taylor_outcome.time_limit
+
+    def _for(self, law: Law) -> _Compiled:
+        found = self._compiled.get(law)
+        if found is None:
+            found = self._compiled[law] = self._compile(law)
+        return found
+
+    def _compile(self, law: Law) -> _Compiled:
+        hy = self._heyoka
+        u, v = hy.make_vars("u", "v")
+        Omega, F_0, zeta, friction = (hy.par[i] for i in range(4))
+        constants = [hy.par[4 + i] for i in range(law.constants)]
+        slip, edge = hy.par[4 + law.constants], hy.par[5 + law.constants]
+        force = law.value(hy, u, *constants)
+        acceleration = F_0 * hy.cos(hy.time) - 2.0 * zeta * v - force - friction
+        system = [(u, v / Omega), (v, acceleration / Omega)]
+        pars = [1.0, 0.0, 0.0, 0.0] + [0.5] * law.constants
+        variational = hy.var_ode_sys(system, args=[u, v, Omega, F_0], order=1)
+        events = [
+            hy.t_event(slip * v, direction=hy.event_direction.negative),
+            hy.t_event(slip * (u - edge), direction=hy.event_direction.positive),
+        ]
+        return _Compiled(
+            hy.taylor_adaptive(variational, [0.0, 0.0], pars=pars),
+            hy.taylor_adaptive(system, [0.0, 0.0], pars=[*pars, 1.0, FAR], t_events=events),
+        )
+
+    def advance(
+        self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, Array]:
+        """See `Integrator`."""
+        integrator = self._for(piece.law).variations
+        integrator.pars[:] = (*drive, *piece.constants)
+        state = integrator.state
+        state[:] = (u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+        integrator.time = theta
+        if integrator.propagate_until(end)[0] != self._end:
+            raise ArithmeticError(f"the integration from theta = {theta} to {end} failed at theta = {integrator.time}")
+        return float(state[0]), float(state[1]), state[2:].reshape(2, 4).copy()
+
+    def until(
+        self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, float, int]:
+        """See `Integrator`."""
+        integrator = self._for(piece.law).events
+        integrator.pars[:] = (*drive, *piece.constants, slip, edge)
+        state = integrator.state
+        state[:] = (u, v)
+        integrator.time = theta
+        integrator.reset_cooldowns()
+        outcome = integrator.propagate_until(end)[0]
+        if outcome == self._end:
+            event = TIME
+        else:
+            # heyoka numbers a terminal event i that stops the integration -i - 1
+            index = -int(outcome) - 1
+            if index not in (0, 1):
+                raise ArithmeticError(f"the integration from theta = {theta} failed at theta = {integrator.time}")
+            event = EDGE if index else STOP
+        return float(integrator.time), float(state[0]), float(state[1]), event
+
+    def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
+        """See `Integrator`."""
+        integrator = self._for(piece.law).events
+        integrator.pars[:] = (*drive, *piece.constants, 0.0, FAR)
+        integrator.state[:] = (u, v)
+        integrator.time = theta
+        integrator.reset_cooldowns()
+        states: list[Array] = []
+        for at in grid:
+            integrator.propagate_until(at)
+            states.append(integrator.state.copy())
+        return np.array(states).reshape(-1, 2)
+
+
+class ScipyIntegrator:
+    """DOP853 at the tightest tolerances it keeps; slower, needs nothing but SciPy."""
+
+    name = "scipy"
+    _tolerances = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-15}  # noqa: RUF012
+
+    @staticmethod
+    def _field(piece: Piece, drive: Drive) -> Any:
+        Omega, F_0, zeta, friction = drive
+        value, constants = piece.law.value, piece.constants
+
+        def field(theta: float, y: Array) -> list[float]:
+            force = value(np, y[0], *constants)
+            return [y[1] / Omega, (F_0 * np.cos(theta) - 2.0 * zeta * y[1] - force - friction) / Omega]
+
+        return field
+
+    def advance(
+        self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, Array]:
+        """See `Integrator`."""
+        Omega, _, zeta, _ = drive
+        field, slope = self._field(piece, drive), piece.law.slope
+
+        def variational(at: float, y: Array) -> Array:
+            u_dot, v_dot = field(at, y)
+            tangent = y[2:].reshape(2, 4)
+            stiffness = slope(np, y[0], *piece.constants)
+            out = np.empty(10)
+            out[:2] = u_dot, v_dot
+            out[2:6] = tangent[1] / Omega
+            out[6:] = (-stiffness * tangent[0] - 2.0 * zeta * tangent[1]) / Omega
+            out[4] -= u_dot / Omega
+            out[8] -= v_dot / Omega
+            out[9] += np.cos(at) / Omega
+            return out
+
+        start = np.array([u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0])
+        if end == theta:
+            return u, v, start[2:].reshape(2, 4)
+        y = self._solve(variational, (theta, end), start).y[:, -1]
+        return float(y[0]), float(y[1]), y[2:].reshape(2, 4)
+
+    def until(
+        self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, float, int]:
+        """See `Integrator`."""
+
+        def stop(_: float, y: Array) -> float:
+            return float(slip * y[1])
+
+        def arrival(_: float, y: Array) -> float:
+            return float(slip * (y[0] - edge))
+
+        for event, direction in ((stop, -1.0), (arrival, 1.0)):
+            event.terminal = True  # type: ignore[attr-defined]
+            event.direction = direction  # type: ignore[attr-defined]
+        field = self._field(piece, drive)
+        solution = self._solve(field, (theta, end), np.array([u, v]), events=[stop, arrival])
+        for code, times in ((STOP, solution.t_events[0]), (EDGE, solution.t_events[1])):
+            if times.size:
+                return self._refined(field, edge, solution, float(times[0]), code)
+        return end, float(solution.y[0, -1]), float(solution.y[1, -1]), TIME
+
+    def _refined(self, field: Any, edge: float, solution: Any, at: float, code: int) -> tuple[float, float, float, int]:
+        """The event's time by Newton from the start of its step: the dense output alone is too coarse."""
+        begin, start = float(solution.t[-2]), solution.y[:, -2]
+        for _ in range(8):
+            u, v = self._solve(field, (begin, at), start).y[:, -1] if at != begin else start
+            u_dot, v_dot = field(at, np.array([u, v]))
+            change = v / v_dot if code == STOP else (u - edge) / u_dot
+            if not abs(change) > 1e-15 * max(1.0, abs(at)):
+                break
+            at -= change
+        return at, float(u), float(v), code
+
+    def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
+        """See `Integrator`."""
+        if grid.size == 0:
+            return np.empty((0, 2))
+        if grid[-1] <= theta:
+            return np.tile(np.array([u, v]), (grid.size, 1))
+        y: Array = self._solve(self._field(piece, drive), (theta, float(grid[-1])), np.array([u, v]), t_eval=grid).y.T
+        return y
+
+    def _solve(self, field: Any, span: tuple[float, float], start: Array, **options: Any) -> Any:
+        solution = solve_ivp(field, span, start, **self._tolerances, **options)
+        if solution.status < 0:
+            raise ArithmeticError(f"the integration from theta = {span[0]} to {span[1]} failed: {solution.message}")
+        return solution
+
+
+@functools.cache
+def default_integrator() -> Integrator:
+    """heyoka where it is installed, SciPy otherwise; one for the process, so that each law is compiled once."""
+    try:
+        return HeyokaIntegrator()
+    except ImportError:
+        return ScipyIntegrator()

@@ -1,0 +1,182 @@
+"""Motion from switch to switch: slip in one direction over one piece of the force, or rest.
+
+In:  an oscillator, the forcing, a state at rest or in motion.
+Out: its phases in order, each with its start, its end and what ended it.
+
+Switches, all exact: the velocity reaches zero; |u| reaches a breakpoint; at rest |F_0 cos theta - f(u)| <= mu holds the
+mass, and it breaks away when that bound is met, at an angle known in closed form. theta = Omega tau; v = du/dtau.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from slowflow.exact.force import Oscillator, Piece
+from slowflow.exact.integrate import EDGE, FAR, STOP, TIME, Drive, Integrator
+
+TURN = 2.0 * math.pi
+NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
+MOST_PHASES = 400  # in one turn of the forcing; more means that switches accumulate
+
+
+class Phase(NamedTuple):
+    """A stretch of smooth motion. slip: sign of the velocity, 0 at rest; region: index of the piece, signed like u."""
+
+    slip: int
+    region: int
+    theta: float
+    u: float
+    v: float
+    end: float
+    u_end: float
+    v_end: float
+    event: int
+
+
+class Forced(NamedTuple):
+    """An oscillator under F_0 cos(Omega tau), with the integrator to be used."""
+
+    system: Oscillator
+    Omega: float
+    F_0: float
+    integrator: Integrator
+
+    def piece(self, region: int) -> Piece:
+        """The piece of the force in that region."""
+        return self.system.force.pieces[abs(region)]
+
+    def drive(self, slip: int) -> Drive:
+        """The constants of a slip phase."""
+        return Drive(self.Omega, self.F_0, self.system.zeta, slip * self.system.mu)
+
+    def push(self, region: int, theta: float, u: float) -> float:
+        """F_0 cos theta - f(u): what friction has to hold at rest."""
+        return self.F_0 * math.cos(theta) - self.piece(region).value(u)
+
+    def acceleration(self, slip: int, region: int, theta: float, u: float, v: float) -> float:
+        """u'' in a slip phase."""
+        return self.push(region, theta, u) - 2.0 * self.system.zeta * v - slip * self.system.mu
+
+
+def edge_ahead(system: Oscillator, slip: int, region: int) -> float:
+    """The breakpoint towards which a mass in that region slips, with its sign; slip * FAR if there is none."""
+    outward = slip * region
+    breakpoints = system.force.breakpoints
+    if outward >= 0:
+        return slip * breakpoints[outward] if outward < len(breakpoints) else slip * FAR
+    return -slip * breakpoints[-outward - 1]
+
+
+def region_of(system: Oscillator, u: float) -> int:
+    """The region that holds u; a breakpoint belongs to the inner one."""
+    index = sum(abs(u) > b for b in system.force.breakpoints)
+    return index if u > 0 else -index
+
+
+def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
+    """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
+    mu, F_0 = forced.system.mu, forced.F_0
+    force = forced.piece(region).value(u)
+    found = (math.inf, 0)
+    for slip in (1, -1):
+        cosine = (force + slip * mu) / F_0
+        if abs(cosine) < 1.0:
+            # cos theta rises through it for slip = 1 and falls for slip = -1
+            angle = -slip * math.acos(cosine)
+            at = angle + TURN * math.ceil((theta - angle) / TURN - 1e-14)
+            found = min(found, (max(at, theta), slip))
+    return found
+
+
+def after_stop(forced: Forced, slip: int, region: int, theta: float, u: float) -> int:
+    """What follows a stop reached in direction `slip`: the next direction, 0 if friction holds the mass."""
+    push = forced.push(region, theta, u)
+    if forced.system.mu > 0 and abs(push) <= forced.system.mu:
+        return 0
+    return -slip if slip else (1 if push > 0 else -1)
+
+
+def follow(
+    forced: Forced, theta: float, u: float, v: float, end: float, start: tuple[int, int] | None = None
+) -> list[Phase]:
+    """All phases from (theta, u, v) to `end`; `start` = (slip, region) overrides the state, e.g. at break-away.
+
+    Raises ArithmeticError if switches accumulate (the mass chatters at a jump of the force).
+    """
+    system, integrator = forced.system, forced.integrator
+    if start is not None:
+        slip, region = start
+    else:
+        region = region_of(system, u)
+        slip = (1 if v > 0 else -1) if v != 0 else after_stop(forced, 0, region, theta, u)
+        if slip != 0 and u == edge_ahead(system, slip, region):
+            region += slip
+    phases: list[Phase] = []
+    most = MOST_PHASES * (1 + math.ceil((end - theta) / TURN))
+    while theta < end:
+        if len(phases) >= most:
+            raise ArithmeticError(
+                f"more than {MOST_PHASES} switches in one turn of the forcing at Omega = {forced.Omega}: the mass "
+                f"chatters near u = {u:.6g}, where the restoring force jumps"
+            )
+        if slip == 0:
+            at, slip = break_away(forced, region, theta, u)
+            theta = _rest(phases, region, theta, u, min(at, end), end)
+            continue
+        edge = edge_ahead(system, slip, region)
+        piece, drive = forced.piece(region), forced.drive(slip)
+        from_theta, from_u, from_v = theta, u, v
+        if v == 0.0:
+            theta, u, v = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
+            if v == 0.0 and system.mu > 0:
+                # the push exceeds friction by too little and for too short a time to be told from rounding
+                at, slip = break_away(forced, region, theta + NUDGES[-1], u)
+                theta = _rest(phases, region, theta, u, min(at, end), end)
+                continue
+        if theta < end:
+            theta, u, v, event = integrator.until(piece, drive, slip, edge, theta, u, v, end)
+        else:
+            event = TIME
+        if event == STOP:
+            v = 0.0
+        elif event == EDGE:
+            u = edge
+        phases.append(Phase(slip, region, from_theta, from_u, from_v, theta, u, v, event))
+        if event == STOP:
+            slip = after_stop(forced, slip, region, theta, u)
+        elif event == EDGE:
+            region += slip
+    return phases
+
+
+def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float, end: float) -> float:
+    """Adds a rest, or prolongs one that the last phase is; returns its end."""
+    event = STOP if until < end else TIME
+    if phases and phases[-1].slip == 0:
+        phases[-1] = phases[-1]._replace(end=until, event=event)
+    else:
+        phases.append(Phase(0, region, theta, u, 0.0, until, u, 0.0, event))
+    return until
+
+
+def _move_off(
+    integrator: Integrator, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, end: float
+) -> tuple[float, float, float]:
+    """A short way from rest without looking for a stop, which rounding could find at the very start; v = 0 if none."""
+    for nudge in NUDGES:
+        later = min(theta + nudge, end)
+        there_u, there_v, _ = integrator.advance(piece, drive, theta, u, 0.0, later)
+        if slip * there_v > 0.0 and slip * (there_u - edge) < 0.0:
+            return later, there_u, there_v
+    return theta, u, 0.0
+
+
+def signature(phases: list[Phase]) -> tuple[tuple[int, int], ...]:
+    """(slip, region) of each phase: the order of switches, which smooth continuation keeps."""
+    return tuple((phase.slip, phase.region) for phase in phases)
+
+
+def stops(phases: list[Phase]) -> int:
+    """How many of the phases are rests."""
+    return sum(phase.slip == 0 for phase in phases)

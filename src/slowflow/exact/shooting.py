@@ -1,0 +1,264 @@
+"""One steady state at one frequency: Newton's iteration on the periodic motion, from a guess or from time stepping.
+
+In:  an oscillator, Omega, F_0, perhaps a guess.
+Out: `SteadyState`: one period, its harmonics, stops, Floquet multipliers and the residual of its periodicity.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.exact.cycle import Cycle, Equations, closed_cycle
+from slowflow.exact.force import Oscillator
+from slowflow.exact.integrate import Integrator, default_integrator
+from slowflow.exact.motion import TURN, Forced, Phase, follow
+
+Array = NDArray[np.float64]
+
+MOST_TURNS = 3000  # of the forcing, before time stepping gives up
+GAUSS_NODES = 40  # per phase of the motion, for its harmonics
+
+
+@dataclass(frozen=True)
+class SteadyState:
+    """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
+
+    A            -- largest |u|
+    stops        -- rests in one period of the forcing
+    multipliers  -- Floquet multipliers over `period`, shape (2,)
+    half_multipliers -- of the half-map u(tau) -> -u(tau + pi/Omega) where the motion is half-wave symmetric, else None
+    stable       -- both multipliers inside the unit circle
+    residual     -- largest difference of (u, v) after one period, followed with its switches
+    symmetric    -- whether u(tau + pi/Omega) = -u(tau)
+    """
+
+    Omega: float
+    F_0: float
+    A: float
+    stops: int
+    multipliers: NDArray[np.complex128]
+    half_multipliers: NDArray[np.complex128] | None
+    stable: bool
+    residual: float
+    symmetric: bool
+    cycle: Cycle = field(repr=False)
+    unknowns: Array = field(repr=False)
+
+    @property
+    def period(self) -> float:
+        """Period in tau."""
+        return max(self.cycle.half_turns, 2 if self.symmetric else 1) * math.pi / self.Omega
+
+    @functools.cached_property
+    def phases(self) -> list[Phase]:
+        """The phases of one cycle, from its highest turning point."""
+        return self.cycle.phases(self.unknowns, self.F_0)[: len(self.cycle.signature)]
+
+    def series(self, samples: int = 400) -> tuple[Array, Array, Array]:
+        """tau, u, v = du/dtau at `samples` equal steps of one period from tau = 0, where the forcing is largest."""
+        theta = self.Omega * self.period * np.arange(samples) / samples
+        u, v = self._at(theta)
+        return theta / self.Omega, u, v
+
+    def harmonics(self, most: int = 7) -> NDArray[np.complex128]:
+        """c_0 ... c_most of u = Re sum c_k exp(i k Omega' tau), Omega' = 2 pi/period; by a Gauss rule on each phase."""
+        nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
+        orders = np.arange(most + 1)
+        span = self.cycle.half_turns * math.pi
+        whole = self.Omega * self.period
+        base = TURN / whole
+        total = np.zeros(most + 1, dtype=np.complex128)
+        for phase in self.phases:
+            half = 0.5 * (phase.end - phase.theta)
+            at = phase.theta + half * (1.0 + nodes)
+            u = self._within(phase, at)[:, 0]
+            total += np.exp(-1j * base * np.outer(orders, at)) @ (weights * half * u)
+        if whole > span * 1.5:  # the second half of a symmetric motion mirrors the first
+            total *= 1.0 - (-1.0) ** orders
+        total *= 2.0 / whole
+        total[0] *= 0.5
+        return total
+
+    def _within(self, phase: Phase, theta: Array) -> Array:
+        if phase.slip == 0:
+            return np.tile(np.array([phase.u, 0.0]), (theta.size, 1))
+        forced = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator)
+        return self.cycle.integrator.sample(
+            forced.piece(phase.region), forced.drive(phase.slip), phase.theta, phase.u, phase.v, theta
+        )
+
+    def _at(self, theta: Array) -> tuple[Array, Array]:
+        start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
+        turns = np.floor((theta - start) / span)
+        local = theta - turns * span
+        sign = np.where(turns % 2 == 0, 1.0, float(self.cycle.sign))
+        out = np.zeros((theta.size, 2))
+        phases = self.phases
+        order = np.argsort(local)
+        which = np.clip(np.searchsorted([p.theta for p in phases], local[order], side="right") - 1, 0, None)
+        for i, phase in enumerate(phases):
+            chosen = order[which == i]
+            if chosen.size:
+                out[chosen] = self._within(phase, local[chosen])
+        return sign * out[:, 0], sign * out[:, 1]
+
+
+def steady_state(
+    system: Oscillator,
+    Omega: float,
+    F_0: float,
+    guess: SteadyState | tuple[float, float] | None = None,
+    *,
+    half_turns: int | None = None,
+    integrator: Integrator | None = None,
+) -> SteadyState:
+    """The periodic motion at one frequency.
+
+    guess      -- a neighbouring `SteadyState`, or (A, phi) of u = A cos(Omega tau + phi); without it the mass is
+                  released at rest at u = 0 and followed until it settles, which finds stable motions only
+    half_turns -- 1: look for half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: for any with the forcing's
+                  period; n: for period n pi/Omega, mirrored if n is odd. By default 1 is tried first and 2 then.
+
+    A guess leads to a motion near it, stable or not; if Newton's iteration finds none, the motion is followed from the
+    guess until it settles. The motion returned has been followed through all its switches (`residual`).
+    Raises ValueError for parameters out of range or where friction holds the mass for ever, ArithmeticError if nothing
+    periodic is found.
+    """
+    check_forcing(system, Omega, F_0)
+    integrator = integrator or default_integrator()
+    forced = Forced(system, float(Omega), float(F_0), integrator)
+    tries = (1, 2) if half_turns is None else (half_turns,)
+    theta, u = 0.0, 0.0
+    if isinstance(guess, SteadyState):
+        cycle = replace(guess.cycle, system=system, integrator=integrator)
+        z = guess.unknowns.copy()
+        z[-1] = Omega
+        found = _settle_signature(cycle, z, forced, tries)
+        if found is not None:
+            return found
+        theta, u = float(z[1]), float(z[0])
+    elif guess is not None:
+        A, phi = guess
+        if not (math.isfinite(A) and A > 0 and math.isfinite(phi)):
+            raise ValueError(f"guess = (A, phi) = {guess} must be finite, A positive")
+        theta, u = (-phi) % TURN, float(A)
+        for n in tries:
+            found = _from_start(forced, theta, u, n)
+            if found is not None and abs(found.A - A) <= 0.5 * A:
+                return found
+    return _by_time_stepping(forced, theta, u, tries)
+
+
+def check_forcing(system: Oscillator, Omega: float, F_0: float) -> None:
+    """Raises ValueError unless Omega > 0, F_0 > 0 are finite and the forcing can move the mass from u = 0."""
+    for name, value in (("Omega", Omega), ("F_0", F_0)):
+        if not (math.isfinite(value) and value > 0):
+            raise ValueError(f"{name} = {value} must be positive and finite")
+    if F_0 <= system.mu:
+        raise ValueError(
+            f"F_0 = {F_0} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves"
+        )
+
+
+def describe(cycle: Cycle, z: Array, F_0: float, equations: Equations) -> SteadyState:
+    """The `SteadyState` of a converged cycle; its residual is measured by following the motion over one period."""
+    multipliers = cycle.multipliers(equations)
+    symmetric = cycle.half_turns == 1
+    half = multipliers if symmetric else None
+    if symmetric:
+        multipliers = multipliers**2
+    Omega = float(z[-1])
+    phases = cycle.phases(z, F_0)
+    return SteadyState(
+        Omega=Omega,
+        F_0=F_0,
+        A=_largest(phases[: len(cycle.signature)]),
+        stops=cycle.stops_per_turn(),
+        multipliers=multipliers,
+        half_multipliers=half,
+        stable=bool(np.all(np.abs(multipliers) < 1.0)),
+        residual=_residual(cycle, z, F_0),
+        symmetric=symmetric,
+        cycle=cycle,
+        unknowns=z,
+    )
+
+
+def _largest(phases: list[Phase]) -> float:
+    return max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
+
+
+def _residual(cycle: Cycle, z: Array, F_0: float) -> float:
+    """Largest difference of (u, v) after a full period, from a point inside the first phase."""
+    forced = Forced(cycle.system, float(z[-1]), F_0, cycle.integrator)
+    slip, region = cycle.signature[0]
+    middle = float(z[1]) + 0.5 * float(z[2])
+    u, v, _ = cycle.integrator.advance(forced.piece(region), forced.drive(slip), float(z[1]), float(z[0]), 0.0, middle)
+    turns = cycle.half_turns if cycle.sign == 1 else 2 * cycle.half_turns
+    last = follow(forced, middle, u, v, middle + turns * math.pi, (slip, region))[-1]
+    return max(abs(last.u_end - u), abs(last.v_end - v))
+
+
+def _from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
+    """Newton's iteration with the order of switches that the motion from (theta, u, v) shows."""
+    end = theta + (half_turns + 3) * math.pi
+    closed = closed_cycle(forced.system, forced.integrator, half_turns, follow(forced, theta, u, v, end), forced.Omega)
+    return None if closed is None else _settle_signature(*closed, forced, (half_turns,))
+
+
+def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, ...]) -> SteadyState | None:
+    """Newton's iteration, repeated with the order of switches of what it found until that order holds."""
+    if cycle.half_turns not in tries:
+        return None
+    seen = set()
+    for _ in range(8):
+        seen.add(cycle.signature)
+        solved = cycle.newton(z, forced.F_0)
+        if solved is None:
+            return None
+        z, equations = solved
+        if cycle.holds(z, forced.F_0):
+            return describe(cycle, z, forced.F_0, equations)
+        theta, u = float(z[1]), float(z[0])
+        end = theta + (cycle.half_turns + 3) * math.pi
+        closed = closed_cycle(
+            forced.system, forced.integrator, cycle.half_turns, follow(forced, theta, u, 0.0, end), forced.Omega
+        )
+        if closed is None or closed[0].signature in seen:
+            return None
+        cycle, z = closed
+    return None
+
+
+def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState:
+    """Follows the motion until it settles; Newton's iteration ends it once it is close."""
+    v, turns, wait = 0.0, 0, 8
+    change = math.inf
+    while turns < MOST_TURNS:
+        for _ in range(wait):
+            last = follow(forced, theta, u, v, theta + TURN)[-1]
+            change = max(abs(last.u_end - u), abs(last.v_end - v))
+            u, v = last.u_end, last.v_end
+            turns += 1
+        scale = max(abs(u), abs(v), 1e-3)
+        if change < 1e-2 * scale:
+            for n in tries:
+                found = _from_start(forced, theta, u, n, v)
+                if found is not None and found.stable and _near(found, theta, u, v, 10.0 * change + 1e-9):
+                    return found
+    raise ArithmeticError(
+        f"no steady state of period {tries[-1]} pi/Omega at Omega = {forced.Omega}, F_0 = {forced.F_0}: the motion "
+        f"still changes by {change:.1e} a turn after {turns} turns"
+    )
+
+
+def _near(found: SteadyState, theta: float, u: float, v: float, distance: float) -> bool:
+    """Whether the motion found is the one that the time stepping approaches, by the multipliers' rate of approach."""
+    there_u, there_v = found._at(np.array([theta]))
+    rate = 1.0 - float(np.max(np.abs(found.multipliers)))
+    return max(abs(float(there_u[0]) - u), abs(float(there_v[0]) - v)) <= distance / max(rate, 1e-3)

@@ -1,0 +1,97 @@
+"""A frequency sweep as an experiment sees it: the motion is simply followed while the frequency is stepped.
+
+In:  an oscillator, F_0, the frequencies in the order they are visited.
+Out: `Sweep`: the amplitude that settles at each, and the jumps between branches.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.exact.force import Oscillator
+from slowflow.exact.integrate import Integrator, default_integrator
+from slowflow.exact.motion import TURN, Forced, follow, stops
+from slowflow.exact.shooting import check_forcing
+
+Array = NDArray[np.float64]
+
+JUMP = 0.1  # relative change of amplitude between neighbouring frequencies, from which on a jump is looked for
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """What a stepped sweep shows; arrays in the order of the frequencies.
+
+    Omega   -- the frequencies
+    A       -- largest |u| over the last turn of the forcing at each
+    stops   -- rests in that turn
+    turns   -- turns of the forcing spent there
+    settled -- whether the state then changed by no more than the tolerance from turn to turn
+    jumps   -- pairs (Omega before, Omega after) between which the motion left its branch
+    """
+
+    F_0: float
+    Omega: Array
+    A: Array
+    stops: NDArray[np.int64]
+    turns: NDArray[np.int64]
+    settled: NDArray[np.bool_]
+    jumps: tuple[tuple[float, float], ...]
+
+
+def sweep(
+    system: Oscillator,
+    F_0: float,
+    Omega: Sequence[float] | Array,
+    *,
+    tolerance: float = 1e-9,
+    most_turns: int = 2000,
+    integrator: Integrator | None = None,
+) -> Sweep:
+    """Follows the motion from rest through the frequencies, keeping its state and the forcing's phase at each step.
+
+    tolerance -- a motion has settled once (u, v) comes back to within it after a turn of the forcing
+    most_turns -- at one frequency
+
+    A jump is a change of amplitude by more than 10 %, and more than three times what either neighbouring step shows.
+    Raises ValueError for parameters out of range.
+    """
+    frequencies = np.asarray(Omega, dtype=float)
+    if frequencies.ndim != 1 or frequencies.size == 0:
+        raise ValueError(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
+    if not tolerance > 0:
+        raise ValueError(f"tolerance = {tolerance} must be positive")
+    for frequency in frequencies:
+        check_forcing(system, float(frequency), F_0)
+    integrator = integrator or default_integrator()
+    A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
+    settled = np.zeros(frequencies.size, bool)
+    u, v = 0.0, 0.0
+    for i, frequency in enumerate(frequencies):
+        forced = Forced(system, float(frequency), F_0, integrator)
+        turns = 0
+        while turns < most_turns and not settled[i]:
+            phases = follow(forced, 0.0, u, v, TURN)
+            last = phases[-1]
+            settled[i] = max(abs(last.u_end - u), abs(last.v_end - v)) <= tolerance
+            u, v = last.u_end, last.v_end
+            turns += 1
+        A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
+        rests[i] = stops(phases)
+        spent[i] = turns
+    return Sweep(F_0, frequencies, A, rests, spent, settled, _jumps(frequencies, A))
+
+
+def _jumps(Omega: Array, A: Array) -> tuple[tuple[float, float], ...]:
+    change = np.abs(np.diff(A))
+    relative = change / np.maximum(A[1:], A[:-1])
+    beside = np.zeros(change.size)
+    beside[1:] = change[:-1]
+    beside[:-1] = np.maximum(beside[:-1], change[1:])
+    found = np.flatnonzero((relative > JUMP) & (change > 3.0 * beside))
+    return tuple((float(Omega[i]), float(Omega[i + 1])) for i in found if math.isfinite(relative[i]))
