@@ -40,12 +40,16 @@ class Oscillator:
     definitions: dict[sp.Symbol, sp.Expr]
 
 
+def equation_of_motion(k_v: sp.Expr, x: sp.Expr, x_dot: sp.Expr, x_ddot: sp.Expr) -> sp.Expr:
+    """(1): what F_k(x) adds to zero; sign(x') and cos(omega t) as symbols."""
+    return m * x_ddot + c * x_dot + k_v * x + F_c * sign_u_dot - F * cos_forcing
+
+
 def dimensionless_groups(mechanism: Mechanism) -> dict[sp.Symbol, sp.Expr]:
     """(1), (3), (4): put x = L u, d/dt = omega_n d/dtau, divide by k_v L, and read the groups off the coefficients."""
     k_v, length = mechanism.k_v, mechanism.length
     natural = sp.sqrt(k_v / m)
-    x, x_dot, x_ddot = length * u, length * natural * u_dot, length * natural**2 * u_ddot
-    motion = m * x_ddot + c * x_dot + k_v * x + F_c * sign_u_dot - F * cos_forcing
+    motion = equation_of_motion(k_v, length * u, length * natural * u_dot, length * natural**2 * u_ddot)
     scaled = sp.expand(motion / (k_v * length))
     if scaled.coeff(u_ddot) != 1 or scaled.coeff(u) != 1:
         raise ArithmeticError(f"{mechanism.name}: the scaling does not normalise inertia and vertical stiffness")

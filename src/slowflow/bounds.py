@@ -9,8 +9,8 @@ from slowflow.roots import peak_roots
 
 #: where an undamped response is cut when the mechanism itself has no end
 UNBOUNDED_STATIC_MULTIPLE = 100.0
-#: e-foldings of A searched for a bound before the response counts as unbounded
-DOUBLINGS = 200
+#: how often A is doubled in search of a bound
+DOUBLINGS = 120
 
 
 def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
@@ -41,12 +41,15 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
         cut = max(UNBOUNDED_STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
         return cut, f"unbounded without viscous damping: cut at A = {cut:g}"
     # The least forcing rises without bound for large A: by viscous damping where the stiffness stays positive, by the
-    # stiffness itself otherwise. The start lies above every piece, so that the last one alone decides.
+    # stiffness itself otherwise. The start lies above every piece, so that the last one alone decides. On the way it may
+    # dip between two rungs, to m at most, where the averaged force changes its sign.
     A = max(2 * max(model.breakpoints, default=0.0), F_0, 1e-6)
-    with np.errstate(over="ignore"):
-        ladder = A * 2.0 ** np.arange(DOUBLINGS)
+    ladder = A * 2.0 ** np.arange(DOUBLINGS)
     level = least_forcing(model, ladder)[0]
-    below = np.flatnonzero(~(level > 1.01 * F_0))
+    h = model.averaged(ladder)[0]
+    low = ~(level > 1.01 * F_0)
+    low[:-1] |= (h[1:] > 0) != (h[:-1] > 0)
+    below = np.flatnonzero(low)
     if below.size and below[-1] == DOUBLINGS - 1:
         raise OverflowError(f"no amplitude up to {ladder[-1]:g} bounds the response to F_0 = {F_0}")
     return float(ladder[below[-1] + 1 if below.size else 0]), ""

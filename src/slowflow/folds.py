@@ -99,14 +99,19 @@ def onset(model: Model) -> SaddleNodeOnset:
 
 
 def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
-    """Lowest level over the spans' ends and over the corners' stationary points."""
+    """Lowest minimum of the level along the fold locus and over the corners, joints of both included."""
     candidates: list[tuple[float, float, float, str]] = []
-    if located.level.size:
-        row, end = np.unravel_index(np.argmin(located.level), located.level.shape)
-        A, Omega = float(located.A[row, end]), float(located.Omega[row, end])
-        mark = str(located.mark[row, end])
-        on_corner = any(b <= A <= np.nextafter(b, np.inf) for b in model.breakpoints)
-        candidates.append((float(located.level[row, end]), Omega, A, "corner" if on_corner else mark))
+    for kind in ("cusp", "isola"):
+        for row in located.marked(kind):
+            level = float(located.level[row, 1])
+            if level <= located.level[row, 0] and level <= located.level[row + 1, 1]:
+                candidates.append((level, float(located.Omega[row, 1]), float(located.A[row, 1]), kind))
+    for b in model.breakpoints:
+        joint = (located.A >= b) & (located.A <= np.nextafter(b, np.inf))
+        candidates += [
+            (float(level), float(Omega), b, "corner")
+            for level, Omega in zip(located.level[joint], located.Omega[joint], strict=True)
+        ]
     for b, jump in zip(model.breakpoints, model.jumps, strict=True):
         if jump == 0:
             continue
@@ -121,11 +126,16 @@ def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
     if not candidates:
         return SaddleNodeOnset(None, None, None, "", "no saddle node")
     F_SN, Omega, A, kind = min(candidates)
-    return SaddleNodeOnset(F_SN, Omega, A, kind, "")
+    # a softening force has folds at rest: the locus ends at Omega = 0 where the averaged force vanishes, at the level m
+    at_rest = bool(((located.mark == "zero") & (located.level < F_SN)).any())
+    remark = f"below it, down to 4 mu/pi = {model.m:g}, there are folds that end at Omega = 0" if at_rest else ""
+    return SaddleNodeOnset(F_SN, Omega, A, kind, remark)
 
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
+    if not saddle_nodes(model, 2 * model.m + 1.0).A.size:
+        return SaddleNodeOnset(None, None, None, "", "no saddle node: the oscillator is linear")
     return SaddleNodeOnset(
         None, None, None, "", f"no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {model.m:g} has a fold"
     )

@@ -37,6 +37,11 @@ class Oscillator:
         """4 mu/pi: a forcing that does not exceed it leaves the mass at rest (27)."""
         return self._model.m
 
+    @property
+    def breakpoints(self) -> tuple[float, ...]:
+        """Amplitudes at which the force passes from one piece to the next: (u_cr,), or none."""
+        return self._model.breakpoints
+
     def frequency_response(
         self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = WINDOW
     ) -> FrequencyResponse:
@@ -104,6 +109,12 @@ class Oscillator:
         """zeta_eq at (Omega, A), broadcast: the viscous damping ratio that dissipates as much per cycle (38)."""
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         return np.asarray(self._model.flow.equivalent_damping(Omega, A, self._model.m, self.zeta)) + 0 * (Omega + A)
+
+    def stability(self, Omega: Any, A: Any) -> Floats:
+        """Left side of (30) at (Omega, A), broadcast: a steady state there is stable where it is positive."""
+        Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
+        h, h_A, _, _ = self._model.averaged(A)
+        return np.asarray(self._model.flow.stability(Omega, A, self._model.m, self.zeta, h, h_A))
 
     def _sticks(self, F_0: float) -> str:
         return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self._model.m:g}"

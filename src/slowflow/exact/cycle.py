@@ -29,7 +29,7 @@ Signature = tuple[tuple[int, int], ...]
 
 
 class Border(NamedTuple):
-    """A margin that is positive while no phase has to be put in at a turning point, and its gradient (a jacobian's row).
+    """A margin that is positive while no phase has to be put in at a turning point, and its gradient, as a row.
 
     It is the distance of the turning point from a breakpoint, or the excess of the push there over friction.
     """
