@@ -1,7 +1,8 @@
 """Step 3, equations (20)-(22), (31), (32): the averaged restoring force of a piecewise odd polynomial, and its derivatives.
 
 In:  polynomial pieces of a force by rising |u|, and the names of the breakpoints between them.
-Out: one `Regime` for each number of breakpoints that the amplitude exceeds, with the average and its first derivatives.
+Out: one `Regime` for each number of breakpoints that the amplitude exceeds, with the average and its first derivatives;
+     beside these exact forms, one whose series keeps its digits where A exceeds a breakpoint by far.
 
 With t = pi/2 - psi the average over the cycle, -(1/pi) int_0^{2 pi} f(A cos psi) cos psi dpsi, is four times that over a
 quarter, -(4/pi) int_0^{pi/2} f(A sin t) sin t dt, and the piece that ends at |u| = b ends at sin(theta) = b/A. Derivatives
@@ -11,6 +12,13 @@ are taken under the integral sign (Leibniz):
 
 Differentiating the closed form instead, and sin(acos(b/A)) -> sqrt(1 - b^2/A^2) after it, is exact too but leaves a
 difference of nearly equal numbers for A near b.
+
+For A >> b the closed form of int_0^theta sin^n t dt is such a difference in turn (theta^(n+1)/(n+1) is what remains of
+terms of size theta). There its power series in sin^2(theta/2) serves for the highest n, and
+
+    (n - 1) int sin^(n-2) t dt  =  n int sin^n t dt + sin^(n-1) theta cos theta
+
+for the lower ones: positive terms only.
 """
 
 from __future__ import annotations
@@ -27,17 +35,24 @@ from derivations.symbols import A, u
 # h_A ... h_AAA: what a fold, a cusp and a condition number need
 ORDERS = 3
 
+# A exceeds a breakpoint by far beyond this multiple of it: there sin^2(theta/2) < 1/5
+FAR = sp.Rational(5, 4)
+# the series ends where its terms fall below this share of the first
+NEGLIGIBLE = sp.Rational(1, 2**57)
+
 
 @dataclass(frozen=True)
 class Regime:
     """The average where A exceeds `passed` breakpoints and not the next.
 
     passed -- the breakpoints that A exceeds, by rising size
+    far    -- those among them that it exceeds `FAR` times; if there are any the form is a truncated series
     lets   -- intermediate quantities (symbol, expression) in order of evaluation
     derivatives -- the average and its derivatives with respect to A, in A, the parameters and the lets
     """
 
     passed: tuple[sp.Symbol, ...]
+    far: tuple[sp.Symbol, ...]
     lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
     derivatives: tuple[sp.Expr, ...]
 
@@ -56,13 +71,15 @@ class Restoring:
     pieces      -- the polynomials, by rising |u|
     breakpoints -- where they end
     jumps       -- f just below each breakpoint less f just above: what the truncation leaves there
-    regimes     -- the average, one `Regime` for 0, 1, ... breakpoints passed
+    regimes     -- the average, one exact `Regime` for 0, 1, ... breakpoints passed
+    far_regimes -- the average to working precision, by numbers of breakpoints (passed, passed by far)
     """
 
     pieces: tuple[sp.Expr, ...]
     breakpoints: tuple[sp.Symbol, ...]
     jumps: tuple[sp.Expr, ...]
     regimes: tuple[Regime, ...]
+    far_regimes: dict[tuple[int, int], Regime]
 
 
 @functools.cache
@@ -82,6 +99,23 @@ def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
     return secular, sp.Poly(polynomial.as_expr(), x)
 
 
+def moment_series(power: int) -> sp.Poly:
+    """The polynomial P with int_0^theta sin^power t dt = s^(power + 1) P(s^2), s = sin(theta/2), for s^2 <= 1/5.
+
+    With q = sin^2(t/2), sin t = 2 sqrt(q (1 - q)) and dt = dq/sqrt(q (1 - q)): the integrand is a power of q times a
+    binomial series.
+    """
+    q = sp.Symbol("q", positive=True)
+    x = 1 / FAR
+    largest = (1 - sp.sqrt(1 - x**2)) / 2
+    exponent = sp.Rational(power - 1, 2)
+    coefficients = []
+    while not coefficients or abs(coefficients[-1] / coefficients[0]) * largest ** (len(coefficients) - 1) > NEGLIGIBLE:
+        k = len(coefficients)
+        coefficients.append(2**power * (-1) ** k * sp.binomial(exponent, k) / (exponent + k + 1))
+    return sp.Poly(coefficients[::-1], q)
+
+
 def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
     """An odd polynomial at a breakpoint, in Horner form."""
     return sp.horner(force, u).subs(u, breakpoint_)
@@ -89,43 +123,63 @@ def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
 
 @dataclass(frozen=True)
 class _End:
-    """An interval's end |u| = b on the quarter cycle: theta = asin(b/A), its complement, x = b/A, xy = sin theta cos theta."""
+    """An interval's end |u| = b on the quarter cycle: theta = asin(b/A) and its complement psi_0."""
 
     b: sp.Symbol
-    root: sp.Symbol
-    theta: sp.Symbol
-    psi_0: sp.Symbol
-    x: sp.Symbol
-    xy: sp.Symbol
+    suffix: str
+    far: bool
 
-    @classmethod
-    def at(cls, b: sp.Symbol, suffix: str) -> _End:
-        names = ("root", "theta", "psi_0", "x", "xy")
-        return cls(b, *(sp.Symbol(name + suffix, positive=True) for name in names))
+    def symbol(self, name: str) -> sp.Symbol:
+        """A let of this end."""
+        return sp.Symbol(name + self.suffix, positive=True)
 
-    def lets(self) -> list[tuple[sp.Symbol, sp.Expr]]:
-        """Their values; atan2 because acos(b/A) loses half the digits for A near b."""
-        return [
-            (self.root, sp.sqrt((A - self.b) * (A + self.b))),
-            (self.theta, sp.atan2(self.b, self.root)),
-            (self.psi_0, sp.atan2(self.root, self.b)),
-            (self.x, self.b / A),
-            (self.xy, self.x * self.root / A),
+    @property
+    def root(self) -> sp.Symbol:
+        return self.symbol("root")
+
+    def lets(self, powers: Sequence[int]) -> list[tuple[sp.Symbol, sp.Expr]]:
+        """What the moments below need, and those from zero for these powers."""
+        root, x, y, s = self.root, self.symbol("x"), self.symbol("y"), self.symbol("s")
+        lets = [
+            (root, sp.sqrt((A - self.b) * (A + self.b))),
+            (x, self.b / A),
+            (y, root / A),
+            # atan2 because acos(b/A) loses half the digits for A near b
+            (self.symbol("psi_0"), sp.atan2(root, self.b)),
         ]
+        if not self.far:
+            theta = self.symbol("theta")
+            lets.append((theta, sp.atan2(self.b, root)))
+            for power in powers:
+                secular, polynomial = moment_parts(power)
+                lets.append((self.from_zero(power), secular * theta - x * y * _horner(polynomial, x)))
+        elif powers:
+            lets.append((s, x / sp.sqrt(2 * (1 + y))))
+            top = max(powers)
+            lets.append((self.from_zero(top), s ** (top + 1) * _horner(moment_series(top), s**2)))
+            for power in range(top, min(powers), -2):
+                higher = power * self.from_zero(power) + x ** (power - 1) * y
+                lets.append((self.from_zero(power - 2), higher / (power - 1)))
+        return lets
 
-    def from_zero(self, power: int) -> sp.Expr:
+    def from_zero(self, power: int) -> sp.Symbol:
         """int_0^theta sin^power t dt"""
-        secular, polynomial = moment_parts(power)
-        return secular * self.theta - self.xy * sp.horner(polynomial.as_expr()).subs(polynomial.gen, self.x)
+        return self.symbol(f"M{power}")
 
     def to_quarter(self, power: int) -> sp.Expr:
         """int_theta^(pi/2) sin^power t dt"""
         secular, polynomial = moment_parts(power)
-        return secular * self.psi_0 + self.xy * sp.horner(polynomial.as_expr()).subs(polynomial.gen, self.x)
+        x, y = self.symbol("x"), self.symbol("y")
+        return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 
     def slope(self, expression: sp.Expr) -> sp.Expr:
         """d/dA of an expression in A and root."""
         return sp.diff(expression, A) + sp.diff(expression, self.root) * A / self.root
+
+
+def _horner(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
+    """A polynomial at a point, nested."""
+    return sp.horner(polynomial.as_expr()).subs(polynomial.gen, at)
 
 
 def _moment(ends: Sequence[_End], k: int, power: int) -> sp.Expr:
@@ -139,9 +193,12 @@ def _moment(ends: Sequence[_End], k: int, power: int) -> sp.Expr:
     return ends[k].from_zero(power) - ends[k - 1].from_zero(power)
 
 
-def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: int) -> Regime:
-    """(20)-(22), (31): the average of a piecewise force where A exceeds `count` breakpoints, and its derivatives."""
-    ends = [_End.at(b, f"_{k + 1}" if count > 1 else "") for k, b in enumerate(breakpoints[:count])]
+def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: int, far: int = 0) -> Regime:
+    """(20)-(22), (31): the average of a piecewise force where A exceeds `count` breakpoints, and its derivatives.
+
+    The first `far` of these it exceeds `FAR` times: there the moments are the series'.
+    """
+    ends = [_End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
 
     def under_the_integral(order: int) -> sp.Expr:
@@ -173,8 +230,12 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
         derivatives.append(
             sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
         )
-    lets = [let for end in ends for let in end.lets()] + (list(moments.items()) if count else [])
-    return Regime(tuple(breakpoints[:count]), tuple(lets), tuple(derivatives))
+    used = set().union(*(value.free_symbols for value in moments.values()))
+    even = range(2, max((sp.degree(piece, u) for piece in pieces), default=0) + 2, 2)
+    lets = [let for end in ends for let in end.lets([power for power in even if end.from_zero(power) in used])]
+    if count:
+        lets += moments.items()
+    return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), tuple(derivatives))
 
 
 def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Restoring:
@@ -183,4 +244,9 @@ def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Re
         at_breakpoint(below - above, b) for below, above, b in zip(pieces, pieces[1:], breakpoints, strict=False)
     )
     regimes = tuple(average(pieces, breakpoints, count) for count in range(len(pieces)))
-    return Restoring(tuple(pieces), tuple(breakpoints), jumps, regimes)
+    far_regimes = {
+        (count, far): average(pieces, breakpoints, count, far)
+        for count in range(1, len(pieces))
+        for far in range(1, count + 1)
+    }
+    return Restoring(tuple(pieces), tuple(breakpoints), jumps, regimes, far_regimes)

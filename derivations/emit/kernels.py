@@ -14,8 +14,8 @@ import sympy as sp
 
 from derivations import den_hartog as dh
 from derivations.mechanisms import Mechanism
+from derivations.restoring import FAR, Regime, Restoring
 from derivations.resultants import Elimination
-from derivations.restoring import Regime, Restoring
 from derivations.results import OfMechanism, Results
 from derivations.slow_flow import SCENES, I, R, SlowFlow, m
 from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, tau, u, zeta
@@ -261,6 +261,8 @@ def without_forcing(quartic: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     """The response quartic with its forcing put in: h^2 + (m - F_0)(m + F_0) loses no digits where m is near F_0."""
     constant = quartic[0]
     friction = constant.coeff(h, 0)
+    if friction == 0:
+        return depressed(((h - F_0) * (h + F_0), *quartic[1:]))
     root = sp.sqrt(friction)
     return depressed((constant - friction + (root - F_0) * (root + F_0), *quartic[1:]))
 
@@ -343,14 +345,22 @@ def den_hartog_module(results: Results) -> Module:
 # --- mechanisms --------------------------------------------------------------------------------------------------------
 
 
-def regime_branches(restoring: Restoring, orders: Sequence[int], only: Sequence[Regime] | None = None) -> tuple[Branch, ...]:
+def regime_branches(restoring: Restoring, orders: Sequence[int], attached_only: bool) -> tuple[Branch, ...]:
     """The regimes of an average as branches; at a breakpoint the lower regime holds."""
+
+    def branch(regime: Regime, guards: Sequence[tuple[sp.Expr, sp.Expr]]) -> Branch:
+        passed, far = len(regime.passed), len(regime.far)
+        name = f"passed_{passed}" + (f"_far_{far}" if far else "")
+        return Branch(name, tuple(guards), regime.lets, tuple(regime.derivatives[order] for order in orders))
+
+    if attached_only:
+        return (branch(restoring.regimes[0], ()),)
     branches = []
-    for regime in only or restoring.regimes:
-        count = len(regime.passed)
-        guards = () if only or count == len(restoring.breakpoints) else ((A, restoring.breakpoints[count]),)
-        outputs = tuple(regime.derivatives[order] for order in orders)
-        branches.append(Branch(f"passed_{count}", guards, regime.lets, outputs))
+    for count, regime in enumerate(restoring.regimes):
+        below = [(A, b) for b in restoring.breakpoints[count : count + 1]]
+        for far in range(count + 1):
+            near = [(A, FAR * b) for b in restoring.breakpoints[far:count][:1]]
+            branches.append(branch(restoring.far_regimes[count, far] if far else regime, (*below, *near)))
     return tuple(branches)
 
 
@@ -366,11 +376,10 @@ def averaged_kernels(derived: OfMechanism, attached_only: bool = False) -> list[
         domain = f"0 <= A <= {derived.whole.breakpoints[0]}"
 
     def kernel(name: str, restoring: Restoring, orders: Sequence[int], doc: str, equation: str) -> Kernel:
-        only = restoring.regimes[:1] if attached_only else None
         return Kernel(
             name,
             (A, *parameters),
-            regime_branches(restoring, orders, only),
+            regime_branches(restoring, orders, attached_only),
             doc,
             equation,
             domain,
@@ -421,29 +430,11 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
                 "any ratios",
             )
         )
-    if whole.breakpoints:
-        kernels.append(
-            plain(
-                "breakpoints",
-                parameters,
-                whole.breakpoints,
-                "The |u| at which a piece of the force ends.",
-                "(5)",
-                "any parameters",
-                parameters=count,
-            )
-        )
-        kernels.append(
-            plain(
-                "jumps",
-                parameters,
-                whole.jumps,
-                "What the truncated force loses at each breakpoint: f below less f above.",
-                "(6)",
-                "any parameters",
-                parameters=count,
-            )
-        )
+    for name, values, doc, equation in (
+        ("breakpoints", whole.breakpoints, "The |u| at which a piece of the force ends.", "(5)"),
+        ("jumps", whole.jumps, "What the truncated force loses at each breakpoint: f below less f above.", "(6)"),
+    ):
+        kernels.append(plain(name, parameters, values, doc, equation, "any parameters", parameters=count))
     kernels.append(
         Kernel(
             "force",

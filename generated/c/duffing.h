@@ -137,6 +137,24 @@ static inline void duffing_coefficients(double kappa_1, double kappa_3, double *
     out[1] = kappa_3;
 }
 
+/* The |u| at which a piece of the force ends.
+   Equation (5). Domain: any parameters.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline void duffing_breakpoints(const double *p, double *out)
+{
+    (void)(p);
+}
+
+/* What the truncated force loses at each breakpoint: f below less f above.
+   Equation (6). Domain: any parameters.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline void duffing_jumps(const double *p, double *out)
+{
+    (void)(p);
+}
+
 /* Whole dimensionless restoring force u + F_k(u), truncated.
    Equation (3), (6). Domain: any u.
    Operations where piece_1: 4 structured, 4 common subexpressions, 4 power chains

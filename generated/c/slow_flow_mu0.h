@@ -211,7 +211,7 @@ static inline void slow_flow_mu0_response_quartic(double A, double F_0, double m
 {
     (void)(m);
     const double t0 = A * A;
-    out[0] = -F_0 * F_0 + h * h;
+    out[0] = (-F_0 + h) * (F_0 + h);
     out[1] = 0.0;
     out[2] = 2.0 * A * h + 4.0 * t0 * zeta * zeta;
     out[3] = t0;

@@ -218,7 +218,7 @@ static inline void slow_flow_mu0_zeta0_response_quartic(double A, double F_0, do
 {
     (void)(m);
     (void)(zeta);
-    out[0] = -F_0 * F_0 + h * h;
+    out[0] = (-F_0 + h) * (F_0 + h);
     out[1] = 0.0;
     out[2] = 2.0 * A * h;
     out[3] = A * A;

@@ -26,61 +26,65 @@ def V(Omega):
     """Response function.
 
     Equation (37). Domain: Omega > 0, Omega != 1.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
     """
     (Omega,) = floats(Omega)
-    return -1.0 / ((Omega * Omega - 1.0))
+    return -1.0 / ((Omega - 1.0) * (Omega + 1.0))
 
 
 def U(Omega):
     """Damping function.
 
     Equation (37). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
     """
     (Omega,) = floats(Omega)
-    t0 = 3.1415926535897931 / Omega
-    return np.sin(t0) / ((Omega * np.cos(t0) + Omega))
+    t0 = 1.0 / Omega
+    return t0 * np.tan(1.5707963267948966 * t0)
 
 
 def S_ratio(tau, Omega):
     """S is the maximum of this over 0 < tau < pi/Omega.
 
     Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 21 structured, 18 common subexpressions, 18 power chains.
+    Operations: 21 structured, 20 common subexpressions, 20 power chains.
     """
     tau, Omega = floats(tau, Omega)
-    t0 = 3.1415926535897931 / Omega
-    U = np.sin(t0) / ((Omega * np.cos(t0) + Omega))
-    t1 = Omega * tau
-    t2 = Omega * U
-    return Omega * (t2 * np.cos(t1) - t2 * np.cos(tau) + np.sin(tau)) / np.sin(t1)
+    t0 = 1.0 / Omega
+    U = t0 * np.tan(1.5707963267948966 * t0)
+    t1 = 0.5 * tau
+    return (
+        Omega * (-2.0 * Omega * U * np.sin(t1 * (Omega - 1.0)) * np.sin(t1 * (Omega + 1.0)) + np.sin(tau)) /
+        (np.sin(Omega * tau))
+    )
 
 
 def amplitude(Omega, F_0, mu):
     """Amplitude of the motion.
 
     Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 17 structured, 16 common subexpressions, 16 power chains.
+    Operations: 14 structured, 12 common subexpressions, 12 power chains.
     """
     Omega, F_0, mu = floats(Omega, F_0, mu)
-    V = -1.0 / ((Omega * Omega - 1.0))
-    t0 = 3.1415926535897931 / Omega
-    U = np.sin(t0) / ((Omega * np.cos(t0) + Omega))
-    return np.sqrt(F_0 * F_0 * V * V - U * U * mu * mu)
+    V = -1.0 / ((Omega - 1.0) * (Omega + 1.0))
+    t0 = 1.0 / Omega
+    U = t0 * np.tan(1.5707963267948966 * t0)
+    t1 = F_0 * V
+    t2 = U * mu
+    return np.sqrt((t1 - t2) * (t1 + t2))
 
 
 def bound(Omega, F_0, S):
     """The motion has no stops while its amplitude exceeds this.
 
     Equation (36). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 22 structured, 21 common subexpressions, 19 power chains.
+    Operations: 19 structured, 19 common subexpressions, 18 power chains.
     """
     Omega, F_0, S = floats(Omega, F_0, S)
+    V = -1.0 / ((Omega - 1.0) * (Omega + 1.0))
+    t0 = 1.0 / Omega
+    U = t0 * np.tan(1.5707963267948966 * t0)
     Omega2 = Omega * Omega
-    V = -1.0 / (Omega2 - 1.0)
-    t0 = 3.1415926535897931 / Omega
-    U = np.sin(t0) / ((Omega * np.cos(t0) + Omega))
     Omega4 = Omega2 * Omega2
     return F_0 * np.abs(S) * np.abs(V) / (np.sqrt(Omega4 * U * U + S * S))
 
@@ -89,11 +93,11 @@ def motion(tau, Omega, A, mu):
     """Displacement tau after a maximum.
 
     Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 24 structured, 21 common subexpressions, 21 power chains.
+    Operations: 20 structured, 18 common subexpressions, 18 power chains.
     """
     tau, Omega, A, mu = floats(tau, Omega, A, mu)
-    t0 = 3.1415926535897931 / Omega
-    U = np.sin(t0) / ((Omega * np.cos(t0) + Omega))
+    t0 = 1.0 / Omega
+    U = t0 * np.tan(1.5707963267948966 * t0)
     t1 = Omega * tau
     t2 = U * mu
     return A * np.cos(t1) - Omega * t2 * np.sin(tau) - mu * np.cos(tau) + mu + t2 * np.sin(t1)

@@ -36,6 +36,7 @@ __all__ = [
     "averaged_2",
     "averaged_3",
     "backbone",
+    "breakpoints",
     "coefficients",
     "equivalent_damping",
     "exact_force",
@@ -45,6 +46,7 @@ __all__ = [
     "h_AA",
     "h_AAA",
     "jacobian",
+    "jumps",
     "limit_envelope",
     "phase",
     "saddle_node_onset",
@@ -183,6 +185,28 @@ def coefficients(kappa_1, kappa_3):
     return (
         full(kappa_1 + 1.0, arguments),
         full(kappa_3, arguments),
+    )
+
+
+def breakpoints(alpha, beta):
+    """The |u| at which a piece of the force ends.
+
+    Equation (5). Domain: any parameters.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    """
+    alpha, beta = floats(alpha, beta)
+    return (
+    )
+
+
+def jumps(alpha, beta):
+    """What the truncated force loses at each breakpoint: f below less f above.
+
+    Equation (6). Domain: any parameters.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    """
+    alpha, beta = floats(alpha, beta)
+    return (
     )
 
 

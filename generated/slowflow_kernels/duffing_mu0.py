@@ -21,6 +21,7 @@ from slowflow_kernels.duffing import (
     averaged,
     averaged_2,
     averaged_3,
+    breakpoints,
     coefficients,
     exact_force,
     force,
@@ -28,6 +29,7 @@ from slowflow_kernels.duffing import (
     h_A,
     h_AA,
     h_AAA,
+    jumps,
 )
 
 __all__ = [
@@ -50,6 +52,7 @@ __all__ = [
     "averaged_2",
     "averaged_3",
     "backbone",
+    "breakpoints",
     "coefficients",
     "equivalent_damping",
     "exact_force",
@@ -59,6 +62,7 @@ __all__ = [
     "h_AA",
     "h_AAA",
     "jacobian",
+    "jumps",
     "limit_envelope",
     "phase",
     "saddle_node_onset",

@@ -73,51 +73,114 @@ def _averaged_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 247 structured, 119 common subexpressions, 112 power chains
+    # operations: 250 structured, 119 common subexpressions, 112 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
-    t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
-    t3 = 0.5 * xy
-    S1_2 = -t3 + 0.5 * theta
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
+    t2 = x * y
+    t3 = 0.5 * t2
+    M2 = -t3 + 0.5 * theta
+    t4 = x * x
+    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     S2_2 = 0.5 * psi_0 + t3
     A2 = A * A
-    t4 = S1_4 * beta
+    t5 = M4 * beta
     A4 = A2 * A2
-    t5 = S1_6 * gamma
-    t6 = A4 * t5
-    t7 = S1_2 * alpha + S2_2
-    t8 = 3.0 * beta
-    t9 = 1.0 / A2
+    t6 = M6 * gamma
+    t7 = A4 * t6
+    t8 = M2 * alpha + S2_2
+    t9 = 3.0 * beta
+    t10 = 1.0 / A2
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    t10 = gamma * u_cr2
-    t11 = alpha - 1.0
-    t12 = t11 + u_cr2 * (beta + t10)
-    t13 = 6.0 * t4
+    t11 = gamma * u_cr2
+    t12 = alpha - 1.0
+    t13 = t12 + u_cr2 * (beta + t11)
+    t14 = 6.0 * t5
     A3 = A * A2
-    t14 = t12 * u_cr3
+    t15 = t13 * u_cr3
     root2 = root * root
     root3 = root * root2
-    t15 = 1.0 / root3
-    t16 = t14 * t15
-    t17 = t0 / A3
-    t18 = u_cr3 * (-t11 - u_cr2 * (5.0 * t10 + t8))
-    t19 = t0 / A4
+    t16 = 1.0 / root3
+    t17 = t15 * t16
+    t18 = t1 / A3
+    t19 = u_cr3 * (-t12 - u_cr2 * (5.0 * t11 + t9))
+    t20 = t1 / A4
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     return (
-        -1.2732395447351628 * A * (A2 * t4 + t6 + t7),
-        1.2732395447351628 * (-A2 * S1_4 * t8 + t0 * t12 * t9 * u_cr3 - 5.0 * t6 - t7),
-        -1.2732395447351628 * (A * t13 + 20.0 * A3 * t5 + t1 * t16 + 2.0 * t14 * t17 + t17 * t18),
-        1.2732395447351628 * (-60.0 * A2 * t5 - t13 + t14 * t15 * t9 + 6.0 * t14 * t19 + t15 * t18 * t9 + t16 * (2.0
-        * t9 + 3.0 / root2) + 3.0 * t18 * t19 + 2.0 * t19 * u_cr5 * (10.0 * t10 + t8)),
+        -1.2732395447351628 * A * (A2 * t5 + t7 + t8),
+        1.2732395447351628 * (-A2 * M4 * t9 + t1 * t10 * t13 * u_cr3 - 5.0 * t7 - t8),
+        -1.2732395447351628 * (A * t14 + 20.0 * A3 * t6 + t0 * t17 + 2.0 * t15 * t18 + t18 * t19),
+        1.2732395447351628 * (-60.0 * A2 * t6 + t10 * t15 * t16 + t10 * t16 * t19 - t14 + 6.0 * t15 * t20 + t17 *
+        (2.0 * t10 + 3.0 / root2) + 3.0 * t19 * t20 + 2.0 * t20 * u_cr5 * (10.0 * t11 + t9)),
+    )
+
+
+def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 306 structured, 164 common subexpressions, 152 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    psi_0 = np.arctan2(root, u_cr)
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    A2 = A * A
+    t1 = M4 * beta
+    A4 = A2 * A2
+    t2 = M6 * gamma
+    t3 = A4 * t2
+    t4 = M2 * alpha + S2_2
+    t5 = 3.0 * beta
+    t6 = 1.0 / A2
+    t7 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    t8 = gamma * u_cr2
+    t9 = alpha - 1.0
+    t10 = t9 + u_cr2 * (beta + t8)
+    t11 = 6.0 * t1
+    A3 = A * A2
+    t12 = t10 * u_cr3
+    root2 = root * root
+    root3 = root * root2
+    t13 = 1.0 / root3
+    t14 = t12 * t13
+    t15 = t7 / A3
+    t16 = u_cr3 * (-t9 - u_cr2 * (t5 + 5.0 * t8))
+    t17 = t7 / A4
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    return (
+        -1.2732395447351628 * A * (A2 * t1 + t3 + t4),
+        1.2732395447351628 * (-A2 * M4 * t5 + t10 * t6 * t7 * u_cr3 - 5.0 * t3 - t4),
+        -1.2732395447351628 * (A * t11 + 20.0 * A3 * t2 + t0 * t14 + 2.0 * t12 * t15 + t15 * t16),
+        1.2732395447351628 * (-60.0 * A2 * t2 - t11 + t12 * t13 * t6 + 6.0 * t12 * t17 + t13 * t16 * t6 + t14 * (2.0
+        * t6 + 3.0 / root2) + 3.0 * t16 * t17 + 2.0 * t17 * u_cr5 * (t5 + 10.0 * t8)),
     )
 
 
@@ -128,8 +191,8 @@ def averaged(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_averaged_passed_0, _averaged_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_averaged_passed_0, _averaged_passed_1, _averaged_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 4)
 
 
@@ -146,42 +209,96 @@ def _averaged_3_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_3_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 132 structured, 87 common subexpressions, 83 power chains
+    # operations: 135 structured, 87 common subexpressions, 83 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
-    t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
-    t3 = 0.5 * xy
-    S1_2 = -t3 + 0.5 * theta
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
+    t2 = x * y
+    t3 = 0.5 * t2
+    M2 = -t3 + 0.5 * theta
+    t4 = x * x
+    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     S2_2 = 0.5 * psi_0 + t3
     A2 = A * A
-    t4 = A2 * S1_4
-    t5 = S1_6 * gamma
+    t5 = A2 * M4
+    t6 = M6 * gamma
     A4 = A2 * A2
-    t6 = A4 * t5
-    t7 = S1_2 * alpha + S2_2
-    t8 = 3.0 * beta
+    t7 = A4 * t6
+    t8 = M2 * alpha + S2_2
+    t9 = 3.0 * beta
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    t9 = gamma * u_cr2
-    t10 = alpha - 1.0
-    t11 = t10 + u_cr2 * (beta + t9)
+    t10 = gamma * u_cr2
+    t11 = alpha - 1.0
+    t12 = t11 + u_cr2 * (beta + t10)
     A3 = A * A2
-    t12 = t11 * u_cr3
-    t13 = 1.0 / A3
+    t13 = t12 * u_cr3
+    t14 = 1.0 / A3
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * A * (beta * t4 + t6 + t7),
-        1.2732395447351628 * (-t4 * t8 - 5.0 * t6 - t7 + t0 * t11 * u_cr3 / A2),
-        -1.2732395447351628 * (6.0 * A * S1_4 * beta + 20.0 * A3 * t5 + 2.0 * t0 * t12 * t13 + t0 * t13 * u_cr3 *
-        (-t10 - u_cr2 * (t8 + 5.0 * t9)) + t1 * t12 / root3),
+        -1.2732395447351628 * A * (beta * t5 + t7 + t8),
+        1.2732395447351628 * (-t5 * t9 - 5.0 * t7 - t8 + t1 * t12 * u_cr3 / A2),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t6 + 2.0 * t1 * t13 * t14 + t1 * t14 * u_cr3 *
+        (-t11 - u_cr2 * (5.0 * t10 + t9)) + t0 * t13 / root3),
+    )
+
+
+def _averaged_3_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 191 structured, 132 common subexpressions, 123 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    psi_0 = np.arctan2(root, u_cr)
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    A2 = A * A
+    t1 = A2 * M4
+    t2 = M6 * gamma
+    A4 = A2 * A2
+    t3 = A4 * t2
+    t4 = M2 * alpha + S2_2
+    t5 = 3.0 * beta
+    t6 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    t7 = gamma * u_cr2
+    t8 = alpha - 1.0
+    t9 = t8 + u_cr2 * (beta + t7)
+    A3 = A * A2
+    t10 = t9 * u_cr3
+    t11 = 1.0 / A3
+    root2 = root * root
+    root3 = root * root2
+    return (
+        -1.2732395447351628 * A * (beta * t1 + t3 + t4),
+        1.2732395447351628 * (-t1 * t5 - 5.0 * t3 - t4 + t6 * t9 * u_cr3 / A2),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t2 + 2.0 * t10 * t11 * t6 + t11 * t6 * u_cr3 * (-t8
+        - u_cr2 * (t5 + 5.0 * t7)) + t0 * t10 / root3),
     )
 
 
@@ -192,8 +309,8 @@ def averaged_3(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_averaged_3_passed_0, _averaged_3_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_averaged_3_passed_0, _averaged_3_passed_1, _averaged_3_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 3)
 
 
@@ -209,31 +326,73 @@ def _averaged_2_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_2_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 74 structured, 59 common subexpressions, 56 power chains
+    # operations: 77 structured, 59 common subexpressions, 56 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
-    t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
-    t3 = 0.5 * xy
-    S1_2 = -t3 + 0.5 * theta
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
+    t2 = x * y
+    t3 = 0.5 * t2
+    M2 = -t3 + 0.5 * theta
+    t4 = x * x
+    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     S2_2 = 0.5 * psi_0 + t3
     A2 = A * A
-    t4 = A2 * S1_4 * beta
+    t5 = A2 * M4 * beta
     A4 = A2 * A2
-    t5 = A4 * S1_6 * gamma
-    t6 = S1_2 * alpha + S2_2
+    t6 = A4 * M6 * gamma
+    t7 = M2 * alpha + S2_2
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
     return (
-        -1.2732395447351628 * A * (t4 + t5 + t6),
-        1.2732395447351628 * (-3.0 * t4 - 5.0 * t5 - t6 + t0 * u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) -
+        -1.2732395447351628 * A * (t5 + t6 + t7),
+        1.2732395447351628 * (-3.0 * t5 - 5.0 * t6 - t7 + t1 * u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) -
         1.0) / A2),
+    )
+
+
+def _averaged_2_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 133 structured, 104 common subexpressions, 96 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    psi_0 = np.arctan2(root, u_cr)
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    A2 = A * A
+    t1 = A2 * M4 * beta
+    A4 = A2 * A2
+    t2 = A4 * M6 * gamma
+    t3 = M2 * alpha + S2_2
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    return (
+        -1.2732395447351628 * A * (t1 + t2 + t3),
+        1.2732395447351628 * (-3.0 * t1 - 5.0 * t2 - t3 + u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) /
+        (A2 * root)),
     )
 
 
@@ -244,8 +403,8 @@ def averaged_2(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_averaged_2_passed_0, _averaged_2_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_averaged_2_passed_0, _averaged_2_passed_1, _averaged_2_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 2)
 
 
@@ -258,23 +417,58 @@ def _h_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 45 structured, 42 common subexpressions, 40 power chains
+    # operations: 48 structured, 42 common subexpressions, 40 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    theta = np.arctan(u_cr / root)
-    psi_0 = np.arctan2(root, u_cr)
     t0 = 1.0 / A
     x = t0 * u_cr
-    xy = root * t0 * x
-    t1 = x * x
-    S1_6 = 0.3125 * theta - xy * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t1 + 0.375)
-    t2 = 0.5 * xy
-    S1_2 = -t2 + 0.5 * theta
+    y = root * t0
+    psi_0 = np.arctan2(root, u_cr)
+    theta = np.arctan(u_cr / root)
+    t1 = x * y
+    t2 = 0.5 * t1
+    M2 = -t2 + 0.5 * theta
+    t3 = x * x
+    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     S2_2 = 0.5 * psi_0 + t2
     A2 = A * A
     A4 = A2 * A2
     return (
-        -1.2732395447351628 * A * (A2 * S1_4 * beta + A4 * S1_6 * gamma + S1_2 * alpha + S2_2),
+        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2),
+    )
+
+
+def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 104 structured, 87 common subexpressions, 80 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    psi_0 = np.arctan2(root, u_cr)
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    A2 = A * A
+    A4 = A2 * A2
+    return (
+        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2),
     )
 
 
@@ -285,8 +479,8 @@ def h(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_h_passed_0, _h_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_h_passed_0, _h_passed_1, _h_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 
@@ -299,27 +493,65 @@ def _h_A_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 60 structured, 55 common subexpressions, 52 power chains
+    # operations: 63 structured, 55 common subexpressions, 52 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
-    t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
-    t3 = 0.5 * xy
-    S1_2 = -t3 + 0.5 * theta
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
+    t2 = x * y
+    t3 = 0.5 * t2
+    M2 = -t3 + 0.5 * theta
+    t4 = x * x
+    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     S2_2 = 0.5 * psi_0 + t3
     A2 = A * A
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
     return (
-        1.2732395447351628 * (-3.0 * A2 * S1_4 * beta - 5.0 * A4 * S1_6 * gamma - S1_2 * alpha - S2_2 + t0 * u_cr3 *
+        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + t1 * u_cr3 *
         (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / A2),
+    )
+
+
+def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 119 structured, 100 common subexpressions, 92 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    psi_0 = np.arctan2(root, u_cr)
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    A2 = A * A
+    u_cr2 = u_cr * u_cr
+    A4 = A2 * A2
+    u_cr3 = u_cr * u_cr2
+    return (
+        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha +
+        u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root)),
     )
 
 
@@ -330,8 +562,8 @@ def h_A(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_h_A_passed_0, _h_A_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_h_A_passed_0, _h_A_passed_1, _h_A_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 
@@ -343,29 +575,69 @@ def _h_AA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 82 structured, 58 common subexpressions, 57 power chains
+    # operations: 83 structured, 58 common subexpressions, 57 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
     t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
+    t3 = x * y
+    M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta
+    M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
     A3 = A * A2
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    t3 = gamma * u_cr2
-    t4 = alpha - 1.0
-    t5 = u_cr3 * (t4 + u_cr2 * (beta + t3))
-    t6 = t0 / A3
+    t4 = gamma * u_cr2
+    t5 = alpha - 1.0
+    t6 = u_cr3 * (t5 + u_cr2 * (beta + t4))
+    t7 = t1 / A3
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * (6.0 * A * S1_4 * beta + 20.0 * A3 * S1_6 * gamma + 2.0 * t5 * t6 + t6 * u_cr3 * (-t4
-        - u_cr2 * (3.0 * beta + 5.0 * t3)) + t1 * t5 / root3),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t6 * t7 + t7 * u_cr3 * (-t5 -
+        u_cr2 * (3.0 * beta + 5.0 * t4)) + t0 * t6 / root3),
+    )
+
+
+def _h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 137 structured, 98 common subexpressions, 93 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    A2 = A * A
+    A3 = A * A2
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    t1 = gamma * u_cr2
+    t2 = alpha - 1.0
+    t3 = u_cr3 * (t2 + u_cr2 * (beta + t1))
+    t4 = 1.0 / (A3 * root)
+    root2 = root * root
+    root3 = root * root2
+    return (
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * u_cr3 * (-t2 -
+        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 / root3),
     )
 
 
@@ -376,8 +648,8 @@ def h_AA(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_h_AA_passed_0, _h_AA_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_h_AA_passed_0, _h_AA_passed_1, _h_AA_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 
@@ -389,37 +661,85 @@ def _h_AAA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AAA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 139 structured, 79 common subexpressions, 73 power chains
+    # operations: 140 structured, 79 common subexpressions, 73 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
     t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
+    t3 = x * y
+    M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta
+    M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
-    t3 = 3.0 * beta
+    t4 = 3.0 * beta
     u_cr2 = u_cr * u_cr
-    t4 = gamma * u_cr2
+    t5 = gamma * u_cr2
     A4 = A2 * A2
-    t5 = t0 / A4
-    t6 = alpha - 1.0
-    t7 = t6 + u_cr2 * (beta + t4)
-    t8 = 1.0 / A2
+    t6 = t1 / A4
+    t7 = alpha - 1.0
+    t8 = t7 + u_cr2 * (beta + t5)
+    t9 = 1.0 / A2
     u_cr3 = u_cr * u_cr2
     root2 = root * root
     root3 = root * root2
-    t9 = u_cr3 / root3
-    t10 = t8 * t9
-    t11 = t5 * u_cr3
-    t12 = -t6 - u_cr2 * (t3 + 5.0 * t4)
+    t10 = u_cr3 / root3
+    t11 = t10 * t9
+    t12 = t6 * u_cr3
+    t13 = -t7 - u_cr2 * (t4 + 5.0 * t5)
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     return (
-        1.2732395447351628 * (-60.0 * A2 * S1_6 * gamma - 6.0 * S1_4 * beta + t10 * t12 + t10 * t7 + 3.0 * t11 * t12
-        + 6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2)),
+        1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 * (2.0 * t9 + 3.0 / root2) + t11
+        * t13 + t11 * t8 + 3.0 * t12 * t13 + 6.0 * t12 * t8 + 2.0 * t6 * u_cr5 * (t4 + 10.0 * t5)),
+    )
+
+
+def _h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 194 structured, 119 common subexpressions, 109 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    A2 = A * A
+    t1 = 3.0 * beta
+    u_cr2 = u_cr * u_cr
+    t2 = gamma * u_cr2
+    A4 = A2 * A2
+    t3 = 1.0 / (A4 * root)
+    t4 = alpha - 1.0
+    t5 = t4 + u_cr2 * (beta + t2)
+    t6 = 1.0 / A2
+    u_cr3 = u_cr * u_cr2
+    root2 = root * root
+    root3 = root * root2
+    t7 = u_cr3 / root3
+    t8 = t6 * t7
+    t9 = t3 * u_cr3
+    t10 = -t4 - u_cr2 * (t1 + 5.0 * t2)
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    return (
+        1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 + 3.0 * t10 * t9 + 2.0 * t3 *
+        u_cr5 * (t1 + 10.0 * t2) + t5 * t7 * (2.0 * t6 + 3.0 / root2) + t5 * t8 + 6.0 * t5 * t9),
     )
 
 
@@ -430,8 +750,8 @@ def h_AAA(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_h_AAA_passed_0, _h_AAA_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_h_AAA_passed_0, _h_AAA_passed_1, _h_AAA_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 
@@ -444,20 +764,53 @@ def _H_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 41 structured, 39 common subexpressions, 37 power chains
+    # operations: 43 structured, 39 common subexpressions, 37 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    theta = np.arctan(u_cr / root)
     t0 = 1.0 / A
     x = t0 * u_cr
-    xy = root * t0 * x
-    t1 = x * x
-    S1_6 = 0.3125 * theta - xy * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t1 + 0.375)
-    S1_2 = 0.5 * theta - 0.5 * xy
+    y = root * t0
+    theta = np.arctan(u_cr / root)
+    t1 = x * y
+    M2 = -0.5 * t1 + 0.5 * theta
+    t2 = x * x
+    M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
     A4 = A2 * A2
     return (
-        -1.2732395447351628 * A * (A2 * S1_4 * beta + A4 * S1_6 * gamma + S1_2 * (alpha - 1.0)),
+        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0)),
+    )
+
+
+def _H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 99 structured, 82 common subexpressions, 75 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    A2 = A * A
+    A4 = A2 * A2
+    return (
+        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0)),
     )
 
 
@@ -468,8 +821,8 @@ def H(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_H_passed_0, _H_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_H_passed_0, _H_passed_1, _H_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 
@@ -482,25 +835,62 @@ def _H_A_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 56 structured, 51 common subexpressions, 48 power chains
+    # operations: 58 structured, 51 common subexpressions, 48 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
-    t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
-    S1_2 = 0.5 * theta - 0.5 * xy
-    t3 = alpha - 1.0
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
+    t2 = x * y
+    M2 = -0.5 * t2 + 0.5 * theta
+    t3 = x * x
+    M4 = -t2 * (0.25 * t3 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    t4 = alpha - 1.0
     A2 = A * A
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
     return (
-        1.2732395447351628 * (-3.0 * A2 * S1_4 * beta - 5.0 * A4 * S1_6 * gamma - S1_2 * t3 + t0 * u_cr3 * (t3 +
-        u_cr2 * (beta + gamma * u_cr2)) / A2),
+        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t4 + t1 * u_cr3 * (t4 + u_cr2 *
+        (beta + gamma * u_cr2)) / A2),
+    )
+
+
+def _H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 114 structured, 94 common subexpressions, 86 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    t1 = alpha - 1.0
+    A2 = A * A
+    u_cr2 = u_cr * u_cr
+    A4 = A2 * A2
+    u_cr3 = u_cr * u_cr2
+    return (
+        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t1 + u_cr3 * (t1 + u_cr2 * (beta
+        + gamma * u_cr2)) / (A2 * root)),
     )
 
 
@@ -511,8 +901,8 @@ def H_A(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_H_A_passed_0, _H_A_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_H_A_passed_0, _H_A_passed_1, _H_A_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 
@@ -524,29 +914,69 @@ def _H_AA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 82 structured, 58 common subexpressions, 57 power chains
+    # operations: 83 structured, 58 common subexpressions, 57 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / root
-    theta = np.arctan(t0 * u_cr)
-    t1 = 1.0 / A
-    x = t1 * u_cr
-    xy = root * t1 * x
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    t1 = 1.0 / root
+    theta = np.arctan(t1 * u_cr)
     t2 = x * x
-    S1_6 = 0.3125 * theta - xy * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125)
-    S1_4 = 0.375 * theta - xy * (0.25 * t2 + 0.375)
+    t3 = x * y
+    M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta
+    M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
     A3 = A * A2
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    t3 = gamma * u_cr2
-    t4 = alpha - 1.0
-    t5 = u_cr3 * (t4 + u_cr2 * (beta + t3))
-    t6 = t0 / A3
+    t4 = gamma * u_cr2
+    t5 = alpha - 1.0
+    t6 = u_cr3 * (t5 + u_cr2 * (beta + t4))
+    t7 = t1 / A3
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * (6.0 * A * S1_4 * beta + 20.0 * A3 * S1_6 * gamma + 2.0 * t5 * t6 + t6 * u_cr3 * (-t4
-        - u_cr2 * (3.0 * beta + 5.0 * t3)) + t1 * t5 / root3),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t6 * t7 + t7 * u_cr3 * (-t5 -
+        u_cr2 * (3.0 * beta + 5.0 * t4)) + t0 * t6 / root3),
+    )
+
+
+def _H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 137 structured, 98 common subexpressions, 93 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / (np.sqrt(2.0 * y + 2.0))
+    s2 = s * s
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
+        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
+        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
+        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
+        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
+        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    A2 = A * A
+    A3 = A * A2
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    t1 = gamma * u_cr2
+    t2 = alpha - 1.0
+    t3 = u_cr3 * (t2 + u_cr2 * (beta + t1))
+    t4 = 1.0 / (A3 * root)
+    root2 = root * root
+    root3 = root * root2
+    return (
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * u_cr3 * (-t2 -
+        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 / root3),
     )
 
 
@@ -557,8 +987,8 @@ def H_AA(A, alpha, beta, gamma, u_cr):
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr,)
-    bodies = (_H_AA_passed_0, _H_AA_passed_1)
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_H_AA_passed_0, _H_AA_passed_1, _H_AA_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 

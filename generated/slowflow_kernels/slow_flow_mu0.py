@@ -240,7 +240,7 @@ def response_quartic(A, F_0, m, zeta, h):
     t0 = A * A
     arguments = (A, F_0, m, zeta, h)
     return (
-        full(-F_0 * F_0 + h * h, arguments),
+        full((-F_0 + h) * (F_0 + h), arguments),
         full(0.0, arguments),
         full(2.0 * A * h + 4.0 * t0 * zeta * zeta, arguments),
         full(t0, arguments),

@@ -228,7 +228,7 @@ def response_quartic(A, F_0, m, zeta, h):
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     arguments = (A, F_0, m, zeta, h)
     return (
-        full(-F_0 * F_0 + h * h, arguments),
+        full((-F_0 + h) * (F_0 + h), arguments),
         full(0.0, arguments),
         full(2.0 * A * h, arguments),
         full(A * A, arguments),
