@@ -5,22 +5,21 @@ Out: `steady_state`, `exact_response`, `sweep`; motions switch exactly between s
 """
 
 from slowflow.exact.continuation import Fold, Response, exact_response
-from slowflow.exact.force import Force, Law, Oscillator, Piece, linear, polynomial, rod_spring, rod_spring_exact
+from slowflow.exact.force import Force, Oscillator, Piece, from_kernels, linear, rod_spring, rod_spring_exact
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
 
 __all__ = [
     "Fold",
     "Force",
-    "Law",
     "Oscillator",
     "Piece",
     "Response",
     "SteadyState",
     "Sweep",
     "exact_response",
+    "from_kernels",
     "linear",
-    "polynomial",
     "rod_spring",
     "rod_spring_exact",
     "steady_state",

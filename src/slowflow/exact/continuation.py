@@ -387,7 +387,9 @@ def _without_vanished(trial: _Point) -> tuple[Cycle, Array] | None:
 
 def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
     multipliers = np.array([point.multipliers for point in points])
-    stable = np.all(np.abs(multipliers) < 1.0, axis=1)
+    # at a fold one multiplier is 1 up to rounding
+    at_fold = np.array([point.role in ("fold", "corner") for point in points])
+    stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
     A = np.array([point.equations.A for point in points])
     folds = []
     for i, point in enumerate(points):

@@ -1,51 +1,45 @@
-"""The restoring force as the integrators want it: pieces in |u|, each an expression with constants.
+"""The restoring force as the integrators want it: pieces in |u|, each a generated expression with its constants.
 
-In:  the force's expressions, from the derivation, and the isolator's parameters.
+In:  the generated kernels of a mechanism, its parameters.
 Out: `Force` (pieces and breakpoints) and `Oscillator` (force, friction, damping), both immutable and hashable.
 
-A `Law` is an expression shared by every isolator: integrators compile it once. A `Piece` is a law with its constants,
-which they take as run-time parameters. A law is written over a namespace `xp` that has `sqrt` (numpy, or heyoka), so
-one text serves numbers and expressions alike.
+A piece's expression is plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
+numbers and an integrator's symbols. Integrators compile an expression once; constants are run-time parameters.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 import numpy as np
+from slowflow_kernels import rod_spring as rod_spring_kernels
 
 Expression = Callable[..., Any]
 
-
-@dataclass(frozen=True)
-class Law:
-    """The expression of a piece: `value(xp, u, *constants)`, odd in u, and its derivative `slope(xp, u, *constants)`.
-
-    `constants` is how many there are.
-    """
-
-    name: str
-    value: Expression
-    slope: Expression
-    constants: int
+COMPLEX_STEP = 1e-100  # the derivative of an analytic expression is exact to rounding for any step this small
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A law with its constants."""
+    """One smooth piece of the force: f(u) = expression(u, *constants), odd in u."""
 
-    law: Law
+    expression: Expression
     constants: tuple[float, ...]
+
+    def __call__(self, u: Any) -> Any:
+        """f(u), dimensionless, for whatever kind of number u is."""
+        return self.expression(u, *self.constants)
 
     def value(self, u: float) -> float:
         """f(u), dimensionless."""
-        return float(self.law.value(np, u, *self.constants))
+        return float(self(u))
 
     def slope(self, u: float) -> float:
         """df/du, dimensionless."""
-        return float(self.law.slope(np, u, *self.constants))
+        return float(self(complex(u, COMPLEX_STEP)).imag) / COMPLEX_STEP
 
 
 @dataclass(frozen=True)
@@ -61,7 +55,7 @@ class Force:
     def __post_init__(self) -> None:
         if len(self.pieces) != len(self.breakpoints) + 1:
             raise ValueError(f"{len(self.pieces)} pieces need {len(self.pieces) - 1} breakpoints")
-        if any(b <= a for a, b in zip((0.0, *self.breakpoints), self.breakpoints, strict=False)):
+        if any(not b > a for a, b in zip((0.0, *self.breakpoints), self.breakpoints, strict=False)):
             raise ValueError(f"breakpoints = {self.breakpoints} must be positive and rise")
 
     def value(self, u: float) -> float:
@@ -87,53 +81,46 @@ class Oscillator:
             )
 
 
-# --- the expressions; to be replaced by the ones the derivation generates --------------------------------------------
-
-
-def _odd(xp: Any, u: Any, c_1: Any, c_3: Any, c_5: Any) -> Any:
-    square = u * u
-    return u * (c_1 + square * (c_3 + square * c_5))
-
-
-def _odd_slope(xp: Any, u: Any, c_1: Any, c_3: Any, c_5: Any) -> Any:
-    square = u * u
-    return c_1 + square * (3.0 * c_3 + square * (5.0 * c_5))
-
-
-def _rod(xp: Any, u: Any, stiffness: Any, delta_h: Any) -> Any:
-    root = xp.sqrt(1.0 - u * u)
-    return u + stiffness * (1.0 - delta_h - root) * u / root
-
-
-def _rod_slope(xp: Any, u: Any, stiffness: Any, delta_h: Any) -> Any:
-    root = xp.sqrt(1.0 - u * u)
-    return 1.0 - stiffness + stiffness * (1.0 - delta_h) / (root * root * root)
-
-
-ODD_POLYNOMIAL = Law("odd_polynomial", _odd, _odd_slope, 3)
-ROD = Law("rod", _rod, _rod_slope, 2)
-
-# ----------------------------------------------------------------------------------------------------------------------
-
-
-def polynomial(c_1: float, c_3: float = 0.0, c_5: float = 0.0) -> Piece:
-    """c_1 u + c_3 u^3 + c_5 u^5."""
-    return Piece(ODD_POLYNOMIAL, (float(c_1), float(c_3), float(c_5)))
-
-
 def linear() -> Force:
     """f(u) = u: the isolator without preload (delta_h = 0), Den Hartog's oscillator."""
-    return Force((polynomial(1.0),), ())
+    return Force((Piece(_identity, ()),), ())
 
 
 def rod_spring(alpha: float, beta: float, gamma: float, u_cr: float) -> Force:
     """Truncated force (6): alpha u + beta u^3 + gamma u^5 up to u_cr, u beyond; it jumps at u_cr."""
-    return Force((polynomial(alpha, beta, gamma), polynomial(1.0)), (float(u_cr),))
+    constants = (float(alpha), float(beta), float(gamma), float(u_cr))
+    return from_kernels(rod_spring_kernels, "force", constants, (constants[-1],))
 
 
 def rod_spring_exact(lam: float, r: float, delta_h: float) -> Force:
     """Untruncated force (5) plus u, with u_cr = sqrt(1 - (1 - delta_h)^2)."""
-    if delta_h == 0:
-        return linear()
     u_cr = float(np.sqrt(delta_h * (2.0 - delta_h)))
-    return Force((Piece(ROD, (float(lam * r), float(delta_h))), polynomial(1.0)), (u_cr,))
+    return from_kernels(rod_spring_kernels, "exact_force", (float(lam), float(r), float(delta_h)), (u_cr,))
+
+
+def from_kernels(kernels: ModuleType, name: str, constants: tuple[float, ...], breakpoints: tuple[float, ...]) -> Force:
+    """The pieces that the derivation generated for `name` ("force" or "exact_force").
+
+    A breakpoint at 0 (no preload) leaves only what lies beyond. Raises AttributeError if the module has no such pieces.
+    """
+    # The one place that knows how the generated module calls its pieces.
+    pieces = []
+    for i in range(len(breakpoints) + 1):
+        expression = _Single(getattr(kernels, f"_{name}_piece_{i + 1}"))
+        pieces.append(Piece(expression, constants))
+    kept = [i for i, end in enumerate(breakpoints) if end > 0.0]
+    return Force((*(pieces[i] for i in kept), pieces[-1]), tuple(breakpoints[i] for i in kept))
+
+
+@dataclass(frozen=True)
+class _Single:
+    """A generated body returns a tuple of outputs; a force has one."""
+
+    body: Expression
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self.body(*arguments)[0]
+
+
+def _identity(u: Any) -> Any:
+    return u
