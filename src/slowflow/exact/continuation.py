@@ -50,8 +50,8 @@ class Response:
 
     Omega, A     -- frequency, largest |u|
     stable       -- whether both Floquet multipliers lie inside the unit circle
-    multipliers  -- over one period of the forcing, shape (points, 2)
-    stops        -- rests in one period of the forcing
+    multipliers  -- over one period, shape (points, 2)
+    stops        -- rests in one period
     folds        -- by rising Omega
     borders      -- (Omega, A) where the order of switches changes
     closed       -- whether the curve closed on itself (an isola)
@@ -84,7 +84,7 @@ class _Point(NamedTuple):
     @property
     def multipliers(self) -> NDArray[np.complex128]:
         found = self.cycle.multipliers(self.equations)
-        return found**2 if self.cycle.half_turns == 1 else found
+        return found**2 if self.cycle.sign == -1 else found
 
 
 def exact_response(
@@ -404,7 +404,7 @@ def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
         A=A,
         stable=stable,
         multipliers=multipliers,
-        stops=np.array([point.cycle.stops_per_turn() for point in points]),
+        stops=np.array([point.cycle.stops for point in points]),
         folds=tuple(sorted(folds, key=lambda fold: fold.Omega)),
         borders=tuple((float(p.z[-1]), p.equations.A) for p in points if p.role in ("border", "corner")),
         closed=closed,

@@ -214,14 +214,14 @@ class Cycle:
         return None
 
     def multipliers(self, equations: Equations) -> NDArray[np.complex128]:
-        """Floquet multipliers over the cycle of `half_turns`: negative ones are possible only for the half-map."""
+        """Floquet multipliers over the cycle of `half_turns`: their squares hold for a period if `sign` is -1."""
         values: NDArray[np.complex128] = np.linalg.eigvals(equations.monodromy).astype(np.complex128)
         return values
 
-    def stops_per_turn(self) -> int:
-        """Rests in one turn of the forcing."""
-        rests = sum(slip == 0 for slip, _ in self.signature)
-        return 2 * rests // self.half_turns if self.half_turns in (1, 2) else rests
+    @property
+    def stops(self) -> int:
+        """Rests in one period of the motion."""
+        return sum(slip == 0 for slip, _ in self.signature) * (2 if self.sign == -1 else 1)
 
 
 def closed_cycle(

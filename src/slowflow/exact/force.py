@@ -108,7 +108,7 @@ def from_kernels(kernels: ModuleType, name: str, constants: tuple[float, ...], b
     for i in range(len(breakpoints) + 1):
         expression = _Single(getattr(kernels, f"_{name}_piece_{i + 1}"))
         pieces.append(Piece(expression, constants))
-    kept = [i for i, end in enumerate(breakpoints) if end > 0.0]
+    kept = [i for i, end in enumerate(breakpoints) if end != 0.0]
     return Force((*(pieces[i] for i in kept), pieces[-1]), tuple(breakpoints[i] for i in kept))
 
 

@@ -21,6 +21,7 @@ from slowflow.exact.motion import TURN, Forced, Phase, follow
 Array = NDArray[np.float64]
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
+HALF_TURNS = (1, 2, 3, 4, 6)  # lengths of a cycle that are tried: the forcing's period, then subharmonics
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 
 
@@ -29,12 +30,13 @@ class SteadyState:
     """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
 
     A            -- largest |u|
-    stops        -- rests in one period of the forcing
+    stops        -- rests in one period
     multipliers  -- Floquet multipliers over `period`, shape (2,)
-    half_multipliers -- of the half-map u(tau) -> -u(tau + pi/Omega) where the motion is half-wave symmetric, else None
+    half_multipliers -- of the map over half a period with u -> -u, where the motion is half-wave symmetric, else None;
+                        `multipliers` are their squares
     stable       -- both multipliers inside the unit circle
     residual     -- largest difference of (u, v) after one period, followed with its switches
-    symmetric    -- whether u(tau + pi/Omega) = -u(tau)
+    symmetric    -- whether u(tau + period/2) = -u(tau)
     """
 
     Omega: float
@@ -52,7 +54,7 @@ class SteadyState:
     @property
     def period(self) -> float:
         """Period in tau."""
-        return max(self.cycle.half_turns, 2 if self.symmetric else 1) * math.pi / self.Omega
+        return self.cycle.half_turns * (2 if self.symmetric else 1) * math.pi / self.Omega
 
     @functools.cached_property
     def phases(self) -> list[Phase]:
@@ -122,7 +124,7 @@ def steady_state(
     guess      -- a neighbouring `SteadyState`, or (A, phi) of u = A cos(Omega tau + phi); without it the mass is
                   released at rest at u = 0 and followed until it settles, which finds stable motions only
     half_turns -- 1: look for half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: for any with the forcing's
-                  period; n: for period n pi/Omega, mirrored if n is odd. By default 1 is tried first and 2 then.
+                  period; n: with the state (-1)^n times the same after n pi/Omega. By default 1, then 2, 3, 4 and 6.
 
     A guess leads to a motion near it, stable or not; if Newton's iteration finds none, the motion is followed from the
     guess until it settles. The motion returned has been followed through all its switches (`residual`).
@@ -132,7 +134,7 @@ def steady_state(
     check_forcing(system, Omega, F_0)
     integrator = integrator or default_integrator()
     forced = Forced(system, float(Omega), float(F_0), integrator)
-    tries = (1, 2) if half_turns is None else (half_turns,)
+    tries = HALF_TURNS if half_turns is None else (half_turns,)
     theta, u = 0.0, 0.0
     if isinstance(guess, SteadyState):
         cycle = replace(guess.cycle, system=system, integrator=integrator)
@@ -147,7 +149,7 @@ def steady_state(
         if not (math.isfinite(A) and A > 0 and math.isfinite(phi)):
             raise ValueError(f"guess = (A, phi) = {guess} must be finite, A positive")
         theta, u = (-phi) % TURN, float(A)
-        for n in tries:
+        for n in tries[:2]:
             found = _from_start(forced, theta, u, n)
             if found is not None and abs(found.A - A) <= 0.5 * A:
                 return found
@@ -168,7 +170,7 @@ def check_forcing(system: Oscillator, Omega: float, F_0: float) -> None:
 def describe(cycle: Cycle, z: Array, F_0: float, equations: Equations) -> SteadyState:
     """The `SteadyState` of a converged cycle; its residual is measured by following the motion over one period."""
     multipliers = cycle.multipliers(equations)
-    symmetric = cycle.half_turns == 1
+    symmetric = cycle.sign == -1
     half = multipliers if symmetric else None
     if symmetric:
         multipliers = multipliers**2
@@ -178,7 +180,7 @@ def describe(cycle: Cycle, z: Array, F_0: float, equations: Equations) -> Steady
         Omega=Omega,
         F_0=F_0,
         A=_largest(phases[: len(cycle.signature)]),
-        stops=cycle.stops_per_turn(),
+        stops=cycle.stops,
         multipliers=multipliers,
         half_multipliers=half,
         stable=bool(np.all(np.abs(multipliers) < 1.0)),
@@ -237,28 +239,34 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
 
 def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState:
     """Follows the motion until it settles; Newton's iteration ends it once it is close."""
-    v, turns, wait = 0.0, 0, 8
+    v = 0.0
+    history = [(u, v)]
     change = math.inf
-    while turns < MOST_TURNS:
-        for _ in range(wait):
+    while len(history) <= MOST_TURNS:
+        for _ in range(8):
             last = follow(forced, theta, u, v, theta + TURN)[-1]
-            change = max(abs(last.u_end - u), abs(last.v_end - v))
             u, v = last.u_end, last.v_end
-            turns += 1
-        scale = max(abs(u), abs(v), 1e-3)
-        if change < 1e-2 * scale:
-            for n in tries:
+            history.append((u, v))
+        for n in tries:
+            turns = n if n % 2 else n // 2
+            if turns >= len(history):
+                continue
+            before = history[-1 - turns]
+            change = max(abs(u - before[0]), abs(v - before[1]))
+            if change < 1e-2 * max(abs(u), abs(v), 1e-3):
                 found = _from_start(forced, theta, u, n, v)
                 if found is not None and found.stable and _near(found, theta, u, v, 10.0 * change + 1e-9):
                     return found
     raise ArithmeticError(
-        f"no steady state of period {tries[-1]} pi/Omega at Omega = {forced.Omega}, F_0 = {forced.F_0}: the motion "
-        f"still changes by {change:.1e} a turn after {turns} turns"
+        f"no steady state at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {MOST_TURNS} turns of the forcing the "
+        f"motion comes back only to within {change:.1e}; it may be chaotic, or a subharmonic of another order than "
+        f"half_turns = {tries} allow"
     )
 
 
 def _near(found: SteadyState, theta: float, u: float, v: float, distance: float) -> bool:
     """Whether the motion found is the one that the time stepping approaches, by the multipliers' rate of approach."""
-    there_u, there_v = found._at(np.array([theta]))
+    # a subharmonic may pass here in any turn of its period
+    there_u, there_v = found._at(theta + TURN * np.arange(found.cycle.half_turns))
     rate = 1.0 - float(np.max(np.abs(found.multipliers)))
-    return max(abs(float(there_u[0]) - u), abs(float(there_v[0]) - v)) <= distance / max(rate, 1e-3)
+    return float(np.min(np.maximum(np.abs(there_u - u), np.abs(there_v - v)))) <= distance / max(rate, 1e-3)
