@@ -1,0 +1,58 @@
+"""Random isolators and the paper's (Table 1), for the tests of the exact motion."""
+
+import math
+from dataclasses import dataclass
+
+import exact_brute
+import numpy as np
+
+from slowflow.exact import Oscillator, rod_spring, rod_spring_exact
+
+
+@dataclass(frozen=True)
+class Case:
+    """An oscillator, the same force typed by hand, and a forcing."""
+
+    system: Oscillator
+    by_hand: tuple
+    Omega: float
+    F_0: float
+
+
+def isolator(lam, r, delta_h, mu, zeta, exact):
+    """Oscillator and its force by hand."""
+    if exact:
+        return Oscillator(rod_spring_exact(lam, r, delta_h), mu, zeta), exact_brute.untruncated(lam, r, delta_h)
+    # equation (7)
+    alpha = 1 - lam * r * delta_h
+    beta, gamma = lam / 2 * r * (1 - delta_h), 3 / 8 * lam * r * (1 - delta_h)
+    u_cr = math.sqrt(1 - (1 - delta_h) ** 2)
+    return (
+        Oscillator(rod_spring(alpha, beta, gamma, u_cr), mu, zeta),
+        exact_brute.truncated(alpha, beta, gamma, u_cr),
+    )
+
+
+def table_1(exact):
+    """The paper's isolator."""
+    return isolator(3, 3747 / 1848, 1848 / (6 * 3747), 0.012, 0.02, exact)[0]
+
+
+def random_cases(count, seed):
+    """Isolators over the paper's ranges and beyond, a fifth of them without friction, two fifths at low frequency."""
+    rng = np.random.default_rng(seed)
+    cases = []
+    while len(cases) < count:
+        lam, r = int(rng.integers(1, 5)), rng.uniform(0.5, 3)
+        delta_h = (1 - rng.uniform(0.05, 0.95)) / (lam * r)
+        if delta_h > 0.6:
+            continue
+        n = len(cases)
+        F_0 = rng.uniform(0.02, 0.3)
+        mu = 0.0 if n % 5 == 0 else F_0 * rng.uniform(0.05, 0.9)
+        Omega = rng.uniform(0.08, 0.3) if n % 5 in (1, 3) else rng.uniform(0.3, 1.3)
+        if n % 10 == 6:  # several stops each way
+            mu, Omega = F_0 * rng.uniform(0.1, 0.3), rng.uniform(0.05, 0.15)
+        system, by_hand = isolator(lam, r, delta_h, mu, rng.uniform(0.005, 0.1), exact=bool(n % 2))
+        cases.append(Case(system, by_hand, float(Omega), float(F_0)))
+    return cases

@@ -1,0 +1,226 @@
+"""The exact motion against brute force, against closed forms, and one integrator against the other."""
+
+import collections
+import math
+
+import exact_brute
+import exact_linear
+import mpmath as mp
+import numpy as np
+import pytest
+from exact_cases import isolator, random_cases, table_1
+from slowflow_kernels import den_hartog
+
+from slowflow.exact import Oscillator, linear, rod_spring, steady_state
+from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
+from slowflow.exact.motion import Forced, follow
+
+heyoka = pytest.mark.skipif(
+    default_integrator().name != "heyoka", reason="heyoka is not installed: there is only SciPy's integrator"
+)
+CASES = random_cases(60, seed=6)  # a seed with up to six stops and subharmonics: see the first test
+
+
+@pytest.fixture(scope="module")
+def states():
+    return [steady_state(case.system, case.Omega, case.F_0) for case in CASES]
+
+
+@heyoka
+def test_random_isolators_cover_what_they_should(states):
+    stops = collections.Counter(state.stops for state in states)
+    assert stops[0] >= 10 and stops[2] >= 10 and stops[4] >= 2 and stops[6] >= 1
+    assert sum(case.system.mu == 0 for case in CASES) >= 10
+    assert sum(max(abs(region) for _, region in state.cycle.signature) for state in states) >= 5
+
+
+@heyoka
+def test_random_isolators_against_brute_force(states):
+    """A turn by small fixed steps from a point of the steady state follows it and comes back to it."""
+    for case, state in zip(CASES, states, strict=True):
+        turns = round(state.period * case.Omega / (2 * math.pi))
+        samples = 16 * turns
+        fine = 16 * math.ceil(2 * math.pi / case.Omega / 0.004 / 16)
+        tau, u, v = state.series(samples)
+        # from a point in motion, so that the start is no switch
+        first = int(np.argmax(np.abs(v)))
+        start = (tau[first], u[first], v[first])
+        friction, damping = case.system.mu, case.system.zeta
+        found, rests = exact_brute.follow(case.by_hand, friction, damping, case.Omega, case.F_0, *start, turns, fine)
+        every = np.array(found)[fine // 16 - 1 :: fine // 16]
+        expected = np.column_stack((np.roll(u, -first - 1), np.roll(v, -first - 1)))
+        assert np.max(np.abs(every - expected)) <= 1e-8, case
+        assert rests == state.stops, case
+
+
+@heyoka
+def test_random_isolators_by_scipy(states):
+    """SciPy's integrator finds the same steady states to 1e-9, with the same switches."""
+    slow = ScipyIntegrator()
+    for case, state in zip(CASES[::2], states[::2], strict=True):
+        near = steady_state(case.system, case.Omega * 1.0003, case.F_0, state)
+        other = steady_state(case.system, case.Omega, case.F_0, near, integrator=slow)
+        assert other.cycle.signature == state.cycle.signature
+        assert abs(other.A - state.A) <= 1e-9
+        assert np.max(np.abs(other.unknowns - state.unknowns)) <= 1e-9
+        assert np.max(np.abs(np.sort(np.abs(other.multipliers)) - np.sort(np.abs(state.multipliers)))) <= 1e-8
+
+
+@heyoka
+def test_residual_of_random_isolators(states):
+    for case, state in zip(CASES, states, strict=True):
+        assert state.residual <= 1e-12, case
+        assert state.stable
+
+
+def test_integrators_agree_phase_by_phase():
+    """The same phases, from rest over three turns, by both integrators (or SciPy's alone against brute force)."""
+    system = table_1(exact=False)
+    runs = [follow(Forced(system, 0.6, 0.2, ScipyIntegrator()), 0.0, 0.0, 0.0, 6 * math.pi)]
+    if default_integrator().name == "heyoka":
+        runs.append(follow(Forced(system, 0.6, 0.2, HeyokaIntegrator()), 0.0, 0.0, 0.0, 6 * math.pi))
+        assert [(p.slip, p.region, p.event) for p in runs[0]] == [(p.slip, p.region, p.event) for p in runs[1]]
+        for a, b in zip(*runs, strict=True):
+            assert max(abs(a.end - b.end), abs(a.u_end - b.u_end), abs(a.v_end - b.v_end)) <= 1e-9
+    by_hand = isolator(3, 3747 / 1848, 1848 / (6 * 3747), 0.012, 0.02, exact=False)[1]
+    found, _ = exact_brute.follow(by_hand, 0.012, 0.02, 0.6, 0.2, 0.0, 0.0, 0.0, 3, 3000)
+    assert abs(found[-1][0] - runs[0][-1].u_end) <= 1e-8
+    assert abs(found[-1][1] - runs[0][-1].v_end) <= 1e-8
+
+
+def test_viscous_linear_oscillator_in_closed_form():
+    """Without friction and preload: u = Re F_0/(1 - Omega^2 + 2 i zeta Omega) exp(i Omega tau), multipliers known."""
+    zeta, F_0 = 0.07, 0.03
+    system = Oscillator(linear(), 0.0, zeta)
+    for Omega in (0.4, 0.97, 1.0, 2.3):
+        state = steady_state(system, Omega, F_0)
+        response = F_0 / (1 - Omega**2 + 2j * zeta * Omega)
+        harmonics = state.harmonics(5)
+        assert abs(harmonics[1] - response) <= 1e-13
+        assert np.max(np.abs(np.delete(harmonics, 1))) <= 1e-13
+        assert abs(state.A - abs(response)) <= 1e-13
+        tau, u, v = state.series(64)
+        assert np.max(np.abs(u - (response * np.exp(1j * Omega * tau)).real)) <= 1e-12
+        assert np.max(np.abs(v - (1j * Omega * response * np.exp(1j * Omega * tau)).real)) <= 1e-12
+        exponent = -zeta + 1j * math.sqrt(1 - zeta**2)
+        expected = np.exp(exponent * 2 * math.pi / Omega)
+        assert np.min(np.abs(state.multipliers - expected)) <= 1e-12
+        assert state.stops == 0 and state.stable and state.symmetric
+
+
+@pytest.mark.parametrize("ratio", [0.1, 0.3, 0.6])
+def test_den_hartog_where_his_solution_holds(ratio):
+    """(35) wherever the amplitude exceeds the bound (36), for zeta = 0 and no preload."""
+    system = Oscillator(linear(), ratio, 0.0)
+    checked = 0
+    for Omega in (0.57, 0.7, 0.83, 1.21, 1.5, 1.9):
+        times = np.linspace(0, np.pi / Omega, 4001)[1:-1]
+        S = float(np.max(den_hartog.S_ratio(times, Omega)))
+        with np.errstate(invalid="ignore"):
+            A = float(den_hartog.amplitude(Omega, 1.0, ratio))
+        bound = float(den_hartog.bound(Omega, 1.0, S))
+        if not A > 1.001 * bound:
+            continue
+        state = steady_state(system, Omega, 1.0, (A, 0.3))
+        assert abs(state.A - A) <= 1e-10
+        assert state.stops == 0
+        start = state.unknowns[1] / Omega
+        tau, u, _ = state.series(50)
+        after = np.mod(tau - start, 2 * np.pi / Omega)
+        half = after <= np.pi / Omega
+        expected = den_hartog.motion(after[half], Omega, A, ratio)
+        assert np.max(np.abs(u[half] - expected)) <= 1e-10
+        checked += 1
+    assert checked >= 3
+
+
+def test_den_hartog_sticks_below_the_bound():
+    """Below (36) the mass stops, above it does not: the border of the exact curve lies where (35) meets (36)."""
+    ratio = 0.8
+    system = Oscillator(linear(), ratio, 0.0)
+    for Omega in (0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 0.98, 1.05, 1.2):
+        times = np.linspace(0, np.pi / Omega, 4001)[1:-1]
+        S = float(np.max(den_hartog.S_ratio(times, Omega)))
+        with np.errstate(invalid="ignore"):
+            A = float(den_hartog.amplitude(Omega, 1.0, ratio))
+        continuous = A > float(den_hartog.bound(Omega, 1.0, S))
+        assert (steady_state(system, Omega, 1.0).stops == 0) == continuous, Omega
+
+
+@pytest.mark.parametrize(
+    ("Omega", "mu"), [(0.75, 0.85), (0.45, 0.7), (0.21, 0.3), (0.12, 0.2), (0.06, 0.2), (0.06, 0.25)]
+)
+def test_motion_with_stops_in_closed_form(Omega, mu):
+    """Linear oscillator with several stops: a turn in closed form (40 digits) from the exact start comes back to it."""
+    state = steady_state(Oscillator(linear(), mu, 0.0), Omega, 1.0)
+    assert state.stops >= 2
+    with mp.workdps(40):
+        start = mp.mpf(float(state.unknowns[1])) / mp.mpf(Omega)
+        u, tau, rests = exact_linear.one_turn(
+            mp.mpf(Omega), mp.mpf(1), mp.mpf(mu), start, mp.mpf(float(state.unknowns[0])), -1
+        )
+    assert rests == state.stops
+    assert abs(float(u) - state.unknowns[0]) <= 1e-10
+    assert abs(float(tau - start) - 2 * math.pi / Omega) <= 1e-10
+
+
+@heyoka
+def test_multipliers_against_finite_differences(states):
+    """The monodromy matrix with saltation against differences of the motion followed over a turn."""
+    seen = set()
+    for case, state in zip(CASES, states, strict=True):
+        kind = (state.stops, len(state.cycle.signature))
+        if kind in seen:
+            continue
+        seen.add(kind)
+        forced = Forced(case.system, case.Omega, case.F_0, default_integrator())
+        phase = max(state.phases, key=lambda p: (p.slip != 0) * (p.end - p.theta))
+        theta = 0.5 * (phase.theta + phase.end)
+        u, v = forced.integrator.sample(
+            forced.piece(phase.region), forced.drive(phase.slip), phase.theta, phase.u, phase.v, np.array([theta])
+        )[0]
+        end = theta + state.period * case.Omega
+        columns = []
+        size = 1e-6
+        for du, dv in ((size, 0.0), (0.0, size)):
+            ends = [follow(forced, theta, u + s * du, v + s * dv, end, (phase.slip, phase.region))[-1] for s in (1, -1)]
+            difference = np.array(ends[0][6:8]) - np.array(ends[1][6:8])
+            columns.append(difference / (2 * size))
+        matrix = np.column_stack(columns)
+        # a multiplier that stops make zero is compared through trace and determinant
+        assert abs(np.trace(matrix) - np.sum(state.multipliers).real) <= 1e-6
+        assert abs(np.linalg.det(matrix) - np.prod(state.multipliers).real) <= 1e-6
+    assert len(seen) >= 4
+
+
+def test_stops_make_a_multiplier_vanish():
+    state = steady_state(Oscillator(linear(), 0.85, 0.0), 0.75, 1.0)
+    assert state.stops == 2
+    assert np.min(np.abs(state.multipliers)) <= 1e-12
+
+
+def test_released_asymmetric_motion():
+    """Negative stiffness at the centre: the motion about one side is not half-wave symmetric, and is found."""
+    system = isolator(2, 2.0, 0.3, 0.0, 0.05, exact=False)[0]
+    state = steady_state(system, 1.3, 0.01, half_turns=2)
+    assert not state.symmetric
+    assert state.half_multipliers is None
+    _, u, _ = state.series(100)
+    assert abs(np.mean(u)) > 0.1
+    assert abs(state.harmonics(2)[0].real - np.mean(u)) <= 1e-6
+
+
+def test_errors_in_words():
+    system = table_1(exact=False)
+    with pytest.raises(ValueError, match="Omega = -1"):
+        steady_state(system, -1, 0.04)
+    with pytest.raises(ValueError, match="friction holds the mass for ever"):
+        steady_state(system, 0.9, 0.01)
+    with pytest.raises(ValueError, match=r"mu = -0\.1"):
+        Oscillator(linear(), -0.1, 0.1)
+    with pytest.raises(ValueError, match="without any damping"):
+        Oscillator(linear(), 0.0, 0.0)
+    with pytest.raises(ValueError, match="breakpoints"):
+        rod_spring(0.5, 1.0, 1.0, -0.3)
+    with pytest.raises(ValueError, match="guess"):
+        steady_state(system, 0.9, 0.04, (-0.1, 0.0))

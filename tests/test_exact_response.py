@@ -1,0 +1,214 @@
+"""The exact response curve and the stepped sweep: folds, borders, stability, jumps."""
+
+import math
+
+import numpy as np
+import pytest
+from exact_cases import isolator, table_1
+from scipy.integrate import solve_ivp
+from scipy.optimize import root
+
+from slowflow.exact import Oscillator, exact_response, linear, steady_state, sweep
+from slowflow.exact.integrate import ScipyIntegrator, default_integrator
+
+heyoka = pytest.mark.skipif(
+    default_integrator().name != "heyoka", reason="heyoka is not installed: a whole curve by SciPy takes a minute"
+)
+FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
+
+
+@pytest.fixture(scope="module")
+def curves():
+    return {(exact, F_0): exact_response(table_1(exact), F_0) for exact in (False, True) for F_0 in FORCINGS}
+
+
+@heyoka
+def test_two_folds_and_no_other(curves):
+    """Every curve of Table 1 has one fold each way; stability changes there and nowhere else."""
+    for key, curve in curves.items():
+        assert [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"], key
+        assert curve.folds[0].Omega < curve.folds[1].Omega
+        assert curve.folds[0].A < curve.folds[1].A
+        changes = np.flatnonzero(np.diff(curve.stable.astype(int)))
+        assert changes.size == 2, key
+        assert curve.Omega[0] == pytest.approx(0.5, abs=1e-12) and curve.Omega[-1] == pytest.approx(1.5, abs=1e-12)
+        # all frequencies rise but between the folds
+        assert np.flatnonzero(np.diff(np.sign(np.diff(curve.Omega)))).size == 2
+
+
+@heyoka
+def test_folds_lie_where_solutions_end(curves):
+    """Two motions on one side of a fold, 1e-8 away in Omega, none on the other; the half-map's multiplier is 1."""
+    for (exact, F_0), curve in curves.items():
+        for fold in curve.folds:
+            index = int(np.argmin(np.abs(curve.Omega - fold.Omega) + np.abs(curve.A - fold.A)))
+            at = curve.steady_state(index)
+            assert np.min(np.abs(at.half_multipliers - 1)) <= 1e-6
+            assert at.residual <= 1e-12
+            inside = 1 if fold.kind == "jump-up" else -1
+            cycle, z = at.cycle, at.unknowns
+            found = []
+            for side in (1e-4, -1e-4):
+                near = z + side * curve.states[index].tangent
+                near[-1] = fold.Omega + inside * 1e-8
+                solved = cycle.newton(near, F_0, most=40)
+                assert solved is not None, (exact, F_0, fold)
+                found.append(solved[0][0])
+            assert abs(found[0] - found[1]) > 1e-6
+            beyond = z.copy()
+            beyond[-1] = fold.Omega - inside * 1e-8
+            solved = cycle.newton(beyond, F_0, most=40)
+            assert solved is None or abs(solved[0][0] - z[0]) > 1e-2
+
+
+@heyoka
+def test_points_are_motions_and_stability_is_theirs(curves):
+    """Some points of a curve, stable or not, followed through their switches and against the finite map."""
+    for curve in curves.values():
+        for index in range(0, curve.Omega.size, 40):
+            state = curve.steady_state(index)
+            assert state.residual <= 1e-11
+            assert state.A == pytest.approx(curve.A[index], abs=1e-12)
+
+
+def _half_turn(A, theta, Omega, F_0, mu, zeta, force, u_cr):
+    """(u, v) half a turn after a maximum A at phase theta, by SciPy, the force typed in; split where |u| = u_cr."""
+    attached, detached = force
+    tau, end, y = 0.0, math.pi / Omega, [A, 0.0]
+    while tau < end:
+        outside = abs(y[0]) > u_cr or (abs(abs(y[0]) - u_cr) < 1e-13 and y[0] < 0)
+        piece = detached if outside else attached
+
+        def field(t, y, piece=piece):
+            return [y[1], F_0 * math.cos(Omega * t + theta) - 2 * zeta * y[1] - piece(y[0]) + mu]
+
+        level = u_cr if y[0] > u_cr else -u_cr
+
+        def edge(t, y, level=level):
+            return y[0] - level
+
+        edge.terminal, edge.direction = True, -1
+        events = None if outside and y[0] < 0 else [edge]
+        run = solve_ivp(field, (tau, end), y, method="DOP853", rtol=1e-12, atol=1e-14, events=events)
+        tau, y = float(run.t[-1]), list(run.y[:, -1])
+        if run.status == 1:
+            y[0] = level - 1e-15 if level < 0 else level * (1 - 1e-14)
+    return y
+
+
+@heyoka
+@pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)])
+def test_curve_by_amplitude(curves, exact, F_0):
+    """Solved for (Omega, theta) at given amplitudes instead of followed: the same curve, the same folds.
+
+    Independent of continuation, switching and integrator; as many turns of Omega(A) as there are folds.
+    """
+    mu, zeta = 0.012, 0.02
+    by_hand, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), mu, zeta, exact)[1]
+    curve = curves[exact, F_0]
+    top = int(np.argmax(curve.A))
+    turns = 0
+    # next to the highest point the two frequencies of one amplitude are too close to tell apart
+    for branch in (slice(0, top - 1), slice(top + 2, None)):
+        points = [p for p in curve.states[branch] if 0.15 < p.equations.A < 0.6][::3]
+        frequencies = []
+        for point in points:
+            A = float(point.z[0])
+
+            def mirrored(x, A=A):
+                u, v = _half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
+                return u + A, v
+
+            solution = root(mirrored, (point.z[1] + 1e-3, point.z[-1] + 1e-3), tol=1e-12)
+            assert abs(solution.x[1] - point.z[-1]) <= 1e-9
+            frequencies.append(solution.x[1])
+        turns += np.flatnonzero(np.diff(np.sign(np.diff(frequencies)))).size
+    assert turns == len(curve.folds)
+
+
+@heyoka
+@pytest.mark.parametrize("exact", [False, True])
+@pytest.mark.parametrize("F_0", [0.03, 0.04])
+def test_sweeps_jump_at_the_folds(curves, exact, F_0):
+    """Stepped up, the motion jumps down at the upper fold; stepped down, it jumps up at the lower one."""
+    up, down = curves[exact, F_0].folds
+    frequencies = np.linspace(0.7, 1.1, 101)
+    rising = sweep(table_1(exact), F_0, frequencies)
+    falling = sweep(table_1(exact), F_0, frequencies[::-1])
+    assert rising.settled.all() and falling.settled.all()
+    assert len(rising.jumps) == len(falling.jumps) == 1
+    assert rising.jumps[0][0] <= down.Omega <= rising.jumps[0][1]
+    assert falling.jumps[0][1] <= up.Omega <= falling.jumps[0][0]
+    for found in (rising, falling):
+        for Omega, A in list(zip(found.Omega, found.A, strict=True))[::10]:
+            curve = curves[exact, F_0]
+            assert abs(steady_state(table_1(exact), Omega, F_0, (A, _phase(curve, Omega, A))).A - A) <= 1e-7
+
+
+def _phase(curve, Omega, A):
+    index = int(np.argmin(np.abs(curve.Omega - Omega) + np.abs(curve.A - A)))
+    return -float(curve.states[index].z[1])
+
+
+@heyoka
+def test_curve_with_stops_and_loops():
+    """Down to Omega = 0.1 the mass stops up to four times a turn; the curve goes through every change of order."""
+    curve = exact_response(table_1(exact=True), 0.04, (0.1, 1.5))
+    assert set(curve.stops.tolist()) == {0, 2, 4}
+    assert [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
+    assert len(curve.borders) >= 4
+    for index in range(0, curve.Omega.size, 25):
+        state = curve.steady_state(index)
+        again = steady_state(state.cycle.system, state.Omega, 0.04)
+        if state.Omega < 0.8:  # one motion only
+            assert abs(again.A - state.A) <= 1e-9
+            on_border = curve.states[index].role == "border"  # with a rest of no length, or without it
+            assert again.stops == state.stops or on_border
+    # neighbouring points stay neighbours across the borders
+    assert np.max(np.abs(np.diff(np.log(curve.A)))) <= 0.05
+
+
+@heyoka
+def test_border_to_sticking_is_den_hartogs():
+    """Linear, zeta = 0: the first stop appears where (35) meets (36), which for S = 1 reads A Omega^2 = mu."""
+    curve = exact_response(Oscillator(linear(), 0.8, 0.0), 1.0, (0.6, 0.99))
+    for Omega, A in curve.borders:
+        assert abs(A * Omega**2 - 0.8) <= 1e-10
+    assert len(curve.borders) == 2
+    assert not curve.folds
+
+
+@heyoka
+def test_start_in_the_middle_goes_both_ways():
+    system = table_1(exact=False)
+    whole = exact_response(system, 0.04, (0.7, 1.2))
+    middle = exact_response(system, 0.04, (0.7, 1.2), start=steady_state(system, 0.8, 0.04))
+    assert middle.Omega[0] == pytest.approx(0.7, abs=1e-12) and middle.Omega[-1] == pytest.approx(1.2, abs=1e-12)
+    for a, b in zip(whole.folds, middle.folds, strict=True):
+        assert abs(a.Omega - b.Omega) <= 1e-11 and abs(a.A - b.A) <= 1e-9 and a.kind == b.kind
+
+
+def test_short_curve_by_scipy():
+    """SciPy's integrator follows the same curve; here a short stretch through the upper fold's neighbourhood."""
+    system = table_1(exact=False)
+    slow = ScipyIntegrator()
+    short = exact_response(
+        system, 0.025, (0.75, 0.79), step=0.2, integrator=slow, start=steady_state(system, 0.75, 0.025, (0.2, -0.5))
+    )
+    for point in short.states[::3]:
+        state = steady_state(system, float(point.z[-1]), 0.025, (point.equations.A, -float(point.z[1])))
+        assert abs(state.A - point.equations.A) <= 1e-9
+
+
+def test_errors_in_words():
+    system = table_1(exact=False)
+    with pytest.raises(ValueError, match="Omega_range"):
+        exact_response(system, 0.04, (1.5, 0.5))
+    with pytest.raises(ValueError, match="step"):
+        exact_response(system, 0.04, step=-1.0)
+    with pytest.raises(ValueError, match="does not exceed mu"):
+        exact_response(system, 0.012)
+    with pytest.raises(ValueError, match="Omega must be a non-empty list"):
+        sweep(system, 0.04, [])
+    with pytest.raises(ValueError, match="tolerance"):
+        sweep(system, 0.04, [0.9], tolerance=0.0)
