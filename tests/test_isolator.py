@@ -1,4 +1,4 @@
-"""The public interface: what it refuses and in which words, what it says at physical dead ends, and properties that hold."""
+"""The public interface: what it refuses and in which words, what it says at dead ends, and properties that hold."""
 
 import math
 import subprocess
@@ -186,12 +186,12 @@ def test_states_alternate_in_stability_and_their_number_is_odd(values, multiple,
 @given(parameters, st.floats(1.05, 8))
 def test_a_jump_lands_on_a_stable_state_on_the_side_that_its_kind_says(values, multiple):
     assume(values["delta_h"] < 0.97 / (values["lam"] * values["r"]))
+    # a smaller preload leaves a force jump so small that the jump at its corner is smaller than this test resolves
+    assume(values["delta_h"] > 0.05)
     oscillator = Isolator(**values)
     F_0 = multiple * max(oscillator.sticking_forcing, 0.005)
     folds = oscillator.saddle_nodes(F_0)
     for Omega, A, kind in zip(folds.Omega, folds.A, folds.kind, strict=True):
-        # where the force jumps by next to nothing, two folds at a corner lie as close: the jump is smaller than the test
-        assume((np.abs(folds.Omega - Omega) < 1e-6).sum() == 1)
         states = oscillator.amplitudes(Omega, F_0)
         others = states.A[states.stable & (np.abs(states.A - A) > 1e-4 * A)]
         assert (others > A).any() if kind == "jump-up" else (others < A).any()
