@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
@@ -169,7 +169,7 @@ parameters = st.fixed_dictionaries(
 )
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25, deadline=None, phases=[Phase.generate])
 @given(parameters, st.floats(1.05, 8), st.floats(0.2, 1.9))
 def test_states_alternate_in_stability_and_their_number_is_odd(values, multiple, Omega):
     assume(values["delta_h"] < 0.97 / (values["lam"] * values["r"]))
@@ -182,16 +182,17 @@ def test_states_alternate_in_stability_and_their_number_is_odd(values, multiple,
     assert (states.A <= oscillator.limit_envelope(states.Omega, F_0) * (1 + 1e-12)).all()
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15, deadline=None, phases=[Phase.generate])
 @given(parameters, st.floats(1.05, 8))
 def test_a_jump_lands_on_a_stable_state_on_the_side_that_its_kind_says(values, multiple):
     assume(values["delta_h"] < 0.97 / (values["lam"] * values["r"]))
-    # a smaller preload leaves a force jump so small that the jump at its corner is smaller than this test resolves
-    assume(values["delta_h"] > 0.05)
     oscillator = Isolator(**values)
     F_0 = multiple * max(oscillator.sticking_forcing, 0.005)
     folds = oscillator.saddle_nodes(F_0)
     for Omega, A, kind in zip(folds.Omega, folds.A, folds.kind, strict=True):
+        # the force jumps by little at u_cr: two folds next to it may be closer than this test resolves
+        if (np.abs(folds.Omega - Omega) < 1e-3).sum() > 1:
+            continue
         states = oscillator.amplitudes(Omega, F_0)
         others = states.A[states.stable & (np.abs(states.A - A) > 1e-4 * A)]
         assert (others > A).any() if kind == "jump-up" else (others < A).any()
@@ -202,6 +203,15 @@ def test_the_curve_passes_its_folds_and_changes_stability_there_only():
     for Omega, A in zip(folds.Omega, folds.A, strict=True):
         assert ((curve.Omega == Omega) & (curve.A == A)).any()
     assert np.count_nonzero(np.diff(curve.stable)) == len(folds)
+
+
+def test_a_fold_itself_is_one_state_and_not_stable():
+    folds = isolator().saddle_nodes(0.04)
+    for Omega, A in zip(folds.Omega, folds.A, strict=True):
+        states = isolator().amplitudes(Omega, 0.04)
+        assert states.A.size == 2
+        at = np.argmin(np.abs(states.A - A))
+        assert states.A[at] == pytest.approx(A, rel=1e-7) and not states.stable[at] and states.stable[1 - at]
 
 
 def test_importing_slowflow_imports_neither_sympy_nor_matplotlib_nor_scipy():

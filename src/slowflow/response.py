@@ -210,12 +210,18 @@ def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarra
     hits: list[tuple[int, Piece]] = []
     for piece in found.pieces:
         low, high = piece.range
-        hits += [(int(q), piece) for q in np.flatnonzero((low <= Omega) & (Omega < high))]
+        hits += [(int(q), piece) for q in np.flatnonzero((low <= Omega) & (Omega <= high))]
     which = np.array([q for q, _ in hits], dtype=np.intp)
     A = solve_pieces(found.model, found.F_0, [piece for _, piece in hits], Omega[which])
     stable = np.array([piece.stable for _, piece in hits], dtype=bool)
     order = np.lexsort((A, which))
-    return Omega[which][order], A[order], stable[order]
+    which, A, stable = which[order], A[order], stable[order]
+    # a point where two pieces meet belongs to both: it is one state, and a fold is not stable
+    same = (np.diff(which) == 0) & (np.diff(A) <= SAME * A[1:])
+    stable[:-1] &= stable[1:] | ~same
+    keep = np.concatenate([[True], ~same]) if which.size else np.empty(0, dtype=bool)
+    stable[1:] &= stable[:-1] | ~same
+    return Omega[which][keep], A[keep], stable[keep]
 
 
 def solve_pieces(model: Model, F_0: float, pieces: list[Piece], Omega: Floats) -> Floats:
@@ -240,9 +246,12 @@ def solve_pieces(model: Model, F_0: float, pieces: list[Piece], Omega: Floats) -
     step = SAME * high
     places = np.arange(index.size)
     result = elementwise.find_root(off, (low + step, high - step), args=(places, Omega))
-    near_low = np.abs(_piece_end(pieces, "low") - Omega) <= np.abs(_piece_end(pieces, "high") - Omega)
+    at_low, at_high = (_piece_end(pieces, side) for side in ("low", "high"))
+    near_low = np.abs(at_low - Omega) <= np.abs(at_high - Omega)
     A = np.where(result.success, result.x, np.where(near_low, low, high))
-    return _newton_in_A(model, F_0, Omega, A)
+    A = _newton_in_A(model, F_0, Omega, A)
+    # an end is known better than it can be solved for: A is a square root of Omega there
+    return np.where(at_low == Omega, low, np.where(at_high == Omega, high, A))
 
 
 def _piece_end(pieces: list[Piece], side: str) -> Floats:
