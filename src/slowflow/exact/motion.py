@@ -17,6 +17,7 @@ from slowflow.exact.integrate import EDGE, FAR, STOP, TIME, Drive, Integrator
 
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
+GRAZING = 1e-13  # a velocity at a breakpoint that cannot be told from rest: the way beyond would be its square
 MOST_PHASES = 400  # in one turn of the forcing; more means that switches accumulate
 
 
@@ -125,15 +126,19 @@ def follow(
             theta = _rest(phases, region, theta, u, min(at, end), end)
             continue
         edge = edge_ahead(system, slip, region)
+        if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
+            region += slip
+            continue
         piece, drive = forced.piece(region), forced.drive(slip)
         from_theta, from_u, from_v = theta, u, v
         if v == 0.0:
-            theta, u, v = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
-            if v == 0.0 and system.mu > 0:
+            moved = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
+            if moved is None and system.mu > 0:
                 # the push exceeds friction by too little and for too short a time to be told from rounding
                 at, slip = break_away(forced, region, theta + NUDGES[-1], u)
                 theta = _rest(phases, region, theta, u, min(at, end), end)
                 continue
+            theta, u, v = moved or (theta, u, v)
         if theta < end:
             theta, u, v, event = integrator.until(piece, drive, slip, edge, theta, u, v, end)
         else:
@@ -142,6 +147,8 @@ def follow(
             v = 0.0
         elif event == EDGE:
             u = edge
+            if abs(v) < GRAZING and slip * forced.acceleration(slip, region + slip, theta, u, v) < 0.0:
+                v, event = 0.0, STOP
         phases.append(Phase(slip, region, from_theta, from_u, from_v, theta, u, v, event))
         if event == STOP:
             slip = after_stop(forced, slip, region, theta, u)
@@ -162,14 +169,20 @@ def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float
 
 def _move_off(
     integrator: Integrator, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, end: float
-) -> tuple[float, float, float]:
-    """A short way from rest without looking for a stop, which rounding could find at the very start; v = 0 if none."""
+) -> tuple[float, float, float] | None:
+    """A short way from rest without looking for a stop, which rounding could find at the very start.
+
+    The start itself where a breakpoint is too near; None if the mass does not move off.
+    """
+    moves = False
     for nudge in NUDGES:
         later = min(theta + nudge, end)
         there_u, there_v, _ = integrator.advance(piece, drive, theta, u, 0.0, later)
-        if slip * there_v > 0.0 and slip * (there_u - edge) < 0.0:
-            return later, there_u, there_v
-    return theta, u, 0.0
+        if slip * there_v > 0.0:
+            moves = True
+            if slip * (there_u - edge) < 0.0:
+                return later, there_u, there_v
+    return (theta, u, 0.0) if moves else None
 
 
 def signature(phases: list[Phase]) -> tuple[tuple[int, int], ...]:

@@ -267,6 +267,7 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
 def _near(found: SteadyState, theta: float, u: float, v: float, distance: float) -> bool:
     """Whether the motion found is the one that the time stepping approaches, by the multipliers' rate of approach."""
     # a subharmonic may pass here in any turn of its period
-    there_u, there_v = found._at(theta + TURN * np.arange(found.cycle.half_turns))
+    turns: Array = TURN * np.arange(found.cycle.half_turns, dtype=np.float64)
+    there_u, there_v = found._at(theta + turns)
     rate = 1.0 - float(np.max(np.abs(found.multipliers)))
     return float(np.min(np.maximum(np.abs(there_u - u), np.abs(there_v - v)))) <= distance / max(rate, 1e-3)

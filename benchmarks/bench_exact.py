@@ -1,0 +1,268 @@
+"""The exact motion against its targets, on Table 1 with F_0 = 0.04 unless a row says otherwise.
+
+`rows()` gives one `Row` per target: what was measured, the bound, whether it is kept.
+`python -m benchmarks.bench_exact` prints them; `--direct` adds Appendix A's direct integration, which takes a minute.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import mpmath as mp
+import numpy as np
+from scipy.optimize import minimize_scalar, root
+from slowflow_kernels import den_hartog
+
+from slowflow.exact import Oscillator, Response, exact_response, linear, steady_state, sweep
+from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
+from slowflow.exact.motion import TURN, Forced, follow
+from slowflow.exact.smoothed import direct_integration
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
+import exact_linear
+from exact_cases import isolator, table_1
+from test_exact_response import _half_turn
+
+FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
+NAMES = {False: "truncated (6)", True: "untruncated (5)"}
+
+
+@dataclass(frozen=True)
+class Row:
+    """One figure: `bound` is None where there is no target."""
+
+    job: str
+    measured: float
+    unit: str
+    bound: float | None = None
+
+    @property
+    def kept(self) -> bool:
+        return self.bound is None or self.measured <= self.bound
+
+
+def best(job: Callable[[], object], repeats: int = 7) -> float:
+    """Median time of a call in seconds, after one that warms the caches."""
+    job()
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        job()
+        times.append(time.perf_counter() - start)
+    return float(np.median(times))
+
+
+def rows() -> list[Row]:
+    """Everything but Appendix A."""
+    out = [*compiling()]
+    curves = {(exact, F_0): exact_response(table_1(exact), F_0) for exact in NAMES for F_0 in FORCINGS}
+    for exact in NAMES:
+        out += one_frequency(exact) + whole_curve(exact, curves[exact, 0.04])
+    wrong = sum([f.kind for f in curve.folds] != ["jump-up", "jump-down"] for curve in curves.values())
+    out.append(Row("curves of 10 (5 forcings, 2 forces) whose folds are not one of each kind", wrong, "", 0))
+    out += fold_count_by_amplitude(curves)
+    for exact in NAMES:
+        out += sweeps(exact, curves[exact, 0.04])
+    return [*out, *closed_forms(), *turns()]
+
+
+def compiling() -> list[Row]:
+    """Once per process and expression."""
+    if default_integrator().name != "heyoka":
+        return []
+    out = []
+    for exact, name in NAMES.items():
+        fresh = HeyokaIntegrator()
+        start = time.perf_counter()
+        for piece in table_1(exact).force.pieces:
+            fresh._for(piece)
+        out.append(Row(f"{name}: compiling both pieces", time.perf_counter() - start, "s"))
+    return out
+
+
+def one_frequency(exact: bool) -> list[Row]:
+    """From the steady state 0.1 % away, and from an amplitude and a phase."""
+    system, name = table_1(exact), NAMES[exact]
+    out, residuals = [], []
+    times, cold = [], []
+    for Omega in (0.6, 0.8, 0.9, 0.95, 1.2):
+        state = steady_state(system, Omega, 0.04)
+        near = steady_state(system, 1.001 * Omega, 0.04, state)
+        times.append(best(lambda near=near, Omega=Omega: steady_state(system, Omega, 0.04, near)))
+        guess = (1.05 * state.A, 0.05 - float(state.unknowns[1]))
+        cold.append(best(lambda guess=guess, Omega=Omega: steady_state(system, Omega, 0.04, guess)))
+        residuals.append(state.residual)
+    top = steady_state(system, 0.98, 0.04, (0.6, -1.3))
+    near = steady_state(system, 0.981, 0.04, top)
+    times.append(best(lambda: steady_state(system, 0.98, 0.04, near)))
+    residuals.append(top.residual)
+    out.append(
+        Row(f"{name}: one frequency from the neighbouring steady state, slowest of 6", 1e3 * max(times), "ms", 2)
+    )
+    out.append(Row(f"{name}: one frequency from amplitude and phase 5 % off, slowest of 5", 1e3 * max(cold), "ms", 2))
+    out.append(Row(f"{name}: residual of periodicity, largest of 6", max(residuals), "", 1e-12))
+    return out
+
+
+def whole_curve(exact: bool, curve: Response) -> list[Row]:
+    """Time, residual on every point, and the folds three ways."""
+    system, name = table_1(exact), NAMES[exact]
+    elapsed = best(lambda: exact_response(system, 0.04), 5)
+    states = [curve.steady_state(i) for i in range(curve.Omega.size)]
+    fine = exact_response(system, 0.04, step=0.007)
+    by_step = max(max(abs(a.Omega - b.Omega), abs(a.A - b.A)) for a, b in zip(curve.folds, fine.folds, strict=True))
+    multiplier = max(
+        float(np.min(np.abs(state.half_multipliers - 1)))
+        for state, point in zip(states, curve.states, strict=True)
+        if point.role == "fold"
+    )
+    independent = max(abs(fold_by_amplitude(exact, 0.04, fold.A, curve) - fold.Omega) for fold in curve.folds)
+    return [
+        Row(f"{name}: whole curve of {curve.Omega.size} points with both folds", elapsed, "s", 0.5),
+        Row(f"{name}: the same, for 300 points", elapsed * 300 / curve.Omega.size, "s", 0.5),
+        Row(f"{name}: residual of periodicity, largest on the curve", max(s.residual for s in states), "", 1e-12),
+        Row(f"{name}: folds (Omega, A) against a curve of a third of the step", by_step, "", 1e-8),
+        Row(f"{name}: |multiplier - 1| at the folds", multiplier, ""),
+        Row(f"{name}: Omega of the folds against SciPy's extremum of Omega(A)", independent, "", 1e-8),
+    ]
+
+
+def frequency_at(exact: bool, F_0: float, A: float, guess: tuple[float, float]) -> float:
+    """Omega of the motion of amplitude A near the guess (theta, Omega): no continuation, no heyoka in it."""
+    force, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), 0.012, 0.02, exact)[1]
+
+    def mirrored(x: np.ndarray) -> tuple[float, float]:
+        u, v = _half_turn(A, x[0], x[1], F_0, 0.012, 0.02, force, u_cr)
+        return u + A, v
+
+    return float(root(mirrored, guess, tol=1e-13).x[1])
+
+
+def fold_by_amplitude(exact: bool, F_0: float, A: float, curve: Response) -> float:
+    """The extremum of Omega(A) next to A."""
+    index = int(np.argmin(np.abs(curve.A - A) + np.array([p.role != "fold" for p in curve.states])))
+    z = curve.states[index].z
+    sign = 1 if curve.folds[0].A == curve.A[index] else -1
+    found = minimize_scalar(
+        lambda at: sign * frequency_at(exact, F_0, at, (float(z[1]), float(z[-1]))),
+        bounds=(0.99 * A, 1.01 * A),
+        method="bounded",
+        options={"xatol": 1e-7},
+    )
+    return sign * float(found.fun)
+
+
+def fold_count_by_amplitude(curves: dict[tuple[bool, float], Response]) -> list[Row]:
+    """Turns of Omega(A), solved for at the amplitudes of every second point, against the folds that were found."""
+    wrong, worst = 0, 0.0
+    for (exact, F_0), curve in curves.items():
+        top, count = int(np.argmax(curve.A)), 0
+        for part in (slice(0, top - 1), slice(top + 2, None)):
+            points = [p for p in curve.states[part] if p.equations.A > 0.12][::2]
+            found = [
+                frequency_at(exact, F_0, float(p.z[0]), (float(p.z[1]) + 1e-5, float(p.z[-1]) + 1e-5)) for p in points
+            ]
+            worst = max(worst, *(abs(a - float(p.z[-1])) for a, p in zip(found, points, strict=True)))
+            count += np.flatnonzero(np.diff(np.sign(np.diff(found)))).size
+        wrong += count != len(curve.folds)
+    return [
+        Row("curves of 10 with another number of folds when solved amplitude by amplitude with SciPy", wrong, "", 0),
+        Row("largest difference of Omega between the two, on all ten curves", worst, "", 1e-9),
+    ]
+
+
+def sweeps(exact: bool, curve: Response) -> list[Row]:
+    """300 frequencies up and down; a jump must happen within the step that holds the fold."""
+    system, name = table_1(exact), NAMES[exact]
+    Omega = np.linspace(0.5, 1.5, 300)
+    start = time.perf_counter()
+    rising, falling = sweep(system, 0.04, Omega), sweep(system, 0.04, Omega[::-1])
+    elapsed = time.perf_counter() - start
+    up, down = curve.folds
+    astray = 0
+    for found, fold in ((rising, down), (falling, up)):
+        astray += len(found.jumps) != 1
+        astray += not any(min(jump) <= fold.Omega <= max(jump) for jump in found.jumps)
+    return [
+        Row(f"{name}: sweep up and down, 300 frequencies each, settled to 1e-9", elapsed, "s"),
+        Row(f"{name}: jumps that miss the step with the fold", astray, "", 0),
+    ]
+
+
+def closed_forms() -> list[Row]:
+    """Den Hartog's (35) where (36) holds, and closed forms between the switches where it does not."""
+    continuous, count = 0.0, 0
+    for ratio in np.linspace(0.05, 0.95, 19):
+        system = Oscillator(linear(), float(ratio), 0.0)
+        for Omega in np.linspace(0.52, 1.98, 40):
+            S = float(np.max(den_hartog.S_ratio(np.linspace(0, np.pi / Omega, 2001)[1:-1], Omega)))
+            with np.errstate(invalid="ignore"):
+                A = float(den_hartog.amplitude(Omega, 1.0, ratio))
+            if A > 1.0001 * float(den_hartog.bound(Omega, 1.0, S)):
+                continuous = max(continuous, abs(steady_state(system, float(Omega), 1.0).A - A) / max(A, 1.0))
+                count += 1
+    stopping, most = 0.0, 0
+    for Omega, mu in ((0.75, 0.85), (0.45, 0.7), (0.21, 0.3), (0.12, 0.2), (0.06, 0.2), (0.06, 0.25)):
+        state = steady_state(Oscillator(linear(), mu, 0.0), Omega, 1.0)
+        with mp.workdps(40):
+            start = mp.mpf(float(state.unknowns[1])) / mp.mpf(Omega)
+            u, _, _ = exact_linear.one_turn(
+                mp.mpf(Omega), mp.mpf(1), mp.mpf(mu), start, mp.mpf(float(state.unknowns[0])), -1
+            )
+        stopping, most = max(stopping, abs(float(u) - float(state.unknowns[0]))), max(most, state.stops)
+    return [
+        Row(f"Den Hartog's (35) where (36) holds, {count} points", continuous, "", 1e-10),
+        Row(f"linear with 2 to {most} stops a turn against 40 digits", stopping, "", 1e-10),
+    ]
+
+
+def turns() -> list[Row]:
+    """200 turns at one frequency, with events."""
+    forced = Forced(table_1(False), 0.9, 0.04, default_integrator())
+    out = [Row("200 turns at Omega = 0.9, events", 1e3 * best(lambda: follow(forced, 0.0, 0.0, 0.0, 200 * TURN)), "ms")]
+    slow = ScipyIntegrator()
+    state = steady_state(table_1(False), 0.9, 0.04)
+    near = steady_state(table_1(False), 0.901, 0.04, state)
+    other = steady_state(table_1(False), 0.9, 0.04, near, integrator=slow)
+    job = lambda: steady_state(table_1(False), 0.9, 0.04, near, integrator=slow)  # noqa: E731
+    out.append(Row("one frequency by SciPy", 1e3 * best(job, 3), "ms"))
+    out.append(Row("amplitude by SciPy less that by heyoka", abs(other.A - state.A), "", 1e-9))
+    return out
+
+
+def direct() -> list[Row]:
+    """Appendix A: nu = 1000, 200 turns, the last 100; untruncated force."""
+    out = []
+    system = table_1(True)
+    for Omega in (0.6, 0.85, 0.95, 1.1):
+        exact = steady_state(system, Omega, 0.04)
+        start = time.perf_counter()
+        loose = direct_integration(system, Omega, 0.04)
+        elapsed = time.perf_counter() - start
+        tight = direct_integration(system, Omega, 0.04, rtol=1e-6, atol=1e-9, turns=100, kept=5)
+        out += [
+            Row(f"Appendix A at Omega = {Omega}: time", elapsed, "s"),
+            Row(f"Appendix A at Omega = {Omega}: largest sample / A - 1", loose.A_sampled / exact.A - 1, ""),
+            Row(f"Appendix A at Omega = {Omega}: turning points / A - 1", loose.A / exact.A - 1, ""),
+            Row(f"Appendix A at Omega = {Omega}: bias of the smoothing alone", tight.A / exact.A - 1, ""),
+        ]
+    return out
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--direct", action="store_true", help="Appendix A's direct integration too")
+    arguments = parser.parse_args()
+    print(f"integrator: {default_integrator().name}")
+    for row in rows() + (direct() if arguments.direct else []):
+        target = "" if row.bound is None else f"<= {row.bound:g}  {'kept' if row.kept else 'MISSED'}"
+        print(f"{row.measured:12.3g} {row.unit:3s} {target:20s} {row.job}")
+
+
+if __name__ == "__main__":
+    main()
