@@ -111,23 +111,9 @@ def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
             level = float(located.level[row, 1])
             if level <= located.level[row, 0] and level <= located.level[row + 1, 1]:
                 candidates.append((level, float(located.Omega[row, 1]), float(located.A[row, 1]), kind))
-    for b in model.breakpoints:
-        joint = (located.A >= b) & (located.A <= np.nextafter(b, np.inf))
-        candidates += [
-            (float(level), float(Omega), b, "corner")
-            for level, Omega in zip(located.level[joint], located.Omega[joint], strict=True)
-        ]
     for b, jump in zip(model.breakpoints, model.jumps, strict=True):
-        if jump == 0:
-            continue
-        A_b = np.array([b])
-        stationary, count = peak_roots(A_b, model.averaged(A_b)[0], model.m, model.zeta)
-        at = stationary[0, : count[0]]
-        below, above = (F_A(model, at, np.full_like(at, A)) for A in (b, float(np.nextafter(b, np.inf))))
-        for Omega in at[(below > 0) != (above > 0)]:
-            h = model.averaged(A_b)[0]
-            R, I = model.flow.R(Omega, b, h)[0], model.flow.I(Omega, b, model.m, model.zeta)
-            candidates.append((float(np.hypot(R, I)), float(Omega), b, "corner"))
+        if jump != 0:
+            candidates += [(*point, b, "corner") for point in _corner_candidates(model, b, located)]
     if not candidates:
         return SaddleNodeOnset(None, None, None, "", "no saddle node")
     F_SN, Omega, A, kind = min(candidates)
@@ -135,6 +121,26 @@ def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
     at_rest = bool(((located.mark == "zero") & (located.level < F_SN)).any())
     remark = f"below it, down to 4 mu/pi = {model.m:g}, there are folds that end at Omega = 0" if at_rest else ""
     return SaddleNodeOnset(F_SN, Omega, A, kind, remark)
+
+
+def _corner_candidates(model: Model, b: float, located: Spans) -> list[tuple[float, float]]:
+    """Level and Omega where the folds that sit on a breakpoint may have their lowest level.
+
+    They fill the Omega for which F_A changes its sign at b: from where the locus below b ends, or from R = 0, where the
+    locus above b comes in with h_A infinite; in between the level may be stationary (F_Omega = 0).
+    """
+    flow, A = model.flow, np.array([b])
+    h = model.averaged(A)[0]
+    Omegas = located.Omega[located.A == b].tolist()
+    if h[0] < 0:
+        Omegas.append(float(flow.backbone(A, h)[0]))
+    stationary, count = peak_roots(A, h, model.m, model.zeta)
+    at = stationary[0, : count[0]]
+    below, above = (F_A(model, at, np.full_like(at, side)) for side in (b, float(np.nextafter(b, np.inf))))
+    Omegas += at[(below > 0) != (above > 0)].tolist()
+    Omega = np.array(Omegas)
+    level = np.hypot(flow.R(Omega, b, h), flow.I(Omega, b, model.m, model.zeta))
+    return list(zip(level.tolist(), Omegas, strict=True))
 
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
