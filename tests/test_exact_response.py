@@ -65,15 +65,14 @@ def test_folds_lie_where_solutions_end(curves):
 def test_points_are_motions_and_stability_is_theirs(curves):
     """Some points of a curve, stable or not, and all folds and borders, come back when followed over a period."""
     for (exact, _), curve in curves.items():
-        inner, outer = table_1(exact).force.pieces
-        u_cr = table_1(exact).force.breakpoints[0]
-        jump = abs(outer.value(u_cr) - inner.value(u_cr))
         special = [i for i, point in enumerate(curve.states) if point.role]
         for index in (*range(0, curve.Omega.size, 40), *special):
-            state = curve.steady_state(index)
-            # just touching a jump of the force, a rounding of u is worth its square root in time beyond the jump
-            touching = curve.states[index].role in ("border", "corner")
-            assert state.residual <= (1e-12 + 2 * math.sqrt(2**-53) * jump if touching else 1e-12)
+            state, point = curve.steady_state(index), curve.states[index]
+            assert np.max(np.abs(point.equations.residual)) <= 1e-13
+            # Just touching a jump of the force, the motion followed is not Lipschitz in its start: a rounding of u grows
+            # to its square root at every touch. There only the equations can be checked.
+            touching = point.role in ("border", "corner") and not exact
+            assert touching or state.residual <= 1e-12
             assert state.A == pytest.approx(curve.A[index], abs=1e-12)
 
 

@@ -361,7 +361,8 @@ class _Path:
                 border = equations.borders[index]
                 return border.margin, border.gradient[:-1]
 
-            found = simple.cycle.newton(simple.z, self.F_0, at_border)
+            # to rounding: beyond a touching point everything grows like the square root of its error
+            found = simple.cycle.newton(simple.z, self.F_0, at_border, tolerance=1e-16)
             if found is not None and abs(found[0][0] - last.z[0]) < 1e-2 * last.z[0]:
                 return _Point(simple.cycle, *found, simple.tangent, role)
         return last._replace(role=role)
