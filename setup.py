@@ -1,8 +1,58 @@
 """The compiled part of the package: in go the C sources, out come extension modules; pyproject.toml says all else.
 
-Every extension is optional: where there is no C compiler the package installs without it and runs on NumPy.
+Every extension is optional: where there is no C compiler the package installs without it and runs on NumPy. The C is
+committed, so that building it needs NumPy's headers and nothing that derives or renders.
+
+To the solver's extension a further source is added by putting it into src/slowflow/native/solver/.
 """
 
-from setuptools import setup
+import sysconfig
+from pathlib import Path
 
-setup()
+import numpy as np
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+NATIVE = Path("src/slowflow/native")
+GENERATED = Path("generated")
+HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED / "c") for path in folder.rglob("*.h"))
+# Without GIL there is no stable ABI yet.
+STABLE_ABI = not sysconfig.get_config_var("Py_GIL_DISABLED")
+FLAGS = {
+    # strict IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps
+    "unix": ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fvisibility=hidden"],
+    "mingw32": ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"],
+    "msvc": ["/std:c11", "/O2", "/fp:precise"],
+}
+
+
+class Build(build_ext):
+    """Compiler flags by compiler."""
+
+    def build_extensions(self):
+        for extension in self.extensions:
+            extension.extra_compile_args = FLAGS.get(self.compiler.compiler_type, [])
+        super().build_extensions()
+
+
+def extension(name, sources):
+    """An optional extension module over C sources."""
+    return Extension(
+        name,
+        sorted(str(path) for path in sources),
+        include_dirs=[str(NATIVE), str(GENERATED / "c"), np.get_include()],
+        depends=HEADERS,
+        define_macros=[("Py_LIMITED_API", "0x030B0000")] if STABLE_ABI else [],
+        py_limited_api=STABLE_ABI,
+        optional=True,
+    )
+
+
+setup(
+    ext_modules=[
+        extension("slowflow_kernels._native", [NATIVE / "kernels.c", *(GENERATED / "native").glob("*.c")]),
+        extension("slowflow._native", (NATIVE / "solver").glob("*.c")),
+    ],
+    cmdclass={"build_ext": Build},
+    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI else {},
+)

@@ -4,6 +4,7 @@
     2. choose   Results                          -> Modules of Kernels                   (derivations.emit.kernels)
     3. passes   a kernel's lets and outputs      -> straight-line Programs               (derivations.emit.passes)
     4. print    Programs                         -> NumPy and C source, by template      (derivations.emit.render)
+                C functions                      -> loops for NumPy                      (derivations.emit.ufuncs)
     5. record   Results, sources                 -> MANIFEST.json                        (derivations.emit.write)
     6. write    file name -> text                -> files in DIR; stale files go         (derivations.emit.write)
 
@@ -22,6 +23,7 @@ from pathlib import Path
 
 from derivations.emit.kernels import all_modules
 from derivations.emit.render import render
+from derivations.emit.ufuncs import files as native_files
 from derivations.emit.write import MANIFEST, differences, manifest, on_disk, write
 from derivations.results import derive
 
@@ -34,6 +36,7 @@ def generate() -> dict[str, str]:
     results = derive()
     modules = all_modules(results)
     files, counts = render(modules)
+    files |= native_files(modules)
     # files |= ledger.files(results)
     return files | {MANIFEST: manifest(files, results, modules, counts)}
 

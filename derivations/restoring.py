@@ -135,7 +135,8 @@ class _End:
 
     @property
     def root(self) -> sp.Symbol:
-        return self.symbol("root")
+        # not positive: SymPy would put atan(b/root) for theta, and the quotient's rounding into it
+        return sp.Symbol("root" + self.suffix, nonnegative=True)
 
     def lets(self, powers: Sequence[int]) -> list[tuple[sp.Symbol, sp.Expr]]:
         """What the moments below need, and those from zero for these powers."""

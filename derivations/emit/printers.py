@@ -136,7 +136,7 @@ class _Rules:
 
 
 class CPrinter(_Rules, C99CodePrinter):
-    """C99, with math.h's functions."""
+    """C99, with math.h's functions and the arctangent of `arctangent`."""
 
     infinity = "INFINITY"
     functions = {
@@ -145,8 +145,7 @@ class CPrinter(_Rules, C99CodePrinter):
         sp.sin: "sin",
         sp.cos: "cos",
         sp.tan: "tan",
-        sp.atan: "atan",
-        sp.atan2: "atan2",
+        sp.atan2: "angles_atan2",
     }
 
     def _print_Symbol(self, expr: sp.Symbol) -> str:

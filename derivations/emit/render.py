@@ -25,6 +25,8 @@ from derivations.slow_flow import m
 
 HERE = Path(__file__).parent
 WIDTH = 116
+# the function that gives h and how many of its derivatives
+AVERAGE_FUNCTION = {0: "", 1: "h", 2: "averaged_2", 3: "averaged_3", 4: "averaged"}
 TOOLS = ("sympy", "python-flint", "jinja2")
 
 
@@ -58,10 +60,17 @@ class KernelView:
     partial: bool
     outputs_partial: tuple[bool, ...]
     unused: tuple[str, ...]
+    guard_names: tuple[str, ...]
 
     @property
     def doc(self) -> str:
         return self.kernel.doc
+
+    @property
+    def uses_angles(self) -> bool:
+        """Whether it calls the generated arctangent."""
+        texts = (text for branch in self.branches for text in (*branch.outputs, *(line.value for line in branch.lets)))
+        return any("angles_" in text for text in texts)
 
 
 @dataclass(frozen=True)
@@ -88,6 +97,11 @@ def versions() -> dict[str, str]:
     return {tool: importlib.metadata.version(tool) for tool in TOOLS}
 
 
+def tools() -> str:
+    """The same in words."""
+    return ", ".join(f"{tool} {version}" for tool, version in versions().items())
+
+
 def digest(path: Path) -> str:
     """SHA-256 of a file."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
@@ -101,9 +115,9 @@ def programs(module: Module) -> dict[str, tuple[Program, ...]]:
     }
 
 
-def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[str, object]]]:
-    """All files but the manifest, and the kernels' entries in it."""
-    environment = jinja2.Environment(
+def templates() -> jinja2.Environment:
+    """The folder of templates; what they use and nobody defined is an error."""
+    return jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
@@ -111,9 +125,14 @@ def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[st
         keep_trailing_newline=True,
         autoescape=False,
     )
+
+
+def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[str, object]]]:
+    """All files but the manifest, and the kernels' entries in it."""
+    environment = templates()
     environment.filters["fill"] = fill
     environment.filters["tuple"] = lambda names: f"({', '.join(names)}{',' if len(names) == 1 else ''})"
-    shared = {"tools": ", ".join(f"{tool} {version}" for tool, version in versions().items()), "AVERAGED": [symbol.name for symbol in AVERAGED], "modules": modules}
+    shared = {"tools": tools(), "AVERAGED": [symbol.name for symbol in AVERAGED], "modules": modules}
     files = {}
     manifest: dict[str, dict[str, object]] = {}
     for module in modules:
@@ -161,13 +180,14 @@ def fill(text: str, indent: int, first: int = 0) -> str:
 def view(kernel: Kernel, code: Sequence[Program], target: Target) -> KernelView:
     """A kernel printed for one target."""
     renamed = [target.names.get(argument.name, argument.name) for argument in kernel.arguments]
-    branches, used_anywhere = [], set()
+    branches, used_anywhere, used_by_guards = [], set(), set()
     reached = [True] * kernel.width
     for branch, program in zip(kernel.branches, code, strict=True):
         used = used_arguments(program, kernel)
         for k, names in enumerate(used):
             reached[k] = reached[k] and names == set(kernel.arguments)
         guard_symbols = set().union(*(side.free_symbols for pair in branch.guards for side in pair))
+        used_by_guards |= guard_symbols
         used_here = set().union(*used) | guard_symbols
         used_anywhere |= used_here
         branches.append(branch_view(branch, program, kernel, set().union(*used), target))
@@ -178,6 +198,7 @@ def view(kernel: Kernel, code: Sequence[Program], target: Target) -> KernelView:
         not all(reached),
         tuple(not full for full in reached),
         tuple(name for name, symbol in zip(renamed, kernel.arguments, strict=True) if symbol not in used_anywhere),
+        tuple(name for name, symbol in zip(renamed, kernel.arguments, strict=True) if symbol in used_by_guards),
     )
 
 
@@ -254,7 +275,7 @@ def composition_view(composition: Composition, module: Module, target: Target) -
         "plain": plain,
         "packed": packed,
         "averages": averages[:count],
-        "average_function": {0: "", 1: "h", 2: "averaged_2", 3: "averaged_3", 4: "averaged"}[count],
+        "average_function": AVERAGE_FUNCTION[count],
         "inner": inner,
         "passed": passed,
         "returns": composition.inner.returns,

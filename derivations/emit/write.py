@@ -18,6 +18,7 @@ from derivations.resultants import Elimination
 
 MANIFEST = "MANIFEST.json"
 COMMAND = "make derive"
+COMPILED = (".so", ".pyd")
 
 
 def manifest(files: dict[str, str], results: Results, modules: list[Module], counts: dict[str, object]) -> str:
@@ -61,11 +62,11 @@ def facts(elimination: Elimination) -> dict[str, object]:
 
 
 def on_disk(folder: Path) -> dict[str, str]:
-    """Every file of a generated folder by name; caches of the interpreter are none of ours."""
+    """Every file of a generated folder by name; caches of the interpreter and compiled extensions are none of ours."""
     return {
         path.relative_to(folder).as_posix(): path.read_bytes().decode(errors="replace")
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and "__pycache__" not in path.parts
+        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in COMPILED
     }
 
 

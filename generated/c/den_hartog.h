@@ -22,50 +22,53 @@ static inline double den_hartog_V(double Omega)
 
 /* Damping function.
    Equation (37). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Operations: 5 structured, 5 common subexpressions, 5 power chains
  */
 static inline double den_hartog_U(double Omega)
 {
     const double t0 = 1.0 / Omega;
-    return t0 * tan(1.5707963267948966 * t0);
+    return t0 / (tan(1.5707963267948966 * t0 * (Omega - 1.0)));
 }
 
 /* S is the maximum of this over 0 < tau < pi/Omega.
    Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 21 structured, 20 common subexpressions, 20 power chains
+   Operations: 24 structured, 22 common subexpressions, 22 power chains
  */
 static inline double den_hartog_S_ratio(double tau, double Omega)
 {
     const double t0 = 1.0 / Omega;
-    const double U = t0 * tan(1.5707963267948966 * t0);
-    const double t1 = 0.5 * tau;
-    return Omega * (-2.0 * Omega * U * sin(t1 * (Omega - 1.0)) * sin(t1 * (Omega + 1.0)) + sin(tau)) /
-        (sin(Omega * tau));
+    const double t1 = Omega - 1.0;
+    const double U = t0 / (tan(1.5707963267948966 * t0 * t1));
+    const double t2 = 0.5 * tau;
+    return (-2.0 * Omega * Omega * U * sin(t1 * t2) * sin(t2 * (Omega + 1.0)) + Omega * sin(tau)) / (sin(Omega *
+        tau));
 }
 
 /* Amplitude of the motion.
    Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 14 structured, 12 common subexpressions, 12 power chains
+   Operations: 16 structured, 13 common subexpressions, 13 power chains
  */
 static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
 {
-    const double V = -1.0 / ((Omega - 1.0) * (Omega + 1.0));
-    const double t0 = 1.0 / Omega;
-    const double U = t0 * tan(1.5707963267948966 * t0);
-    const double t1 = F_0 * V;
-    const double t2 = U * mu;
-    return sqrt((t1 - t2) * (t1 + t2));
+    const double t0 = Omega - 1.0;
+    const double V = -1.0 / (t0 * (Omega + 1.0));
+    const double t1 = 1.0 / Omega;
+    const double U = t1 / (tan(1.5707963267948966 * t0 * t1));
+    const double t2 = F_0 * V;
+    const double t3 = U * mu;
+    return sqrt((t2 - t3) * (t2 + t3));
 }
 
 /* The motion has no stops while its amplitude exceeds this.
    Equation (36). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 19 structured, 19 common subexpressions, 18 power chains
+   Operations: 21 structured, 20 common subexpressions, 19 power chains
  */
 static inline double den_hartog_bound(double Omega, double F_0, double S)
 {
-    const double V = -1.0 / ((Omega - 1.0) * (Omega + 1.0));
-    const double t0 = 1.0 / Omega;
-    const double U = t0 * tan(1.5707963267948966 * t0);
+    const double t0 = Omega - 1.0;
+    const double V = -1.0 / (t0 * (Omega + 1.0));
+    const double t1 = 1.0 / Omega;
+    const double U = t1 / (tan(1.5707963267948966 * t0 * t1));
     const double Omega2 = Omega * Omega;
     const double Omega4 = Omega2 * Omega2;
     return F_0 * fabs(S) * fabs(V) / (sqrt(Omega4 * U * U + S * S));
@@ -73,15 +76,17 @@ static inline double den_hartog_bound(double Omega, double F_0, double S)
 
 /* Displacement tau after a maximum.
    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 20 structured, 18 common subexpressions, 18 power chains
+   Operations: 30 structured, 26 common subexpressions, 26 power chains
  */
 static inline double den_hartog_motion(double tau, double Omega, double A, double mu)
 {
     const double t0 = 1.0 / Omega;
-    const double U = t0 * tan(1.5707963267948966 * t0);
-    const double t1 = Omega * tau;
-    const double t2 = U * mu;
-    return A * cos(t1) - Omega * t2 * sin(tau) - mu * cos(tau) + mu + t2 * sin(t1);
+    const double t1 = Omega - 1.0;
+    const double U = t0 / (tan(1.5707963267948966 * t0 * t1));
+    const double t2 = Omega * tau;
+    const double t3 = 0.5 * tau;
+    return A * cos(t2) + U * mu * (-t1 * sin(tau) + 2.0 * sin(t1 * t3) * cos(0.5 * t2 + t3)) - mu * cos(tau) +
+        mu;
 }
 
 #endif

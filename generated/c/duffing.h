@@ -143,7 +143,9 @@ static inline void duffing_coefficients(double kappa_1, double kappa_3, double *
  */
 static inline void duffing_breakpoints(const double *p, double *out)
 {
+    (void)(out);
     (void)(p);
+    (void)(out);
 }
 
 /* What the truncated force loses at each breakpoint: f below less f above.
@@ -152,7 +154,9 @@ static inline void duffing_breakpoints(const double *p, double *out)
  */
 static inline void duffing_jumps(const double *p, double *out)
 {
+    (void)(out);
     (void)(p);
+    (void)(out);
 }
 
 /* Whole dimensionless restoring force u + F_k(u), truncated.

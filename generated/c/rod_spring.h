@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "angles.h"
+
 #include "slow_flow.h"
 
 /* alpha, beta, gamma, u_cr */
@@ -20,78 +22,88 @@
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
-   Operations where passed_1: 250 structured, 119 common subexpressions, 112 power chains
-   Operations where passed_1_far_1: 306 structured, 164 common subexpressions, 152 power chains
+   Operations where passed_1: 249 structured, 119 common subexpressions, 112 power chains
+   Operations where passed_1_far_1: 306 structured, 165 common subexpressions, 153 power chains
  */
-static inline void rod_spring_averaged(double A, const double *p, double *out)
+static inline void rod_spring_averaged_passed_0(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double t0 = -alpha;
+    const double t1 = A * A;
+    const double t2 = gamma * t1;
+    const double t3 = 4.5 * beta;
+    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+    out[2] = A * (-12.5 * t2 - t3);
+    out[3] = -37.5 * t2 - t3;
+}
+
+static inline void rod_spring_averaged_passed_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
     const double u_cr = p[3];
-    if (A <= u_cr) {
-        const double t0 = -alpha;
-        const double t1 = A * A;
-        const double t2 = gamma * t1;
-        const double t3 = 4.5 * beta;
-        out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
-        out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
-        out[2] = A * (-12.5 * t2 - t3);
-        out[3] = -37.5 * t2 - t3;
-        return;
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double psi_0 = atan2(root, u_cr);
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * y;
-        const double t3 = 0.5 * t2;
-        const double M2 = -t3 + 0.5 * theta;
-        const double t4 = x * x;
-        const double M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta;
-        const double M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double S2_2 = 0.5 * psi_0 + t3;
-        const double A2 = A * A;
-        const double t5 = M4 * beta;
-        const double A4 = A2 * A2;
-        const double t6 = M6 * gamma;
-        const double t7 = A4 * t6;
-        const double t8 = M2 * alpha + S2_2;
-        const double t9 = 3.0 * beta;
-        const double t10 = 1.0 / A2;
-        const double u_cr2 = u_cr * u_cr;
-        const double u_cr3 = u_cr * u_cr2;
-        const double t11 = gamma * u_cr2;
-        const double t12 = alpha - 1.0;
-        const double t13 = t12 + u_cr2 * (beta + t11);
-        const double t14 = 6.0 * t5;
-        const double A3 = A * A2;
-        const double t15 = t13 * u_cr3;
-        const double root2 = root * root;
-        const double root3 = root * root2;
-        const double t16 = 1.0 / root3;
-        const double t17 = t15 * t16;
-        const double t18 = t1 / A3;
-        const double t19 = u_cr3 * (-t12 - u_cr2 * (5.0 * t11 + t9));
-        const double t20 = t1 / A4;
-        const double u_cr4 = u_cr2 * u_cr2;
-        const double u_cr5 = u_cr * u_cr4;
-        out[0] = -1.2732395447351628 * A * (A2 * t5 + t7 + t8);
-        out[1] = 1.2732395447351628 * (-A2 * M4 * t9 + t1 * t10 * t13 * u_cr3 - 5.0 * t7 - t8);
-        out[2] = -1.2732395447351628 * (A * t14 + 20.0 * A3 * t6 + t0 * t17 + 2.0 * t15 * t18 + t18 * t19);
-        out[3] = 1.2732395447351628 * (-60.0 * A2 * t6 + t10 * t15 * t16 + t10 * t16 * t19 - t14 + 6.0 * t15 * t20 +
-        t17 * (2.0 * t10 + 3.0 / root2) + 3.0 * t19 * t20 + 2.0 * t20 * u_cr5 * (10.0 * t11 + t9));
-        return;
-    }
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = atan2(root, u_cr);
+    const double psi_0 = angles_atan2(root, u_cr);
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * y;
+    const double t2 = 0.5 * t1;
+    const double M2 = -t2 + 0.5 * theta;
+    const double t3 = x * x;
+    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double S2_2 = 0.5 * psi_0 + t2;
+    const double A2 = A * A;
+    const double t4 = M4 * beta;
+    const double A4 = A2 * A2;
+    const double t5 = M6 * gamma;
+    const double t6 = A4 * t5;
+    const double t7 = M2 * alpha + S2_2;
+    const double t8 = 3.0 * beta;
+    const double t9 = 1.0 / A2;
+    const double t10 = 1.0 / root;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t11 = gamma * u_cr2;
+    const double t12 = alpha - 1.0;
+    const double t13 = t12 + u_cr2 * (beta + t11);
+    const double t14 = 6.0 * t4;
+    const double A3 = A * A2;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double t15 = u_cr3 / root3;
+    const double t16 = t13 * t15;
+    const double t17 = t10 * u_cr3;
+    const double t18 = t17 / A3;
+    const double t19 = -t12 - u_cr2 * (5.0 * t11 + t8);
+    const double t20 = 1.0 / A4;
+    const double t21 = t17 * t20;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    out[0] = -1.2732395447351628 * A * (A2 * t4 + t6 + t7);
+    out[1] = 1.2732395447351628 * (-A2 * M4 * t8 + t10 * t13 * t9 * u_cr3 - 5.0 * t6 - t7);
+    out[2] = -1.2732395447351628 * (A * t14 + 20.0 * A3 * t5 + t0 * t16 + 2.0 * t13 * t18 + t18 * t19);
+    out[3] = 1.2732395447351628 * (-60.0 * A2 * t5 + 2.0 * t10 * t20 * u_cr5 * (10.0 * t11 + t8) + t13 * t15 * t9
+        + 6.0 * t13 * t21 - t14 + t15 * t19 * t9 + t16 * (2.0 * t9 + 3.0 / root2) + 3.0 * t19 * t21);
+}
+
+static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / (sqrt(2.0 * y + 2.0));
     const double s2 = s * s;
     const double s3 = s * s2;
@@ -127,87 +139,111 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
     const double t10 = t9 + u_cr2 * (beta + t8);
     const double t11 = 6.0 * t1;
     const double A3 = A * A2;
-    const double t12 = t10 * u_cr3;
     const double root2 = root * root;
     const double root3 = root * root2;
-    const double t13 = 1.0 / root3;
-    const double t14 = t12 * t13;
-    const double t15 = t7 / A3;
-    const double t16 = u_cr3 * (-t9 - u_cr2 * (t5 + 5.0 * t8));
-    const double t17 = t7 / A4;
+    const double t12 = u_cr3 / root3;
+    const double t13 = t10 * t12;
+    const double t14 = t7 * u_cr3;
+    const double t15 = t14 / A3;
+    const double t16 = -t9 - u_cr2 * (t5 + 5.0 * t8);
+    const double t17 = 1.0 / A4;
+    const double t18 = t14 * t17;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
     out[0] = -1.2732395447351628 * A * (A2 * t1 + t3 + t4);
     out[1] = 1.2732395447351628 * (-A2 * M4 * t5 + t10 * t6 * t7 * u_cr3 - 5.0 * t3 - t4);
-    out[2] = -1.2732395447351628 * (A * t11 + 20.0 * A3 * t2 + t0 * t14 + 2.0 * t12 * t15 + t15 * t16);
-    out[3] = 1.2732395447351628 * (-60.0 * A2 * t2 - t11 + t12 * t13 * t6 + 6.0 * t12 * t17 + t13 * t16 * t6 + t14
-        * (2.0 * t6 + 3.0 / root2) + 3.0 * t16 * t17 + 2.0 * t17 * u_cr5 * (t5 + 10.0 * t8));
+    out[2] = -1.2732395447351628 * (A * t11 + 20.0 * A3 * t2 + t0 * t13 + 2.0 * t10 * t15 + t15 * t16);
+    out[3] = 1.2732395447351628 * (-60.0 * A2 * t2 + t10 * t12 * t6 + 6.0 * t10 * t18 - t11 + t12 * t16 * t6 + t13
+        * (2.0 * t6 + 3.0 / root2) + 3.0 * t16 * t18 + 2.0 * t17 * t7 * u_cr5 * (t5 + 10.0 * t8));
+}
+
+static inline void rod_spring_averaged(double A, const double *p, double *out)
+{
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        rod_spring_averaged_passed_0(A, p, out);
+        return;
+    }
+    if (A <= 1.25 * u_cr) {
+        rod_spring_averaged_passed_1(A, p, out);
+        return;
+    }
+    rod_spring_averaged_passed_1_far_1(A, p, out);
 }
 
 /* h, h_A, h_AA together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 23 structured, 17 common subexpressions, 17 power chains
-   Operations where passed_1: 135 structured, 87 common subexpressions, 83 power chains
+   Operations where passed_1: 134 structured, 86 common subexpressions, 82 power chains
    Operations where passed_1_far_1: 191 structured, 132 common subexpressions, 123 power chains
  */
-static inline void rod_spring_averaged_3(double A, const double *p, double *out)
+static inline void rod_spring_averaged_3_passed_0(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double t0 = -alpha;
+    const double t1 = A * A;
+    const double t2 = gamma * t1;
+    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+    out[2] = A * (-4.5 * beta - 12.5 * t2);
+}
+
+static inline void rod_spring_averaged_3_passed_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
     const double u_cr = p[3];
-    if (A <= u_cr) {
-        const double t0 = -alpha;
-        const double t1 = A * A;
-        const double t2 = gamma * t1;
-        out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
-        out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
-        out[2] = A * (-4.5 * beta - 12.5 * t2);
-        return;
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double psi_0 = atan2(root, u_cr);
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * y;
-        const double t3 = 0.5 * t2;
-        const double M2 = -t3 + 0.5 * theta;
-        const double t4 = x * x;
-        const double M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta;
-        const double M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double S2_2 = 0.5 * psi_0 + t3;
-        const double A2 = A * A;
-        const double t5 = A2 * M4;
-        const double t6 = M6 * gamma;
-        const double A4 = A2 * A2;
-        const double t7 = A4 * t6;
-        const double t8 = M2 * alpha + S2_2;
-        const double t9 = 3.0 * beta;
-        const double u_cr2 = u_cr * u_cr;
-        const double u_cr3 = u_cr * u_cr2;
-        const double t10 = gamma * u_cr2;
-        const double t11 = alpha - 1.0;
-        const double t12 = t11 + u_cr2 * (beta + t10);
-        const double A3 = A * A2;
-        const double t13 = t12 * u_cr3;
-        const double t14 = 1.0 / A3;
-        const double root2 = root * root;
-        const double root3 = root * root2;
-        out[0] = -1.2732395447351628 * A * (beta * t5 + t7 + t8);
-        out[1] = 1.2732395447351628 * (-t5 * t9 - 5.0 * t7 - t8 + t1 * t12 * u_cr3 / A2);
-        out[2] = -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t6 + 2.0 * t1 * t13 * t14 + t1 * t14 * u_cr3
-        * (-t11 - u_cr2 * (5.0 * t10 + t9)) + t0 * t13 / root3);
-        return;
-    }
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = atan2(root, u_cr);
+    const double psi_0 = angles_atan2(root, u_cr);
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * y;
+    const double t2 = 0.5 * t1;
+    const double M2 = -t2 + 0.5 * theta;
+    const double t3 = x * x;
+    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double S2_2 = 0.5 * psi_0 + t2;
+    const double A2 = A * A;
+    const double t4 = A2 * M4;
+    const double t5 = M6 * gamma;
+    const double A4 = A2 * A2;
+    const double t6 = A4 * t5;
+    const double t7 = M2 * alpha + S2_2;
+    const double t8 = 3.0 * beta;
+    const double t9 = 1.0 / root;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t10 = gamma * u_cr2;
+    const double t11 = alpha - 1.0;
+    const double t12 = t11 + u_cr2 * (beta + t10);
+    const double A3 = A * A2;
+    const double t13 = 1.0 / A3;
+    const double t14 = t9 * u_cr3;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    out[0] = -1.2732395447351628 * A * (beta * t4 + t6 + t7);
+    out[1] = 1.2732395447351628 * (-t4 * t8 - 5.0 * t6 - t7 + t12 * t9 * u_cr3 / A2);
+    out[2] = -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t5 + 2.0 * t12 * t13 * t14 + t13 * t14 *
+        (-t11 - u_cr2 * (5.0 * t10 + t8)) + t0 * t12 * u_cr3 / root3);
+}
+
+static inline void rod_spring_averaged_3_passed_1_far_1(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / (sqrt(2.0 * y + 2.0));
     const double s2 = s * s;
     const double s3 = s * s2;
@@ -241,68 +277,90 @@ static inline void rod_spring_averaged_3(double A, const double *p, double *out)
     const double t8 = alpha - 1.0;
     const double t9 = t8 + u_cr2 * (beta + t7);
     const double A3 = A * A2;
-    const double t10 = t9 * u_cr3;
-    const double t11 = 1.0 / A3;
+    const double t10 = 1.0 / A3;
+    const double t11 = t6 * u_cr3;
     const double root2 = root * root;
     const double root3 = root * root2;
     out[0] = -1.2732395447351628 * A * (beta * t1 + t3 + t4);
     out[1] = 1.2732395447351628 * (-t1 * t5 - 5.0 * t3 - t4 + t6 * t9 * u_cr3 / A2);
-    out[2] = -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t2 + 2.0 * t10 * t11 * t6 + t11 * t6 * u_cr3
-        * (-t8 - u_cr2 * (t5 + 5.0 * t7)) + t0 * t10 / root3);
+    out[2] = -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t2 + 2.0 * t10 * t11 * t9 + t10 * t11 * (-t8
+        - u_cr2 * (t5 + 5.0 * t7)) + t0 * t9 * u_cr3 / root3);
+}
+
+static inline void rod_spring_averaged_3(double A, const double *p, double *out)
+{
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        rod_spring_averaged_3_passed_0(A, p, out);
+        return;
+    }
+    if (A <= 1.25 * u_cr) {
+        rod_spring_averaged_3_passed_1(A, p, out);
+        return;
+    }
+    rod_spring_averaged_3_passed_1_far_1(A, p, out);
 }
 
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
-   Operations where passed_1: 77 structured, 59 common subexpressions, 56 power chains
+   Operations where passed_1: 76 structured, 58 common subexpressions, 55 power chains
    Operations where passed_1_far_1: 133 structured, 104 common subexpressions, 96 power chains
  */
-static inline void rod_spring_averaged_2(double A, const double *p, double *out)
+static inline void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double t0 = -alpha;
+    const double t1 = A * A;
+    const double t2 = gamma * t1;
+    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+}
+
+static inline void rod_spring_averaged_2_passed_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
     const double u_cr = p[3];
-    if (A <= u_cr) {
-        const double t0 = -alpha;
-        const double t1 = A * A;
-        const double t2 = gamma * t1;
-        out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
-        out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
-        return;
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double psi_0 = atan2(root, u_cr);
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * y;
-        const double t3 = 0.5 * t2;
-        const double M2 = -t3 + 0.5 * theta;
-        const double t4 = x * x;
-        const double M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta;
-        const double M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double S2_2 = 0.5 * psi_0 + t3;
-        const double A2 = A * A;
-        const double t5 = A2 * M4 * beta;
-        const double A4 = A2 * A2;
-        const double t6 = A4 * M6 * gamma;
-        const double t7 = M2 * alpha + S2_2;
-        const double u_cr2 = u_cr * u_cr;
-        const double u_cr3 = u_cr * u_cr2;
-        out[0] = -1.2732395447351628 * A * (t5 + t6 + t7);
-        out[1] = 1.2732395447351628 * (-3.0 * t5 - 5.0 * t6 - t7 + t1 * u_cr3 * (alpha + u_cr2 * (beta + gamma *
-        u_cr2) - 1.0) / A2);
-        return;
-    }
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = atan2(root, u_cr);
+    const double psi_0 = angles_atan2(root, u_cr);
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * y;
+    const double t2 = 0.5 * t1;
+    const double M2 = -t2 + 0.5 * theta;
+    const double t3 = x * x;
+    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double S2_2 = 0.5 * psi_0 + t2;
+    const double A2 = A * A;
+    const double t4 = A2 * M4 * beta;
+    const double A4 = A2 * A2;
+    const double t5 = A4 * M6 * gamma;
+    const double t6 = M2 * alpha + S2_2;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    out[0] = -1.2732395447351628 * A * (t4 + t5 + t6);
+    out[1] = 1.2732395447351628 * (-3.0 * t4 - 5.0 * t5 - t6 + u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) -
+        1.0) / (A2 * root));
+}
+
+static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / (sqrt(2.0 * y + 2.0));
     const double s2 = s * s;
     const double s3 = s * s2;
@@ -334,41 +392,60 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
         1.0) / (A2 * root));
 }
 
+static inline void rod_spring_averaged_2(double A, const double *p, double *out)
+{
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        rod_spring_averaged_2_passed_0(A, p, out);
+        return;
+    }
+    if (A <= 1.25 * u_cr) {
+        rod_spring_averaged_2_passed_1(A, p, out);
+        return;
+    }
+    rod_spring_averaged_2_passed_1_far_1(A, p, out);
+}
+
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
-   Operations where passed_1: 48 structured, 42 common subexpressions, 40 power chains
+   Operations where passed_1: 47 structured, 41 common subexpressions, 39 power chains
    Operations where passed_1_far_1: 104 structured, 87 common subexpressions, 80 power chains
  */
-static inline double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
+static inline double rod_spring_h_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    if (A <= u_cr) {
-        const double t0 = A * A;
-        return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0));
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double psi_0 = atan2(root, u_cr);
-        const double theta = atan(u_cr / root);
-        const double t1 = x * y;
-        const double t2 = 0.5 * t1;
-        const double M2 = -t2 + 0.5 * theta;
-        const double t3 = x * x;
-        const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
-        const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double S2_2 = 0.5 * psi_0 + t2;
-        const double A2 = A * A;
-        const double A4 = A2 * A2;
-        return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2);
-    }
+    (void)(u_cr);
+    const double t0 = A * A;
+    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0));
+}
+
+static inline double rod_spring_h_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = atan2(root, u_cr);
+    const double psi_0 = angles_atan2(root, u_cr);
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * y;
+    const double t2 = 0.5 * t1;
+    const double M2 = -t2 + 0.5 * theta;
+    const double t3 = x * x;
+    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double S2_2 = 0.5 * psi_0 + t2;
+    const double A2 = A * A;
+    const double A4 = A2 * A2;
+    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2);
+}
+
+static inline double rod_spring_h_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / (sqrt(2.0 * y + 2.0));
     const double s2 = s * s;
     const double s3 = s * s2;
@@ -393,45 +470,58 @@ static inline double rod_spring_h(double A, double alpha, double beta, double ga
     return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2);
 }
 
+static inline double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_h_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_h_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_h_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+}
+
 /* d/dA of the averaged restoring force h = H - A.
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 8 structured, 7 common subexpressions, 7 power chains
-   Operations where passed_1: 63 structured, 55 common subexpressions, 52 power chains
+   Operations where passed_1: 62 structured, 54 common subexpressions, 51 power chains
    Operations where passed_1_far_1: 119 structured, 100 common subexpressions, 92 power chains
  */
-static inline double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
+static inline double rod_spring_h_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    if (A <= u_cr) {
-        const double t0 = A * A;
-        return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0);
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double psi_0 = atan2(root, u_cr);
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * y;
-        const double t3 = 0.5 * t2;
-        const double M2 = -t3 + 0.5 * theta;
-        const double t4 = x * x;
-        const double M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta;
-        const double M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double S2_2 = 0.5 * psi_0 + t3;
-        const double A2 = A * A;
-        const double u_cr2 = u_cr * u_cr;
-        const double A4 = A2 * A2;
-        const double u_cr3 = u_cr * u_cr2;
-        return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + t1 * u_cr3
-        * (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / A2);
-    }
+    (void)(u_cr);
+    const double t0 = A * A;
+    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0);
+}
+
+static inline double rod_spring_h_A_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = atan2(root, u_cr);
+    const double psi_0 = angles_atan2(root, u_cr);
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * y;
+    const double t2 = 0.5 * t1;
+    const double M2 = -t2 + 0.5 * theta;
+    const double t3 = x * x;
+    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double S2_2 = 0.5 * psi_0 + t2;
+    const double A2 = A * A;
+    const double u_cr2 = u_cr * u_cr;
+    const double A4 = A2 * A2;
+    const double u_cr3 = u_cr * u_cr2;
+    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 *
+        (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root));
+}
+
+static inline double rod_spring_h_A_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / (sqrt(2.0 * y + 2.0));
     const double s2 = s * s;
     const double s3 = s * s2;
@@ -459,41 +549,55 @@ static inline double rod_spring_h_A(double A, double alpha, double beta, double 
         (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root));
 }
 
+static inline double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_h_A_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_h_A_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+}
+
 /* d2/dA2 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
-   Operations where passed_1: 83 structured, 58 common subexpressions, 57 power chains
+   Operations where passed_1: 82 structured, 57 common subexpressions, 56 power chains
    Operations where passed_1_far_1: 137 structured, 98 common subexpressions, 93 power chains
  */
-static inline double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
+static inline double rod_spring_h_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    if (A <= u_cr) {
-        return A * (-12.5 * A * A * gamma - 4.5 * beta);
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * x;
-        const double t3 = x * y;
-        const double M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta;
-        const double M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double A2 = A * A;
-        const double A3 = A * A2;
-        const double u_cr2 = u_cr * u_cr;
-        const double u_cr3 = u_cr * u_cr2;
-        const double t4 = gamma * u_cr2;
-        const double t5 = alpha - 1.0;
-        const double t6 = u_cr3 * (t5 + u_cr2 * (beta + t4));
-        const double t7 = t1 / A3;
-        const double root2 = root * root;
-        const double root3 = root * root2;
-        return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t6 * t7 + t7 * u_cr3 *
-        (-t5 - u_cr2 * (3.0 * beta + 5.0 * t4)) + t0 * t6 / root3);
-    }
+    (void)(alpha);
+    (void)(u_cr);
+    return A * (-12.5 * A * A * gamma - 4.5 * beta);
+}
+
+static inline double rod_spring_h_AA_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * x;
+    const double t2 = x * y;
+    const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
+    const double M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t3 = gamma * u_cr2;
+    const double t4 = alpha - 1.0;
+    const double t5 = t4 + u_cr2 * (beta + t3);
+    const double t6 = u_cr3 / (A3 * root);
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 -
+        u_cr2 * (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3);
+}
+
+static inline double rod_spring_h_AA_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -520,57 +624,71 @@ static inline double rod_spring_h_AA(double A, double alpha, double beta, double
     const double u_cr3 = u_cr * u_cr2;
     const double t1 = gamma * u_cr2;
     const double t2 = alpha - 1.0;
-    const double t3 = u_cr3 * (t2 + u_cr2 * (beta + t1));
-    const double t4 = 1.0 / (A3 * root);
+    const double t3 = t2 + u_cr2 * (beta + t1);
+    const double t4 = u_cr3 / (A3 * root);
     const double root2 = root * root;
     const double root3 = root * root2;
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * u_cr3 *
-        (-t2 - u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 / root3);
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 -
+        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3);
+}
+
+static inline double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_h_AA_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_h_AA_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr);
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 5 structured, 5 common subexpressions, 5 power chains
-   Operations where passed_1: 140 structured, 79 common subexpressions, 73 power chains
+   Operations where passed_1: 139 structured, 78 common subexpressions, 72 power chains
    Operations where passed_1_far_1: 194 structured, 119 common subexpressions, 109 power chains
  */
-static inline double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
+static inline double rod_spring_h_AAA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    if (A <= u_cr) {
-        return -37.5 * A * A * gamma - 4.5 * beta;
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * x;
-        const double t3 = x * y;
-        const double M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta;
-        const double M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double A2 = A * A;
-        const double t4 = 3.0 * beta;
-        const double u_cr2 = u_cr * u_cr;
-        const double t5 = gamma * u_cr2;
-        const double A4 = A2 * A2;
-        const double t6 = t1 / A4;
-        const double t7 = alpha - 1.0;
-        const double t8 = t7 + u_cr2 * (beta + t5);
-        const double t9 = 1.0 / A2;
-        const double u_cr3 = u_cr * u_cr2;
-        const double root2 = root * root;
-        const double root3 = root * root2;
-        const double t10 = u_cr3 / root3;
-        const double t11 = t10 * t9;
-        const double t12 = t6 * u_cr3;
-        const double t13 = -t7 - u_cr2 * (t4 + 5.0 * t5);
-        const double u_cr4 = u_cr2 * u_cr2;
-        const double u_cr5 = u_cr * u_cr4;
-        return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 * (2.0 * t9 + 3.0 / root2)
-        + t11 * t13 + t11 * t8 + 3.0 * t12 * t13 + 6.0 * t12 * t8 + 2.0 * t6 * u_cr5 * (t4 + 10.0 * t5));
-    }
+    (void)(alpha);
+    (void)(u_cr);
+    return -37.5 * A * A * gamma - 4.5 * beta;
+}
+
+static inline double rod_spring_h_AAA_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * x;
+    const double t2 = x * y;
+    const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
+    const double M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double A2 = A * A;
+    const double t3 = 3.0 * beta;
+    const double u_cr2 = u_cr * u_cr;
+    const double t4 = gamma * u_cr2;
+    const double A4 = A2 * A2;
+    const double t5 = 1.0 / (A4 * root);
+    const double t6 = alpha - 1.0;
+    const double t7 = t6 + u_cr2 * (beta + t4);
+    const double t8 = 1.0 / A2;
+    const double u_cr3 = u_cr * u_cr2;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double t9 = u_cr3 / root3;
+    const double t10 = t8 * t9;
+    const double t11 = t5 * u_cr3;
+    const double t12 = -t6 - u_cr2 * (t3 + 5.0 * t4);
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t12 + t10 * t7 + 3.0 * t11 *
+        t12 + 6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2));
+}
+
+static inline double rod_spring_h_AAA_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -613,33 +731,47 @@ static inline double rod_spring_h_AAA(double A, double alpha, double beta, doubl
         t3 * u_cr5 * (t1 + 10.0 * t2) + t5 * t7 * (2.0 * t6 + 3.0 / root2) + t5 * t8 + 6.0 * t5 * t9);
 }
 
+static inline double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_h_AAA_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_h_AAA_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+}
+
 /* The averaged force H beside the vertical spring.
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 10 structured, 9 common subexpressions, 9 power chains
-   Operations where passed_1: 43 structured, 39 common subexpressions, 37 power chains
+   Operations where passed_1: 42 structured, 38 common subexpressions, 36 power chains
    Operations where passed_1_far_1: 99 structured, 82 common subexpressions, 75 power chains
  */
-static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
+static inline double rod_spring_H_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    if (A <= u_cr) {
-        const double t0 = A * A;
-        return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0);
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double theta = atan(u_cr / root);
-        const double t1 = x * y;
-        const double M2 = -0.5 * t1 + 0.5 * theta;
-        const double t2 = x * x;
-        const double M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta;
-        const double M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double A2 = A * A;
-        const double A4 = A2 * A2;
-        return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0));
-    }
+    (void)(u_cr);
+    const double t0 = A * A;
+    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0);
+}
+
+static inline double rod_spring_H_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * y;
+    const double M2 = -0.5 * t1 + 0.5 * theta;
+    const double t2 = x * x;
+    const double M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double A2 = A * A;
+    const double A4 = A2 * A2;
+    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0));
+}
+
+static inline double rod_spring_H_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -667,38 +799,51 @@ static inline double rod_spring_H(double A, double alpha, double beta, double ga
     return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0));
 }
 
+static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_H_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_H_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_H_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+}
+
 /* d/dA of the averaged force H beside the vertical spring.
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
-   Operations where passed_1: 58 structured, 51 common subexpressions, 48 power chains
+   Operations where passed_1: 57 structured, 50 common subexpressions, 47 power chains
    Operations where passed_1_far_1: 114 structured, 94 common subexpressions, 86 power chains
  */
-static inline double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
+static inline double rod_spring_H_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    if (A <= u_cr) {
-        const double t0 = A * A;
-        return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0;
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * y;
-        const double M2 = -0.5 * t2 + 0.5 * theta;
-        const double t3 = x * x;
-        const double M4 = -t2 * (0.25 * t3 + 0.375) + 0.375 * theta;
-        const double M6 = -t2 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double t4 = alpha - 1.0;
-        const double A2 = A * A;
-        const double u_cr2 = u_cr * u_cr;
-        const double A4 = A2 * A2;
-        const double u_cr3 = u_cr * u_cr2;
-        return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t4 + t1 * u_cr3 * (t4 +
-        u_cr2 * (beta + gamma * u_cr2)) / A2);
-    }
+    (void)(u_cr);
+    const double t0 = A * A;
+    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0;
+}
+
+static inline double rod_spring_H_A_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * y;
+    const double M2 = -0.5 * t1 + 0.5 * theta;
+    const double t2 = x * x;
+    const double M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double t3 = alpha - 1.0;
+    const double A2 = A * A;
+    const double u_cr2 = u_cr * u_cr;
+    const double A4 = A2 * A2;
+    const double u_cr3 = u_cr * u_cr2;
+    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t3 + u_cr3 * (t3 + u_cr2 *
+        (beta + gamma * u_cr2)) / (A2 * root));
+}
+
+static inline double rod_spring_H_A_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -730,41 +875,55 @@ static inline double rod_spring_H_A(double A, double alpha, double beta, double 
         (beta + gamma * u_cr2)) / (A2 * root));
 }
 
+static inline double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_H_A_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_H_A_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+}
+
 /* d2/dA2 of the averaged force H beside the vertical spring.
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
-   Operations where passed_1: 83 structured, 58 common subexpressions, 57 power chains
+   Operations where passed_1: 82 structured, 57 common subexpressions, 56 power chains
    Operations where passed_1_far_1: 137 structured, 98 common subexpressions, 93 power chains
  */
-static inline double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
+static inline double rod_spring_H_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    if (A <= u_cr) {
-        return A * (-12.5 * A * A * gamma - 4.5 * beta);
-    }
-    if (A <= 1.25 * u_cr) {
-        const double root = sqrt((A - u_cr) * (A + u_cr));
-        const double t0 = 1.0 / A;
-        const double x = t0 * u_cr;
-        const double y = root * t0;
-        const double t1 = 1.0 / root;
-        const double theta = atan(t1 * u_cr);
-        const double t2 = x * x;
-        const double t3 = x * y;
-        const double M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta;
-        const double M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-        const double A2 = A * A;
-        const double A3 = A * A2;
-        const double u_cr2 = u_cr * u_cr;
-        const double u_cr3 = u_cr * u_cr2;
-        const double t4 = gamma * u_cr2;
-        const double t5 = alpha - 1.0;
-        const double t6 = u_cr3 * (t5 + u_cr2 * (beta + t4));
-        const double t7 = t1 / A3;
-        const double root2 = root * root;
-        const double root3 = root * root2;
-        return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t6 * t7 + t7 * u_cr3 *
-        (-t5 - u_cr2 * (3.0 * beta + 5.0 * t4)) + t0 * t6 / root3);
-    }
+    (void)(alpha);
+    (void)(u_cr);
+    return A * (-12.5 * A * A * gamma - 4.5 * beta);
+}
+
+static inline double rod_spring_H_AA_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double theta = angles_atan2(u_cr, root);
+    const double t1 = x * x;
+    const double t2 = x * y;
+    const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
+    const double M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double t3 = gamma * u_cr2;
+    const double t4 = alpha - 1.0;
+    const double t5 = t4 + u_cr2 * (beta + t3);
+    const double t6 = u_cr3 / (A3 * root);
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 -
+        u_cr2 * (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3);
+}
+
+static inline double rod_spring_H_AA_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -791,12 +950,21 @@ static inline double rod_spring_H_AA(double A, double alpha, double beta, double
     const double u_cr3 = u_cr * u_cr2;
     const double t1 = gamma * u_cr2;
     const double t2 = alpha - 1.0;
-    const double t3 = u_cr3 * (t2 + u_cr2 * (beta + t1));
-    const double t4 = 1.0 / (A3 * root);
+    const double t3 = t2 + u_cr2 * (beta + t1);
+    const double t4 = u_cr3 / (A3 * root);
     const double root2 = root * root;
     const double root3 = root * root2;
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * u_cr3 *
-        (-t2 - u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 / root3);
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 -
+        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3);
+}
+
+static inline double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_H_AA_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_H_AA_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr);
 }
 
 /* The parameters alpha, beta, gamma, u_cr from the design ratios.
@@ -842,13 +1010,27 @@ static inline void rod_spring_jumps(const double *p, double *out)
    Operations where piece_1: 7 structured, 6 common subexpressions, 6 power chains
    Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
  */
+static inline double rod_spring_force_piece_1(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    (void)(u_cr);
+    const double t0 = u * u;
+    return u * (alpha + t0 * (beta + gamma * t0));
+}
+
+static inline double rod_spring_force_piece_2(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    (void)(alpha);
+    (void)(beta);
+    (void)(gamma);
+    (void)(u_cr);
+    return u;
+}
+
 static inline double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
 {
-    if (fabs(u) <= u_cr) {
-        const double t0 = u * u;
-        return u * (alpha + t0 * (beta + gamma * t0));
-    }
-    return u;
+    if (fabs(u) <= u_cr)
+        return rod_spring_force_piece_1(u, alpha, beta, gamma, u_cr);
+    return rod_spring_force_piece_2(u, alpha, beta, gamma, u_cr);
 }
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
@@ -856,13 +1038,25 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
    Operations where piece_1: 13 structured, 10 common subexpressions, 10 power chains
    Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
  */
+static inline double rod_spring_exact_force_piece_1(double u, double lam, double r, double delta_h)
+{
+    const double t0 = sqrt(1.0 - u * u);
+    return -lam * r * u * (delta_h + t0 - 1.0) / t0 + u;
+}
+
+static inline double rod_spring_exact_force_piece_2(double u, double lam, double r, double delta_h)
+{
+    (void)(lam);
+    (void)(r);
+    (void)(delta_h);
+    return u;
+}
+
 static inline double rod_spring_exact_force(double u, double lam, double r, double delta_h)
 {
-    if (fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h)) {
-        const double t0 = sqrt(1.0 - u * u);
-        return -lam * r * u * (delta_h + t0 - 1.0) / t0 + u;
-    }
-    return u;
+    if (fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h))
+        return rod_spring_exact_force_piece_1(u, lam, r, delta_h);
+    return rod_spring_exact_force_piece_2(u, lam, r, delta_h);
 }
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.

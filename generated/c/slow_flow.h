@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "angles.h"
+
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
@@ -121,7 +123,7 @@ static inline double slow_flow_phase(double Omega, double A, double m, double ze
 {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
-    return atan2(-I_, -R);
+    return angles_atan2(-I_, -R);
 }
 
 /* Frequency on the backbone.

@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "angles.h"
+
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
@@ -128,7 +130,7 @@ static inline double slow_flow_mu0_phase(double Omega, double A, double m, doubl
     (void)(m);
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta;
-    return atan2(-I_, -R);
+    return angles_atan2(-I_, -R);
 }
 
 /* Frequency on the backbone.

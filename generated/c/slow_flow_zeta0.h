@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "angles.h"
+
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
@@ -125,7 +127,7 @@ static inline double slow_flow_zeta0_phase(double Omega, double A, double m, dou
 {
     (void)(zeta);
     const double R = A * Omega * Omega + h;
-    return atan2(-m, -R);
+    return angles_atan2(-m, -R);
 }
 
 /* Frequency on the backbone.

@@ -10,6 +10,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
+from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats
 
 __all__ = [
@@ -36,25 +37,26 @@ def U(Omega):
     """Damping function.
 
     Equation (37). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Operations: 5 structured, 5 common subexpressions, 5 power chains.
     """
     (Omega,) = floats(Omega)
     t0 = 1.0 / Omega
-    return t0 * np.tan(1.5707963267948966 * t0)
+    return t0 / (np.tan(1.5707963267948966 * t0 * (Omega - 1.0)))
 
 
 def S_ratio(tau, Omega):
     """S is the maximum of this over 0 < tau < pi/Omega.
 
     Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 21 structured, 20 common subexpressions, 20 power chains.
+    Operations: 24 structured, 22 common subexpressions, 22 power chains.
     """
     tau, Omega = floats(tau, Omega)
     t0 = 1.0 / Omega
-    U = t0 * np.tan(1.5707963267948966 * t0)
-    t1 = 0.5 * tau
+    t1 = Omega - 1.0
+    U = t0 / (np.tan(1.5707963267948966 * t0 * t1))
+    t2 = 0.5 * tau
     return (
-        Omega * (-2.0 * Omega * U * np.sin(t1 * (Omega - 1.0)) * np.sin(t1 * (Omega + 1.0)) + np.sin(tau)) /
+        (-2.0 * Omega * Omega * U * np.sin(t1 * t2) * np.sin(t2 * (Omega + 1.0)) + Omega * np.sin(tau)) /
         (np.sin(Omega * tau))
     )
 
@@ -63,27 +65,29 @@ def amplitude(Omega, F_0, mu):
     """Amplitude of the motion.
 
     Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 14 structured, 12 common subexpressions, 12 power chains.
+    Operations: 16 structured, 13 common subexpressions, 13 power chains.
     """
     Omega, F_0, mu = floats(Omega, F_0, mu)
-    V = -1.0 / ((Omega - 1.0) * (Omega + 1.0))
-    t0 = 1.0 / Omega
-    U = t0 * np.tan(1.5707963267948966 * t0)
-    t1 = F_0 * V
-    t2 = U * mu
-    return np.sqrt((t1 - t2) * (t1 + t2))
+    t0 = Omega - 1.0
+    V = -1.0 / (t0 * (Omega + 1.0))
+    t1 = 1.0 / Omega
+    U = t1 / (np.tan(1.5707963267948966 * t0 * t1))
+    t2 = F_0 * V
+    t3 = U * mu
+    return np.sqrt((t2 - t3) * (t2 + t3))
 
 
 def bound(Omega, F_0, S):
     """The motion has no stops while its amplitude exceeds this.
 
     Equation (36). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 19 structured, 19 common subexpressions, 18 power chains.
+    Operations: 21 structured, 20 common subexpressions, 19 power chains.
     """
     Omega, F_0, S = floats(Omega, F_0, S)
-    V = -1.0 / ((Omega - 1.0) * (Omega + 1.0))
-    t0 = 1.0 / Omega
-    U = t0 * np.tan(1.5707963267948966 * t0)
+    t0 = Omega - 1.0
+    V = -1.0 / (t0 * (Omega + 1.0))
+    t1 = 1.0 / Omega
+    U = t1 / (np.tan(1.5707963267948966 * t0 * t1))
     Omega2 = Omega * Omega
     Omega4 = Omega2 * Omega2
     return F_0 * np.abs(S) * np.abs(V) / (np.sqrt(Omega4 * U * U + S * S))
@@ -93,11 +97,18 @@ def motion(tau, Omega, A, mu):
     """Displacement tau after a maximum.
 
     Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 20 structured, 18 common subexpressions, 18 power chains.
+    Operations: 30 structured, 26 common subexpressions, 26 power chains.
     """
     tau, Omega, A, mu = floats(tau, Omega, A, mu)
     t0 = 1.0 / Omega
-    U = t0 * np.tan(1.5707963267948966 * t0)
-    t1 = Omega * tau
-    t2 = U * mu
-    return A * np.cos(t1) - Omega * t2 * np.sin(tau) - mu * np.cos(tau) + mu + t2 * np.sin(t1)
+    t1 = Omega - 1.0
+    U = t0 / (np.tan(1.5707963267948966 * t0 * t1))
+    t2 = Omega * tau
+    t3 = 0.5 * tau
+    return (
+        A * np.cos(t2) + U * mu * (-t1 * np.sin(tau) + 2.0 * np.sin(t1 * t3) * np.cos(0.5 * t2 + t3)) - mu *
+        np.cos(tau) + mu
+    )
+
+
+globals().update(compiled("den_hartog"))

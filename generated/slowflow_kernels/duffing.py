@@ -9,6 +9,7 @@ docstring gives equation number, domain and the operations after each pass.
 """
 
 from slowflow_kernels import slow_flow
+from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 
 PARAMETERS = ("alpha", "beta")
@@ -195,8 +196,7 @@ def breakpoints(alpha, beta):
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
     alpha, beta = floats(alpha, beta)
-    return (
-    )
+    return ()
 
 
 def jumps(alpha, beta):
@@ -206,8 +206,7 @@ def jumps(alpha, beta):
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
     alpha, beta = floats(alpha, beta)
-    return (
-    )
+    return ()
 
 
 def force(u, alpha, beta):
@@ -470,3 +469,6 @@ def equivalent_damping(Omega, A, mu, zeta):
     Equation (38). Domain: Omega > 0, A > 0.
     """
     return slow_flow.equivalent_damping(Omega, A, slow_flow.friction(mu), zeta)
+
+
+globals().update(compiled("duffing"))

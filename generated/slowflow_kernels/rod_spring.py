@@ -11,6 +11,7 @@ docstring gives equation number, domain and the operations after each pass.
 import numpy as np
 
 from slowflow_kernels import slow_flow
+from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import by_regime, floats, full, stacked
 
 PARAMETERS = ("alpha", "beta", "gamma", "u_cr")
@@ -73,57 +74,58 @@ def _averaged_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 250 structured, 119 common subexpressions, 112 power chains
+    # operations: 249 structured, 119 common subexpressions, 112 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * y
-    t3 = 0.5 * t2
-    M2 = -t3 + 0.5 * theta
-    t4 = x * x
-    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    S2_2 = 0.5 * psi_0 + t3
+    theta = np.arctan2(u_cr, root)
+    t1 = x * y
+    t2 = 0.5 * t1
+    M2 = -t2 + 0.5 * theta
+    t3 = x * x
+    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    S2_2 = 0.5 * psi_0 + t2
     A2 = A * A
-    t5 = M4 * beta
+    t4 = M4 * beta
     A4 = A2 * A2
-    t6 = M6 * gamma
-    t7 = A4 * t6
-    t8 = M2 * alpha + S2_2
-    t9 = 3.0 * beta
-    t10 = 1.0 / A2
+    t5 = M6 * gamma
+    t6 = A4 * t5
+    t7 = M2 * alpha + S2_2
+    t8 = 3.0 * beta
+    t9 = 1.0 / A2
+    t10 = 1.0 / root
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
     t11 = gamma * u_cr2
     t12 = alpha - 1.0
     t13 = t12 + u_cr2 * (beta + t11)
-    t14 = 6.0 * t5
+    t14 = 6.0 * t4
     A3 = A * A2
-    t15 = t13 * u_cr3
     root2 = root * root
     root3 = root * root2
-    t16 = 1.0 / root3
-    t17 = t15 * t16
-    t18 = t1 / A3
-    t19 = u_cr3 * (-t12 - u_cr2 * (5.0 * t11 + t9))
-    t20 = t1 / A4
+    t15 = u_cr3 / root3
+    t16 = t13 * t15
+    t17 = t10 * u_cr3
+    t18 = t17 / A3
+    t19 = -t12 - u_cr2 * (5.0 * t11 + t8)
+    t20 = 1.0 / A4
+    t21 = t17 * t20
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     return (
-        -1.2732395447351628 * A * (A2 * t5 + t7 + t8),
-        1.2732395447351628 * (-A2 * M4 * t9 + t1 * t10 * t13 * u_cr3 - 5.0 * t7 - t8),
-        -1.2732395447351628 * (A * t14 + 20.0 * A3 * t6 + t0 * t17 + 2.0 * t15 * t18 + t18 * t19),
-        1.2732395447351628 * (-60.0 * A2 * t6 + t10 * t15 * t16 + t10 * t16 * t19 - t14 + 6.0 * t15 * t20 + t17 *
-        (2.0 * t10 + 3.0 / root2) + 3.0 * t19 * t20 + 2.0 * t20 * u_cr5 * (10.0 * t11 + t9)),
+        -1.2732395447351628 * A * (A2 * t4 + t6 + t7),
+        1.2732395447351628 * (-A2 * M4 * t8 + t10 * t13 * t9 * u_cr3 - 5.0 * t6 - t7),
+        -1.2732395447351628 * (A * t14 + 20.0 * A3 * t5 + t0 * t16 + 2.0 * t13 * t18 + t18 * t19),
+        1.2732395447351628 * (-60.0 * A2 * t5 + 2.0 * t10 * t20 * u_cr5 * (10.0 * t11 + t8) + t13 * t15 * t9 + 6.0 *
+        t13 * t21 - t14 + t15 * t19 * t9 + t16 * (2.0 * t9 + 3.0 / root2) + 3.0 * t19 * t21),
     )
 
 
 def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 306 structured, 164 common subexpressions, 152 power chains
+    # operations: 306 structured, 165 common subexpressions, 153 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -165,22 +167,23 @@ def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t10 = t9 + u_cr2 * (beta + t8)
     t11 = 6.0 * t1
     A3 = A * A2
-    t12 = t10 * u_cr3
     root2 = root * root
     root3 = root * root2
-    t13 = 1.0 / root3
-    t14 = t12 * t13
-    t15 = t7 / A3
-    t16 = u_cr3 * (-t9 - u_cr2 * (t5 + 5.0 * t8))
-    t17 = t7 / A4
+    t12 = u_cr3 / root3
+    t13 = t10 * t12
+    t14 = t7 * u_cr3
+    t15 = t14 / A3
+    t16 = -t9 - u_cr2 * (t5 + 5.0 * t8)
+    t17 = 1.0 / A4
+    t18 = t14 * t17
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     return (
         -1.2732395447351628 * A * (A2 * t1 + t3 + t4),
         1.2732395447351628 * (-A2 * M4 * t5 + t10 * t6 * t7 * u_cr3 - 5.0 * t3 - t4),
-        -1.2732395447351628 * (A * t11 + 20.0 * A3 * t2 + t0 * t14 + 2.0 * t12 * t15 + t15 * t16),
-        1.2732395447351628 * (-60.0 * A2 * t2 - t11 + t12 * t13 * t6 + 6.0 * t12 * t17 + t13 * t16 * t6 + t14 * (2.0
-        * t6 + 3.0 / root2) + 3.0 * t16 * t17 + 2.0 * t17 * u_cr5 * (t5 + 10.0 * t8)),
+        -1.2732395447351628 * (A * t11 + 20.0 * A3 * t2 + t0 * t13 + 2.0 * t10 * t15 + t15 * t16),
+        1.2732395447351628 * (-60.0 * A2 * t2 + t10 * t12 * t6 + 6.0 * t10 * t18 - t11 + t12 * t16 * t6 + t13 * (2.0
+        * t6 + 3.0 / root2) + 3.0 * t16 * t18 + 2.0 * t17 * t7 * u_cr5 * (t5 + 10.0 * t8)),
     )
 
 
@@ -209,43 +212,43 @@ def _averaged_3_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_3_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 135 structured, 87 common subexpressions, 83 power chains
+    # operations: 134 structured, 86 common subexpressions, 82 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * y
-    t3 = 0.5 * t2
-    M2 = -t3 + 0.5 * theta
-    t4 = x * x
-    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    S2_2 = 0.5 * psi_0 + t3
+    theta = np.arctan2(u_cr, root)
+    t1 = x * y
+    t2 = 0.5 * t1
+    M2 = -t2 + 0.5 * theta
+    t3 = x * x
+    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    S2_2 = 0.5 * psi_0 + t2
     A2 = A * A
-    t5 = A2 * M4
-    t6 = M6 * gamma
+    t4 = A2 * M4
+    t5 = M6 * gamma
     A4 = A2 * A2
-    t7 = A4 * t6
-    t8 = M2 * alpha + S2_2
-    t9 = 3.0 * beta
+    t6 = A4 * t5
+    t7 = M2 * alpha + S2_2
+    t8 = 3.0 * beta
+    t9 = 1.0 / root
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
     t10 = gamma * u_cr2
     t11 = alpha - 1.0
     t12 = t11 + u_cr2 * (beta + t10)
     A3 = A * A2
-    t13 = t12 * u_cr3
-    t14 = 1.0 / A3
+    t13 = 1.0 / A3
+    t14 = t9 * u_cr3
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * A * (beta * t5 + t7 + t8),
-        1.2732395447351628 * (-t5 * t9 - 5.0 * t7 - t8 + t1 * t12 * u_cr3 / A2),
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t6 + 2.0 * t1 * t13 * t14 + t1 * t14 * u_cr3 *
-        (-t11 - u_cr2 * (5.0 * t10 + t9)) + t0 * t13 / root3),
+        -1.2732395447351628 * A * (beta * t4 + t6 + t7),
+        1.2732395447351628 * (-t4 * t8 - 5.0 * t6 - t7 + t12 * t9 * u_cr3 / A2),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t5 + 2.0 * t12 * t13 * t14 + t13 * t14 * (-t11 -
+        u_cr2 * (5.0 * t10 + t8)) + t0 * t12 * u_cr3 / root3),
     )
 
 
@@ -290,15 +293,15 @@ def _averaged_3_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t8 = alpha - 1.0
     t9 = t8 + u_cr2 * (beta + t7)
     A3 = A * A2
-    t10 = t9 * u_cr3
-    t11 = 1.0 / A3
+    t10 = 1.0 / A3
+    t11 = t6 * u_cr3
     root2 = root * root
     root3 = root * root2
     return (
         -1.2732395447351628 * A * (beta * t1 + t3 + t4),
         1.2732395447351628 * (-t1 * t5 - 5.0 * t3 - t4 + t6 * t9 * u_cr3 / A2),
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t2 + 2.0 * t10 * t11 * t6 + t11 * t6 * u_cr3 * (-t8
-        - u_cr2 * (t5 + 5.0 * t7)) + t0 * t10 / root3),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t2 + 2.0 * t10 * t11 * t9 + t10 * t11 * (-t8 -
+        u_cr2 * (t5 + 5.0 * t7)) + t0 * t9 * u_cr3 / root3),
     )
 
 
@@ -326,32 +329,31 @@ def _averaged_2_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_2_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 77 structured, 59 common subexpressions, 56 power chains
+    # operations: 76 structured, 58 common subexpressions, 55 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * y
-    t3 = 0.5 * t2
-    M2 = -t3 + 0.5 * theta
-    t4 = x * x
-    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    S2_2 = 0.5 * psi_0 + t3
+    theta = np.arctan2(u_cr, root)
+    t1 = x * y
+    t2 = 0.5 * t1
+    M2 = -t2 + 0.5 * theta
+    t3 = x * x
+    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    S2_2 = 0.5 * psi_0 + t2
     A2 = A * A
-    t5 = A2 * M4 * beta
+    t4 = A2 * M4 * beta
     A4 = A2 * A2
-    t6 = A4 * M6 * gamma
-    t7 = M2 * alpha + S2_2
+    t5 = A4 * M6 * gamma
+    t6 = M2 * alpha + S2_2
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
     return (
-        -1.2732395447351628 * A * (t5 + t6 + t7),
-        1.2732395447351628 * (-3.0 * t5 - 5.0 * t6 - t7 + t1 * u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) -
-        1.0) / A2),
+        -1.2732395447351628 * A * (t4 + t5 + t6),
+        1.2732395447351628 * (-3.0 * t4 - 5.0 * t5 - t6 + u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) /
+        (A2 * root)),
     )
 
 
@@ -417,13 +419,13 @@ def _h_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 48 structured, 42 common subexpressions, 40 power chains
+    # operations: 47 structured, 41 common subexpressions, 39 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    theta = np.arctan(u_cr / root)
+    theta = np.arctan2(u_cr, root)
     t1 = x * y
     t2 = 0.5 * t1
     M2 = -t2 + 0.5 * theta
@@ -493,28 +495,27 @@ def _h_A_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 63 structured, 55 common subexpressions, 52 power chains
+    # operations: 62 structured, 54 common subexpressions, 51 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * y
-    t3 = 0.5 * t2
-    M2 = -t3 + 0.5 * theta
-    t4 = x * x
-    M4 = -t2 * (0.25 * t4 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t4 * (0.16666666666666666 * t4 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    S2_2 = 0.5 * psi_0 + t3
+    theta = np.arctan2(u_cr, root)
+    t1 = x * y
+    t2 = 0.5 * t1
+    M2 = -t2 + 0.5 * theta
+    t3 = x * x
+    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    S2_2 = 0.5 * psi_0 + t2
     A2 = A * A
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
     return (
-        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + t1 * u_cr3 *
-        (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / A2),
+        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha +
+        u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root)),
     )
 
 
@@ -575,30 +576,29 @@ def _h_AA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 83 structured, 58 common subexpressions, 57 power chains
+    # operations: 82 structured, 57 common subexpressions, 56 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * x
-    t3 = x * y
-    M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta
-    M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    theta = np.arctan2(u_cr, root)
+    t1 = x * x
+    t2 = x * y
+    M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
     A3 = A * A2
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    t4 = gamma * u_cr2
-    t5 = alpha - 1.0
-    t6 = u_cr3 * (t5 + u_cr2 * (beta + t4))
-    t7 = t1 / A3
+    t3 = gamma * u_cr2
+    t4 = alpha - 1.0
+    t5 = t4 + u_cr2 * (beta + t3)
+    t6 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t6 * t7 + t7 * u_cr3 * (-t5 -
-        u_cr2 * (3.0 * beta + 5.0 * t4)) + t0 * t6 / root3),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
+        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3),
     )
 
 
@@ -631,13 +631,13 @@ def _h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     u_cr3 = u_cr * u_cr2
     t1 = gamma * u_cr2
     t2 = alpha - 1.0
-    t3 = u_cr3 * (t2 + u_cr2 * (beta + t1))
-    t4 = 1.0 / (A3 * root)
+    t3 = t2 + u_cr2 * (beta + t1)
+    t4 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * u_cr3 * (-t2 -
-        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 / root3),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
+        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3),
     )
 
 
@@ -661,38 +661,37 @@ def _h_AAA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AAA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 140 structured, 79 common subexpressions, 73 power chains
+    # operations: 139 structured, 78 common subexpressions, 72 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * x
-    t3 = x * y
-    M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta
-    M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    theta = np.arctan2(u_cr, root)
+    t1 = x * x
+    t2 = x * y
+    M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
-    t4 = 3.0 * beta
+    t3 = 3.0 * beta
     u_cr2 = u_cr * u_cr
-    t5 = gamma * u_cr2
+    t4 = gamma * u_cr2
     A4 = A2 * A2
-    t6 = t1 / A4
-    t7 = alpha - 1.0
-    t8 = t7 + u_cr2 * (beta + t5)
-    t9 = 1.0 / A2
+    t5 = 1.0 / (A4 * root)
+    t6 = alpha - 1.0
+    t7 = t6 + u_cr2 * (beta + t4)
+    t8 = 1.0 / A2
     u_cr3 = u_cr * u_cr2
     root2 = root * root
     root3 = root * root2
-    t10 = u_cr3 / root3
-    t11 = t10 * t9
-    t12 = t6 * u_cr3
-    t13 = -t7 - u_cr2 * (t4 + 5.0 * t5)
+    t9 = u_cr3 / root3
+    t10 = t8 * t9
+    t11 = t5 * u_cr3
+    t12 = -t6 - u_cr2 * (t3 + 5.0 * t4)
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     return (
-        1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 * (2.0 * t9 + 3.0 / root2) + t11
-        * t13 + t11 * t8 + 3.0 * t12 * t13 + 6.0 * t12 * t8 + 2.0 * t6 * u_cr5 * (t4 + 10.0 * t5)),
+        1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t12 + t10 * t7 + 3.0 * t11 * t12 +
+        6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2)),
     )
 
 
@@ -764,12 +763,12 @@ def _H_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 43 structured, 39 common subexpressions, 37 power chains
+    # operations: 42 structured, 38 common subexpressions, 36 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    theta = np.arctan(u_cr / root)
+    theta = np.arctan2(u_cr, root)
     t1 = x * y
     M2 = -0.5 * t1 + 0.5 * theta
     t2 = x * x
@@ -835,26 +834,25 @@ def _H_A_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 58 structured, 51 common subexpressions, 48 power chains
+    # operations: 57 structured, 50 common subexpressions, 47 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * y
-    M2 = -0.5 * t2 + 0.5 * theta
-    t3 = x * x
-    M4 = -t2 * (0.25 * t3 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    t4 = alpha - 1.0
+    theta = np.arctan2(u_cr, root)
+    t1 = x * y
+    M2 = -0.5 * t1 + 0.5 * theta
+    t2 = x * x
+    M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    t3 = alpha - 1.0
     A2 = A * A
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
     return (
-        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t4 + t1 * u_cr3 * (t4 + u_cr2 *
-        (beta + gamma * u_cr2)) / A2),
+        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t3 + u_cr3 * (t3 + u_cr2 * (beta
+        + gamma * u_cr2)) / (A2 * root)),
     )
 
 
@@ -914,30 +912,29 @@ def _H_AA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 83 structured, 58 common subexpressions, 57 power chains
+    # operations: 82 structured, 57 common subexpressions, 56 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    t1 = 1.0 / root
-    theta = np.arctan(t1 * u_cr)
-    t2 = x * x
-    t3 = x * y
-    M4 = -t3 * (0.25 * t2 + 0.375) + 0.375 * theta
-    M6 = -t3 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    theta = np.arctan2(u_cr, root)
+    t1 = x * x
+    t2 = x * y
+    M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
     A3 = A * A2
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    t4 = gamma * u_cr2
-    t5 = alpha - 1.0
-    t6 = u_cr3 * (t5 + u_cr2 * (beta + t4))
-    t7 = t1 / A3
+    t3 = gamma * u_cr2
+    t4 = alpha - 1.0
+    t5 = t4 + u_cr2 * (beta + t3)
+    t6 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t6 * t7 + t7 * u_cr3 * (-t5 -
-        u_cr2 * (3.0 * beta + 5.0 * t4)) + t0 * t6 / root3),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
+        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3),
     )
 
 
@@ -970,13 +967,13 @@ def _H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     u_cr3 = u_cr * u_cr2
     t1 = gamma * u_cr2
     t2 = alpha - 1.0
-    t3 = u_cr3 * (t2 + u_cr2 * (beta + t1))
-    t4 = 1.0 / (A3 * root)
+    t3 = t2 + u_cr2 * (beta + t1)
+    t4 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
     return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * u_cr3 * (-t2 -
-        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 / root3),
+        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
+        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3),
     )
 
 
@@ -1463,3 +1460,6 @@ def equivalent_damping(Omega, A, mu, zeta):
     Equation (38). Domain: Omega > 0, A > 0.
     """
     return slow_flow.equivalent_damping(Omega, A, slow_flow.friction(mu), zeta)
+
+
+globals().update(compiled("rod_spring"))

@@ -9,6 +9,7 @@ docstring gives equation number, domain and the operations after each pass.
 """
 
 from slowflow_kernels import slow_flow_zeta0
+from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 from slowflow_kernels.rod_spring import (
     H,
@@ -241,3 +242,6 @@ def equivalent_damping(Omega, A, mu, zeta):
     Equation (38). Domain: Omega > 0, A > 0.
     """
     return slow_flow_zeta0.equivalent_damping(Omega, A, slow_flow_zeta0.friction(mu), zeta)
+
+
+globals().update(compiled("rod_spring_zeta0"))

@@ -10,6 +10,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
+from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 
 __all__ = [
@@ -284,3 +285,6 @@ def detachment(A, m, zeta, h):
         ),
         (A, m, zeta, h),
     )
+
+
+globals().update(compiled("slow_flow_zeta0"))

@@ -1,0 +1,196 @@
+"""Compiled ufuncs: loops over the functions of the C headers, one for each regime of the force.
+
+In:  `Module`s.
+Out: a dict from file name (below `generated/`) to text: `native/*.c`, `c/angles.h`, and what chooses the backend.
+
+No formula is printed here: the loops call the headers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from derivations.emit.arctangent import estrin, series
+from derivations.emit.kernels import AVERAGED, Composition, Kernel, Module
+from derivations.emit.printers import CPrinter, literal
+from derivations.emit.render import AVERAGE_FUNCTION, fill, templates, tools
+from derivations.slow_flow import m
+
+# SF_MOST_OPERANDS in kernels.h
+MOST_OPERANDS = 32
+KINDS = {"scalar": "s", "tuple": "t", "stack": "c"}
+
+
+@dataclass(frozen=True)
+class Loop:
+    """The loop of one regime: its name and the statements for element i."""
+
+    name: str
+    body: tuple[str, ...]
+    inputs: tuple[str, ...]
+
+    @property
+    def used(self) -> tuple[str, ...]:
+        """Arguments that it reads."""
+        text = " ".join(self.body)
+        return tuple(name for name in self.inputs if re.search(rf"\b{name}\[i\]", text))
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A composition in one regime, a block at a time: friction's and the averages' loops, then the slow flow's.
+
+    friction, average, inner -- names of these loops; friction may be ""
+    mu                       -- which input is mu
+    averages                 -- how many averages there are
+    average_inputs, inner_inputs -- C expressions
+    """
+
+    name: str
+    friction: str
+    mu: int
+    average: str
+    averages: int
+    average_inputs: tuple[str, ...]
+    inner: str
+    inner_inputs: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Ufunc:
+    """A ufunc as the template needs it: loops or chains. `guards` are those of all regimes but the last."""
+
+    name: str
+    prefix: str
+    doc: str
+    inputs: tuple[str, ...]
+    outputs: int
+    returns: str
+    loops: tuple[Loop, ...]
+    chains: tuple[Chain, ...]
+    guards: tuple[str, ...]
+    guard_names: tuple[str, ...]
+
+
+def files(modules: Sequence[Module]) -> dict[str, str]:
+    """Every file of this stage."""
+    environment = templates()
+    environment.filters["fill"] = fill
+    by_name = {module.name: module for module in modules}
+    result = {"c/angles.h": environment.get_template("c_angles.h.jinja").render(tools=tools(), **angles())}
+    for module in modules:
+        ufuncs = [of_kernel(kernel, module) for kernel in module.kernels if kernel.width]
+        ufuncs += [of_composition(c, module, by_name[module.family]) for c in module.compositions]
+        for ufunc in ufuncs:
+            if len(ufunc.inputs) + ufunc.outputs > MOST_OPERANDS:
+                raise ArithmeticError(f"{ufunc.prefix} has more than {MOST_OPERANDS} arguments and results")
+        text = environment.get_template("native_module.c.jinja").render(
+            module=module, ufuncs=ufuncs, foreign=foreign_loops(ufuncs), tools=tools()
+        )
+        result[f"native/{module.name}.c"] = text
+    result["native/_native.c"] = environment.get_template("native_init.c.jinja").render(modules=modules)
+    result["slowflow_kernels/_backend.py"] = environment.get_template("numpy_backend.py.jinja").render()
+    return result
+
+
+def angles() -> dict[str, object]:
+    """What the arctangent's template needs."""
+    polynomial = series()
+    parts: dict[str, str] = {}
+    for name, value in (("pi", sp.pi), ("half_pi", sp.pi / 2)):
+        parts[name] = literal(value)
+        parts[name + "_low"] = literal(value - sp.Rational(float(parts[name])))
+    lines = estrin(tuple(literal(coefficient) for coefficient in polynomial.coefficients), "w")
+    return {"lines": lines, "bound": f"{float(polynomial.bound):.2g}", **parts}
+
+
+def call(function: str, plain: Sequence[str], packed: Sequence[str], outputs: int, returns: str) -> tuple[str, ...]:
+    """Statements that call a function of a header for element i and store its outputs."""
+    arguments = [f"{name}[i]" for name in plain]
+    before: list[str] = []
+    if packed:
+        before.append(f"const double p[] = {{{', '.join(f'{name}[i]' for name in packed)}}};")
+        arguments.append("p")
+    if returns == "scalar":
+        return (*before, f"out_0[i] = {function}({', '.join(arguments)});")
+    before.append(f"double values[{outputs}];")
+    stores = [f"out_{k}[i] = values[{k}];" for k in range(outputs)]
+    return (*before, f"{function}({', '.join([*arguments, 'values'])});", *stores)
+
+
+def guards_of(kernel: Kernel) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Guards of a kernel's regimes in C, and the arguments that they read."""
+    show = CPrinter().doprint
+    texts, symbols = [], set()
+    for branch in kernel.branches[:-1]:
+        texts.append(" && ".join(f"{show(left)} <= {show(right)}" for left, right in branch.guards))
+        symbols |= set().union(*(side.free_symbols for pair in branch.guards for side in pair))
+    return tuple(texts), tuple(argument.name for argument in kernel.arguments if argument in symbols)
+
+
+def of_kernel(kernel: Kernel, module: Module) -> Ufunc:
+    """A kernel as a ufunc."""
+    prefix = f"{module.name}_{kernel.name}"
+    names = tuple(argument.name for argument in kernel.arguments)
+    # the headers take the parameters one by one where a single number comes back
+    split = len(names) if kernel.returns == "scalar" else len(names) - kernel.parameters
+    loops = []
+    for function, loop in zip(functions(prefix, kernel), loop_names(prefix, kernel), strict=True):
+        body = call(function, names[:split], names[split:], kernel.width, kernel.returns)
+        loops.append(Loop(loop, body, names))
+    doc = f"{kernel.doc} Equation {kernel.equation}. Domain: {kernel.domain}."
+    kind = KINDS[kernel.returns]
+    return Ufunc(kernel.name, prefix, doc, names, kernel.width, kind, tuple(loops), (), *guards_of(kernel))
+
+
+def functions(prefix: str, kernel: Kernel) -> list[str]:
+    """The header's functions, one for each regime."""
+    return [f"{prefix}_{branch.name}" if len(kernel.branches) > 1 else prefix for branch in kernel.branches]
+
+
+def loop_names(prefix: str, kernel: Kernel) -> list[str]:
+    """The loops over these."""
+    return [f"{function}_loop" for function in functions(prefix, kernel)]
+
+
+def of_composition(composition: Composition, module: Module, family: Module | None) -> Ufunc:
+    """A composition as a ufunc: a chain for each regime of the averages that it needs."""
+    prefix = f"{module.name}_{composition.name}"
+    inner = composition.inner
+    names = tuple(argument.name for argument in composition.arguments)
+    count = composition.derivatives
+    averaged = next((kernel for kernel in family.kernels if kernel.name == AVERAGE_FUNCTION[count]), None)
+    place = {name: f"in[{k}]" for k, name in enumerate(names)}
+    local = {symbol.name: f"average_{k}" for k, symbol in enumerate(AVERAGED)} | {"m": "m"} | place
+    friction = f"{module.flow}_friction_loop" if "mu" in names and m in inner.arguments else ""
+    parameters = names[len(names) - composition.parameters :] if composition.parameters else ()
+    chains = [
+        Chain(
+            name=f"{prefix}_chain_{k}",
+            friction=friction,
+            mu=names.index("mu") if friction else -1,
+            average=average,
+            averages=count,
+            average_inputs=tuple(place[name] for name in ("A", *parameters)) if count else (),
+            inner=f"{module.flow}_{inner.name}_loop",
+            inner_inputs=tuple(local[argument.name] for argument in inner.arguments),
+        )
+        for k, average in enumerate(loop_names(f"{module.family}_{averaged.name}", averaged) if averaged else [""])
+    ]
+    doc = f"{inner.doc} Equation {inner.equation}. Domain: {inner.domain}."
+    guards, guard_names = guards_of(averaged) if averaged else ((), ())
+    kind = KINDS[inner.returns]
+    return Ufunc(composition.name, prefix, doc, names, inner.width, kind, (), tuple(chains), guards, guard_names)
+
+
+def foreign_loops(ufuncs: Sequence[Ufunc]) -> list[str]:
+    """Loops of other modules that the chains call."""
+    own = {loop.name for ufunc in ufuncs for loop in ufunc.loops}
+    called = {
+        name for ufunc in ufuncs for chain in ufunc.chains for name in (chain.friction, chain.average, chain.inner)
+    }
+    return sorted(called - own - {""})

@@ -1,0 +1,475 @@
+/* Slow flow of any mechanism, in h = H - A and its derivatives: loops for NumPy.
+
+   Written by `make derive`; never edit.
+   Input: slow_flow.h, the same functions for one number each
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+
+#include "slow_flow.h"
+
+#include "kernels.h"
+
+SF_WIDE void slow_flow_friction_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict mu = in[0];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_friction(mu[i]);
+    }
+}
+
+static const sf_loop slow_flow_friction_loops[] = {
+    slow_flow_friction_loop,
+};
+
+SF_WIDE void slow_flow_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict h = in[2];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_R(Omega[i], A[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_R_loops[] = {
+    slow_flow_R_loop,
+};
+
+SF_WIDE void slow_flow_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_I(Omega[i], A[i], m[i], zeta[i]);
+    }
+}
+
+static const sf_loop slow_flow_I_loops[] = {
+    slow_flow_I_loop,
+};
+
+SF_WIDE void slow_flow_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict F_0 = in[2];
+    const double *restrict m = in[3];
+    const double *restrict zeta = in[4];
+    const double *restrict h = in[5];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_F(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_F_loops[] = {
+    slow_flow_F_loop,
+};
+
+SF_WIDE void slow_flow_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_F_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_F_A_loops[] = {
+    slow_flow_F_A_loop,
+};
+
+SF_WIDE void slow_flow_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict h_AA = in[6];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_F_AA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    }
+}
+
+static const sf_loop slow_flow_F_AA_loops[] = {
+    slow_flow_F_AA_loop,
+};
+
+SF_WIDE void slow_flow_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict h_AA = in[6];
+    const double *restrict h_AAA = in[7];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_F_AAA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
+    }
+}
+
+static const sf_loop slow_flow_F_AAA_loops[] = {
+    slow_flow_F_AAA_loop,
+};
+
+SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_F_Omega(Omega[i], A[i], m[i], zeta[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_F_Omega_loops[] = {
+    slow_flow_F_Omega_loop,
+};
+
+SF_WIDE void slow_flow_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_F_AOmega(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_F_AOmega_loops[] = {
+    slow_flow_F_AOmega_loop,
+};
+
+SF_WIDE void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_phase(Omega[i], A[i], m[i], zeta[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_phase_loops[] = {
+    slow_flow_phase_loop,
+};
+
+SF_WIDE void slow_flow_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict h = in[1];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_backbone(A[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_backbone_loops[] = {
+    slow_flow_backbone_loop,
+};
+
+SF_WIDE void slow_flow_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict F_0 = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_limit_envelope(Omega[i], F_0[i], m[i], zeta[i]);
+    }
+}
+
+static const sf_loop slow_flow_limit_envelope_loops[] = {
+    slow_flow_limit_envelope_loop,
+};
+
+SF_WIDE void slow_flow_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_equivalent_damping(Omega[i], A[i], m[i], zeta[i]);
+    }
+}
+
+static const sf_loop slow_flow_equivalent_damping_loops[] = {
+    slow_flow_equivalent_damping_loop,
+};
+
+SF_WIDE void slow_flow_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict F_0 = in[2];
+    const double *restrict m = in[3];
+    const double *restrict zeta = in[4];
+    const double *restrict h = in[5];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_transmissibility(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_transmissibility_loops[] = {
+    slow_flow_transmissibility_loop,
+};
+
+SF_WIDE void slow_flow_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[4];
+        slow_flow_jacobian(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
+static const sf_loop slow_flow_jacobian_loops[] = {
+    slow_flow_jacobian_loop,
+};
+
+SF_WIDE void slow_flow_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_stability(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_stability_loops[] = {
+    slow_flow_stability_loop,
+};
+
+SF_WIDE void slow_flow_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict F_0 = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[4];
+        slow_flow_response_quartic(A[i], F_0[i], m[i], zeta[i], h[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
+static const sf_loop slow_flow_response_quartic_loops[] = {
+    slow_flow_response_quartic_loop,
+};
+
+SF_WIDE void slow_flow_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict m = in[1];
+    const double *restrict zeta = in[2];
+    const double *restrict h = in[3];
+    const double *restrict h_A = in[4];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[4];
+        slow_flow_fold_quartic(A[i], m[i], zeta[i], h[i], h_A[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
+static const sf_loop slow_flow_fold_quartic_loops[] = {
+    slow_flow_fold_quartic_loop,
+};
+
+SF_WIDE void slow_flow_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict m = in[1];
+    const double *restrict zeta = in[2];
+    const double *restrict h = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[3];
+        slow_flow_peak_cubic(A[i], m[i], zeta[i], h[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+    }
+}
+
+static const sf_loop slow_flow_peak_cubic_loops[] = {
+    slow_flow_peak_cubic_loop,
+};
+
+SF_WIDE void slow_flow_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict m = in[1];
+    const double *restrict zeta = in[2];
+    const double *restrict h = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[4];
+        slow_flow_detachment(A[i], m[i], zeta[i], h[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
+static const sf_loop slow_flow_detachment_loops[] = {
+    slow_flow_detachment_loop,
+};
+
+static const sf_kernel kernels[] = {
+    {"friction",
+     "Dry friction's share of I. Equation (23). Domain: mu >= 0.",
+     1, 1, 1, 's', NULL, slow_flow_friction_loops},
+    {"R",
+     "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
+     3, 1, 1, 's', NULL, slow_flow_R_loops},
+    {"I",
+     "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
+     4, 1, 1, 's', NULL, slow_flow_I_loops},
+    {"F",
+     "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
+     6, 1, 1, 's', NULL, slow_flow_F_loops},
+    {"F_A",
+     "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
+     6, 1, 1, 's', NULL, slow_flow_F_A_loops},
+    {"F_AA",
+     "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
+     7, 1, 1, 's', NULL, slow_flow_F_AA_loops},
+    {"F_AAA",
+     "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
+     8, 1, 1, 's', NULL, slow_flow_F_AAA_loops},
+    {"F_Omega",
+     "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
+     5, 1, 1, 's', NULL, slow_flow_F_Omega_loops},
+    {"F_AOmega",
+     "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
+     6, 1, 1, 's', NULL, slow_flow_F_AOmega_loops},
+    {"phase",
+     "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
+     5, 1, 1, 's', NULL, slow_flow_phase_loops},
+    {"backbone",
+     "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
+     2, 1, 1, 's', NULL, slow_flow_backbone_loops},
+    {"limit_envelope",
+     "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
+     "sticks otherwise.",
+     4, 1, 1, 's', NULL, slow_flow_limit_envelope_loops},
+    {"equivalent_damping",
+     "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
+     "A > 0.",
+     4, 1, 1, 's', NULL, slow_flow_equivalent_damping_loops},
+    {"transmissibility",
+     "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
+     "0, A > 0, F_0 > 0.",
+     6, 1, 1, 's', NULL, slow_flow_transmissibility_loops},
+    {"jacobian",
+     "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
+     "> 0.",
+     6, 4, 1, 't', NULL, slow_flow_jacobian_loops},
+    {"stability",
+     "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
+     6, 1, 1, 's', NULL, slow_flow_stability_loops},
+    {"response_quartic",
+     "F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4. Equation (24). Domain: A > 0.",
+     5, 4, 1, 't', NULL, slow_flow_response_quartic_loops},
+    {"fold_quartic",
+     "F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4. Equation (24), (30). Domain: A > "
+     "0.",
+     5, 4, 1, 't', NULL, slow_flow_fold_quartic_loops},
+    {"peak_cubic",
+     "F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3. Equation (34). Domain: A > 0.",
+     4, 3, 1, 't', NULL, slow_flow_peak_cubic_loops},
+    {"detachment",
+     "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr. "
+     "Equation (34). Domain: A > 0.",
+     4, 4, 1, 'c', NULL, slow_flow_detachment_loops},
+};
+
+const sf_module sf_module_slow_flow = {"slow_flow", kernels, sizeof kernels / sizeof kernels[0]};

@@ -1,0 +1,27 @@
+/* How an extension module was built, as a dictionary BUILD in it. */
+#ifndef SF_BUILD_H
+#define SF_BUILD_H
+
+#include "clones.h"
+
+#define SF_TEXT_(x) #x
+#define SF_TEXT(x) SF_TEXT_(x)
+
+#if defined(Py_LIMITED_API)
+#define SF_ABI "abi3, Python " SF_TEXT(PY_MAJOR_VERSION) "." SF_TEXT(PY_MINOR_VERSION) " headers"
+#else
+#define SF_ABI "Python " SF_TEXT(PY_MAJOR_VERSION) "." SF_TEXT(PY_MINOR_VERSION) " only"
+#endif
+
+static int sf_add_build(PyObject *module)
+{
+    PyObject *build = Py_BuildValue("{s:s,s:s,s:s,s:s}", "compiler", SF_COMPILER, "abi", SF_ABI, "builds", SF_CLONES,
+                                    "chosen", SF_CHOSEN);
+    if (build == NULL)
+        return -1;
+    const int failed = PyModule_AddObjectRef(module, "BUILD", build);
+    Py_DECREF(build);
+    return failed;
+}
+
+#endif

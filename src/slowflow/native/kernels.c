@@ -1,0 +1,125 @@
+/* The inner loop that all kernels share: NumPy's operands in, blocks of contiguous arrays out to the kernel's loops. */
+#include "kernels.h"
+
+#include <fenv.h>
+#include <math.h>
+
+typedef double row[SF_BLOCK];
+
+/* Whether an output's memory meets an input's. NumPy then gives the same array twice; the loops expect two. */
+static int overlap(const char *a, ptrdiff_t a_step, const char *b, ptrdiff_t b_step, ptrdiff_t n)
+{
+    const char *a_end = a + a_step * (n - 1), *b_end = b + b_step * (n - 1);
+    const char *a_low = a < a_end ? a : a_end, *a_high = a < a_end ? a_end : a;
+    const char *b_low = b < b_end ? b : b_end, *b_high = b < b_end ? b_end : b;
+    return a_low < b_high + sizeof(double) && b_low < a_high + sizeof(double);
+}
+
+/* A block that holds several regimes: each one's elements side by side, and back. */
+static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const *in, double *const *out,
+                      const unsigned char *regime, const ptrdiff_t *steps)
+{
+    row rows[SF_MOST_OPERANDS];
+    const double *packed_in[SF_MOST_OPERANDS];
+    double *packed_out[SF_MOST_OPERANDS];
+    int where[SF_BLOCK];
+    for (int j = 0; j < kernel->outputs; j++)
+        packed_out[j] = rows[kernel->inputs + j];
+    for (int r = 0; r < kernel->regimes; r++) {
+        ptrdiff_t count = 0;
+        for (int i = 0; i < n; i++) {
+            where[count] = i;
+            count += regime[i] == r;
+        }
+        if (count == 0)
+            continue;
+        for (int j = 0; j < kernel->inputs; j++) {
+            packed_in[j] = in[j];
+            if (steps[j] != 0) {
+                for (ptrdiff_t i = 0; i < count; i++)
+                    rows[j][i] = in[j][where[i]];
+                packed_in[j] = rows[j];
+            }
+        }
+        kernel->loops[r](count, packed_in, packed_out);
+        for (int j = 0; j < kernel->outputs; j++)
+            for (ptrdiff_t i = 0; i < count; i++)
+                out[j][where[i]] = packed_out[j][i];
+    }
+}
+
+/* Whether somewhere a NaN came out and none went in. */
+static int turns_invalid(const sf_kernel *kernel, char **operands, ptrdiff_t n, const ptrdiff_t *steps)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        int nan_in = 0, nan_out = 0;
+        for (int j = 0; j < kernel->inputs; j++)
+            nan_in |= isnan(*(const double *)(operands[j] + i * steps[j])) != 0;
+        for (int j = kernel->inputs; j < kernel->inputs + kernel->outputs; j++)
+            nan_out |= isnan(*(const double *)(operands[j] + i * steps[j])) != 0;
+        if (nan_out && !nan_in)
+            return 1;
+    }
+    return 0;
+}
+
+void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+{
+    const sf_kernel *kernel = data;
+    const ptrdiff_t n = dimensions[0];
+    const int inputs = kernel->inputs, all = inputs + kernel->outputs;
+    const int invalid_before = fetestexcept(FE_INVALID);
+    row rows[SF_MOST_OPERANDS];
+    const double *in[SF_MOST_OPERANDS];
+    double *out[SF_MOST_OPERANDS];
+    unsigned char regime[SF_BLOCK];
+    char in_place[SF_MOST_OPERANDS];
+
+    if (n <= 0)
+        return;
+    for (int j = 0; j < all; j++)
+        in_place[j] = steps[j] == (ptrdiff_t)sizeof(double) || (n == 1 && j >= inputs);
+    for (int j = inputs; j < all; j++)
+        for (int k = 0; k < inputs; k++)
+            if (in_place[j] && overlap(operands[j], steps[j], operands[k], steps[k], n))
+                in_place[j] = 0;
+    for (int j = 0; j < inputs; j++)
+        if (steps[j] == 0)
+            for (int i = 0; i < (n < SF_BLOCK ? n : SF_BLOCK); i++)
+                rows[j][i] = *(const double *)operands[j];
+
+    for (ptrdiff_t start = 0; start < n; start += SF_BLOCK) {
+        const ptrdiff_t size = n - start < SF_BLOCK ? n - start : SF_BLOCK;
+        for (int j = 0; j < inputs; j++) {
+            const char *from = operands[j] + start * steps[j];
+            in[j] = in_place[j] ? (const double *)from : rows[j];
+            if (!in_place[j] && steps[j] != 0)
+                for (ptrdiff_t i = 0; i < size; i++)
+                    rows[j][i] = *(const double *)(from + i * steps[j]);
+        }
+        for (int j = inputs; j < all; j++)
+            out[j - inputs] = in_place[j] ? (double *)(operands[j] + start * steps[j]) : rows[j];
+
+        if (kernel->choose == NULL) {
+            kernel->loops[0](size, in, out);
+        } else {
+            int others = 0;
+            kernel->choose(size, in, regime);
+            for (int i = 1; i < size; i++)
+                others += regime[i] != regime[0];
+            if (others)
+                run_mixed(kernel, size, in, out, regime, steps);
+            else
+                kernel->loops[regime[0]](size, in, out);
+        }
+
+        for (int j = inputs; j < all; j++)
+            if (!in_place[j])
+                for (ptrdiff_t i = 0; i < size; i++)
+                    *(double *)(operands[j] + (start + i) * steps[j]) = rows[j][i];
+    }
+    /* A comparison with NaN sets the flag that NumPy warns of, although nothing invalid was computed. An input that an
+       output has overwritten counts as it is now; at worst a warning is missing there. */
+    if (!invalid_before && fetestexcept(FE_INVALID) && !turns_invalid(kernel, operands, n, steps))
+        feclearexcept(FE_INVALID);
+}

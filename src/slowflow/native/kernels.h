@@ -1,0 +1,39 @@
+/* From a loop over contiguous arrays to the inner loop of a NumPy ufunc: in go tables of kernels, out comes `sf_run`.
+ *
+ * A kernel has one loop for each regime of the force and a function that says which regime holds where. NumPy's strides
+ * are dealt with here, in blocks that stay in the cache: strided arguments are copied, constant ones (stride 0) spread
+ * once, and where a block holds several regimes each one's elements are put side by side. So every loop sees contiguous
+ * arrays that do not overlap, and vectorises.
+ */
+#ifndef SF_KERNELS_H
+#define SF_KERNELS_H
+
+#include <stddef.h>
+
+#include "clones.h"
+
+typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
+typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *regime);
+
+/* loops: one for each regime; choose: NULL where there is one regime.
+ * returns: 's' a number, 't' a tuple, 'c' coefficients, to be stacked along a first axis */
+typedef struct {
+    const char *name, *doc;
+    int inputs, outputs, regimes;
+    char returns;
+    sf_choose choose;
+    const sf_loop *loops;
+} sf_kernel;
+
+typedef struct {
+    const char *name;
+    const sf_kernel *kernels;
+    int count;
+} sf_module;
+
+enum { SF_MOST_OPERANDS = 32, SF_BLOCK = 256 }; /* no loop is given more than a block */
+
+/* NumPy's inner loop for the sf_kernel that is its data: addresses, number of elements, strides in bytes. */
+void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
+
+#endif

@@ -1,0 +1,64 @@
+/* The extension module slowflow._native: compiled solvers as generalised ufuncs. */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
+#include <numpy/arrayobject.h>
+#include <numpy/ufuncobject.h>
+
+#include "build.h"
+#include "solver.h"
+
+/* Every generalised ufunc of the solver: one line here, its loop in solver.h. */
+static const struct {
+    const char *name, *signature, *doc;
+    int inputs, outputs;
+    sf_gufunc_loop *loop;
+    char types[8];
+} gufuncs[] = {
+    {"response_roots", "(),(),(),(),()->(3),()", "A, h, m, zeta, F_0 -> Omega, number of roots.", 5, 2,
+     sf_response_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
+    {"fold_roots", "(),(),(),(),()->(3),()", "A, h, h_A, m, zeta -> Omega, number of roots.", 5, 2,
+     sf_fold_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
+    {"peak_roots", "(),(),(),()->(2),()", "A, h, m, zeta -> Omega, number of roots.", 4, 2,
+     sf_peak_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
+};
+
+enum { COUNT = sizeof gufuncs / sizeof gufuncs[0] };
+
+static PyUFuncGenericFunction loops[COUNT];
+static void *data[COUNT];
+
+static int fill(PyObject *self)
+{
+    if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
+        return -1;
+    for (int i = 0; i < COUNT; i++) {
+        loops[i] = (PyUFuncGenericFunction)gufuncs[i].loop;
+        PyObject *gufunc = PyUFunc_FromFuncAndDataAndSignature(
+            &loops[i], &data[i], (char *)gufuncs[i].types, 1, gufuncs[i].inputs, gufuncs[i].outputs, PyUFunc_None,
+            gufuncs[i].name, gufuncs[i].doc, 0, gufuncs[i].signature);
+        if (gufunc == NULL)
+            return -1;
+        const int failed = PyModule_AddObjectRef(self, gufuncs[i].name, gufunc);
+        Py_DECREF(gufunc);
+        if (failed)
+            return -1;
+    }
+    return sf_add_build(self);
+}
+
+static PyModuleDef_Slot slots[] = {
+    {Py_mod_exec, (void *)fill},
+    {0, NULL},
+};
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_native", "Compiled solvers.", 0, NULL, slots, NULL, NULL, NULL,
+};
+
+PyMODINIT_FUNC PyInit__native(void)
+{
+    return PyModuleDef_Init(&definition);
+}
