@@ -41,11 +41,11 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
         cut = max(UNBOUNDED_STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
         return cut, f"unbounded without viscous damping: cut at A = {cut:g}"
     # The least forcing rises without bound for large A: by viscous damping where the stiffness stays positive, by the
-    # stiffness itself otherwise. The start lies above every piece, so that the last one alone decides. On the way it may
-    # dip between two rungs, to m at most, where the averaged force changes its sign.
+    # stiffness itself otherwise. The start lies above every piece, so that the last one alone decides. On the way it
+    # may dip between two rungs, to m at most, where the averaged force changes its sign.
     A = max(2 * max(model.breakpoints, default=0.0), F_0, 1e-6)
-    ladder = A * 2.0 ** np.arange(DOUBLINGS)
-    level = least_forcing(model, ladder)[0]
+    ladder = np.ldexp(A, np.arange(DOUBLINGS))
+    level, _ = least_forcing(model, ladder)
     h = model.averaged(ladder)[0]
     low = ~(level > 1.01 * F_0)
     low[:-1] |= (h[1:] > 0) != (h[:-1] > 0)

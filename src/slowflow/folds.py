@@ -43,7 +43,7 @@ def polish(model: Model, Omega: Floats, A: Floats, F_0: float) -> tuple[Floats, 
         near = (np.abs(step_A) < 1e-6 * A) & (np.abs(step_Omega) < 1e-6 * Omega)
         A = np.where(near, A + np.where(near, step_A, 0.0), A)
         Omega = np.where(near, Omega + np.where(near, step_Omega, 0.0), Omega)
-    # At a fold the curve's Omega does not depend on A to first order, the locus's does, and next to a breakpoint steeply:
+    # At a fold the curve's Omega does not depend on A to first order. The locus's does, steeply next to a breakpoint:
     # there A is known to its last place and F_A = 0 still leaves Omega open. F = 0 does not.
     roots, _ = response_roots(A, model.averaged(A)[0], m, zeta, F_0)
     distance = np.where(np.isnan(roots), np.inf, np.abs(roots - Omega[:, np.newaxis]))

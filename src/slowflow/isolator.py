@@ -6,9 +6,10 @@ dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency
 
 from __future__ import annotations
 
+import dataclasses
 import warnings
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from slowflow_kernels import duffing, rod_spring
@@ -16,6 +17,8 @@ from slowflow_kernels import duffing, rod_spring
 from slowflow import folds, response, validate
 from slowflow.model import Floats, Model
 from slowflow.results import Detachment, FrequencyResponse, SaddleNodeOnset, SaddleNodes, SteadyStates, words
+
+Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes)
 
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
@@ -56,8 +59,7 @@ class Oscillator:
         if F_0 <= self._model.m:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
             return FrequencyResponse(none, none, flags, self._sticks(F_0), self._model, np.empty(0, np.intp), (), F_0)
-        found = response.frequency_response(self._model, F_0, samples, shown)
-        return self._remarked(found)
+        return self._remarked(response.frequency_response(self._model, F_0, samples, shown))
 
     def amplitudes(self, Omega: Any, F_0: float) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
@@ -108,7 +110,7 @@ class Oscillator:
     def equivalent_damping(self, Omega: Any, A: Any) -> Floats:
         """zeta_eq at (Omega, A), broadcast: the viscous damping ratio that dissipates as much per cycle (38)."""
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
-        return np.asarray(self._model.flow.equivalent_damping(Omega, A, self._model.m, self.zeta)) + 0 * (Omega + A)
+        return np.asarray(self._model.flow.equivalent_damping(Omega, A, self._model.m, self.zeta) + 0 * (Omega + A))
 
     def stability(self, Omega: Any, A: Any) -> Floats:
         """Left side of (30) at (Omega, A), broadcast: a steady state there is stable where it is positive."""
@@ -119,14 +121,12 @@ class Oscillator:
     def _sticks(self, F_0: float) -> str:
         return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self._model.m:g}"
 
-    def _remarked(self, found: Any) -> Any:
+    def _remarked(self, found: Answer) -> Answer:
         """The answer with a remark where amplitudes exceed the mechanism's reach."""
         reach = self._model.reach
         if not found.A.size or found.A.max() <= reach or "cut at" in found.message:
             return found
         remark = f"amplitudes above {reach:g} are not reached: {self._model.kernels.REACH_REASON}"
-        import dataclasses
-
         return dataclasses.replace(found, message=words(found.message, remark))
 
 

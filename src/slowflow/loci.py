@@ -1,8 +1,8 @@
 """Loci that are explicit in the amplitude: in go a model and a range of A, out come monotone spans of a forcing level.
 
 For each A the folds (F_A = 0), the peaks (F_Omega = 0) and the static state (Omega = 0) are roots of a low-degree
-polynomial in Omega that holds no F_0; the forcing for which they are steady states is F_0 = sqrt(R^2 + I^2). A question "where, at
-this F_0?" is then a level crossing of a function of A, whose extrema are the cusps and the isola points.
+polynomial in Omega that holds no F_0; the forcing for which they are steady states is F_0 = sqrt(R^2 + I^2). A question
+"where, at this F_0?" is then a level crossing of a function of A, whose extrema are the cusps and the isola points.
 
 A locus is followed on a chart s -> A for each piece of the force, and split into spans on which the number of roots is
 constant and the level monotone: a span holds a crossing if and only if its ends lie on both sides of the level.
@@ -20,7 +20,7 @@ import numpy.typing as npt
 from slowflow.model import Floats, Model
 from slowflow.roots import fold_roots, peak_roots
 
-Ints = npt.NDArray[np.intp]
+Ints = npt.NDArray[np.integer[Any]]
 
 #: nodes of a chart
 NODES = 257
@@ -41,10 +41,10 @@ class Chart:
 
     def amplitude(self, s: Floats) -> Floats:
         if self.start == 0:
-            return self.end * np.expm1(GRADING_FROM_ZERO * s) / np.expm1(GRADING_FROM_ZERO)
+            return np.asarray(self.end * np.expm1(GRADING_FROM_ZERO * s) / np.expm1(GRADING_FROM_ZERO))
         top = np.arccosh(self.end / self.start)
         x = top * np.expm1(GRADING_FROM_BREAKPOINT * s) / np.expm1(GRADING_FROM_BREAKPOINT)
-        return np.clip(self.start * np.cosh(x), np.nextafter(self.start, np.inf), self.end)
+        return np.asarray(np.clip(self.start * np.cosh(x), np.nextafter(self.start, np.inf), self.end))
 
     def nodes(self) -> Floats:
         """Values of s by rising A, all with A of their own."""
@@ -76,7 +76,7 @@ class Locus:
         """The forcing F_0 for which (Omega, A) is a steady state."""
         model, flow = self.model, self.model.flow
         h = model.averaged(A)[0]
-        return np.hypot(flow.R(Omega, A, h), flow.I(Omega, A, model.m, model.zeta))
+        return np.asarray(np.hypot(flow.R(Omega, A, h), flow.I(Omega, A, model.m, model.zeta)))
 
 
 def fold_locus(model: Model) -> Locus:
@@ -131,8 +131,8 @@ class Spans:
     chart -- the chart each lies on
     count, index -- number of roots along the span, and which of them by rising Omega
     s, A, Omega, level -- arrays of shape (rows, 2): at the low end and at the high end
-    mark -- (rows, 2): what each end is: "cusp", "isola", "static" (extrema of the level), "turning" (of the locus in A),
-            "zero" (Omega = 0), or "" (a node or an end of the chart)
+    mark -- (rows, 2): what each end is: "cusp", "isola", "static" (extrema of the level), "turning" (of the locus in
+            A), "zero" (Omega = 0), or "" (a node or an end of the chart)
     """
 
     locus: Locus
@@ -166,7 +166,7 @@ def spans(locus: Locus, A_max: float) -> Spans:
     rows: list[tuple[Any, ...]] = []
     for number, chart in enumerate(pieces):
         rows += _chart_rows(locus, chart, number)
-    columns = list(zip(*rows, strict=True)) if rows else [[] for _ in range(8)]
+    columns: list[Any] = list(zip(*rows, strict=True)) if rows else [()] * 8
     chart_, count, index = (np.array(column, dtype=np.intp) for column in columns[:3])
     s, A, Omega, level = (np.array(column, dtype=float).reshape(-1, 2) for column in columns[3:7])
     raw = Spans(
@@ -191,15 +191,15 @@ def _chart_rows(locus: Locus, chart: Chart, number: int) -> list[tuple[Any, ...]
         Omega, count = locus.roots(A)
     level = locus.level(A[:, np.newaxis], Omega)
     rows: list[tuple[Any, ...]] = []
-    for k in range(s.size - 1):
-        if count[k] != count[k + 1]:
+    for place in range(s.size - 1):
+        if count[place] != count[place + 1]:
             continue
-        for j in range(count[k]):
-            ends = (k, k + 1)
+        for j in range(int(count[place])):
+            ends = (place, place + 1)
             rows.append(
                 (
                     number,
-                    count[k],
+                    count[place],
                     j,
                     tuple(s[e] for e in ends),
                     tuple(A[e] for e in ends),
@@ -267,7 +267,7 @@ def _solve(spans: Spans, rows: Ints, function: Callable[[Floats, Floats], Floats
     at_low = np.abs(along(spans.s[rows, 0], np.arange(rows.size)))
     at_high = np.abs(along(spans.s[rows, 1], np.arange(rows.size)))
     ends = np.where(at_low <= at_high, spans.s[rows, 0], spans.s[rows, 1])
-    return np.where(result.success, result.x, ends)
+    return np.asarray(np.where(result.success, result.x, ends))
 
 
 def _split_at_extrema(spans: Spans) -> Spans:

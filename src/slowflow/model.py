@@ -50,8 +50,9 @@ class Model:
         flow = importlib.import_module(f"slowflow_kernels.slow_flow_{name}") if name else general_flow
         object.__setattr__(self, "flow", flow)
         object.__setattr__(self, "m", float(general_flow.friction(self.mu)))
-        ends = [float(end) for end in (self.kernels.breakpoints(*self.parameters) if hasattr(self.kernels, "breakpoints") else ())]
-        jumps = [float(jump) for jump in (self.kernels.jumps(*self.parameters) if hasattr(self.kernels, "jumps") else ())]
+        pieced = hasattr(self.kernels, "breakpoints")
+        ends = [float(end) for end in self.kernels.breakpoints(*self.parameters)] if pieced else []
+        jumps = [float(jump) for jump in self.kernels.jumps(*self.parameters)] if pieced else []
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
         object.__setattr__(self, "breakpoints", tuple(end for end, _ in kept))

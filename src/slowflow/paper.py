@@ -72,6 +72,8 @@ def table_2(isolator: Isolator) -> Iterator[Row]:
         if row.jump_up_Omega == "-":
             continue
         F_0 = levels[row.F_0] if row.F_0 in levels else float(row.F_0)
+        if F_0 is None:
+            raise ArithmeticError(f"Table 1 has no {row.F_0}")
         folds = isolator.saddle_nodes(F_0)
         for kind, Omega, A in (
             ("jump-up", row.jump_up_Omega, row.jump_up_A),
@@ -118,12 +120,12 @@ def draw(folder: Path) -> list[Path]:
     written = []
     # the same picture has the same bytes
     with mpl.rc_context({"svg.hashsalt": "slowflow", "svg.fonttype": "path"}):
-        for name, fill in (
-            ("fig_7a", lambda ax: plot.amplitude_curves(ax, isolator, forcings, WINDOW, A_MAX)),
-            ("fig_7b", lambda ax: plot.phase_curves(ax, isolator, forcings, WINDOW)),
-        ):
+        for name in ("fig_7a", "fig_7b"):
             figure, ax = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
-            fill(ax)
+            if name == "fig_7a":
+                plot.amplitude_curves(ax, isolator, forcings, WINDOW, A_MAX)
+            else:
+                plot.phase_curves(ax, isolator, forcings, WINDOW)
             for suffix in ("png", "svg"):
                 path = folder / f"{name}.{suffix}"
                 figure.savefig(path, dpi=160, metadata={"Date": None} if suffix == "svg" else {"Software": None})

@@ -18,6 +18,8 @@ from slowflow.results import FrequencyResponse
 #: a light-to-dark ramp, so that the order of the forcings shows; the lightest end is left out
 RAMP = mpl.colormaps["viridis_r"]
 JUMP_UP, JUMP_DOWN = "^", "v"
+#: points along either axis of the unstable region
+SHADING = 500
 
 
 def _colours(forcings: Sequence[float]) -> list[Any]:
@@ -76,9 +78,9 @@ def phase_curves(ax: Any, oscillator: Oscillator, forcings: Sequence[float], Ome
     ax.legend(title="$F_0$", frameon=False, loc="lower left")
 
 
-def shade_unstable(ax: Any, oscillator: Oscillator, Omega: tuple[float, float], A_max: float, points: int = 500) -> None:
+def shade_unstable(ax: Any, oscillator: Oscillator, Omega: tuple[float, float], A_max: float) -> None:
     """The region of (Omega, A) in which a steady state would be unstable (30), whatever its forcing."""
-    w = np.linspace(max(Omega[0], 1e-6), Omega[1], points)[np.newaxis, :]
-    A = np.linspace(A_max / points, A_max, points)[:, np.newaxis]
+    w = np.linspace(max(Omega[0], 1e-6), Omega[1], SHADING)[np.newaxis, :]
+    A = np.linspace(A_max / SHADING, A_max, SHADING)[:, np.newaxis]
     unstable = oscillator.stability(w, A)
     ax.contourf(w[0], A[:, 0], unstable, levels=[-np.inf, 0], colors=["0.90"])

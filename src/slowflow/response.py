@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -251,7 +252,7 @@ def solve_pieces(model: Model, F_0: float, pieces: list[Piece], Omega: Floats) -
     A = np.where(result.success, result.x, np.where(near_low, low, high))
     A = _newton_in_A(model, F_0, Omega, A)
     # an end is known better than it can be solved for: A is a square root of Omega there
-    return np.where(at_low == Omega, low, np.where(at_high == Omega, high, A))
+    return np.asarray(np.where(at_low == Omega, low, np.where(at_high == Omega, high, A)))
 
 
 def _piece_end(pieces: list[Piece], side: str) -> Floats:
@@ -267,7 +268,7 @@ def _tail_amplitude(model: Model, F_0: float, Omega: Floats) -> Floats:
         if np.all(top > Omega):
             break
         A = np.where(top > Omega, A, 0.25 * A)
-    return A
+    return np.asarray(A)
 
 
 def _newton_in_A(model: Model, F_0: float, Omega: Floats, A: Floats) -> Floats:
@@ -277,7 +278,7 @@ def _newton_in_A(model: Model, F_0: float, Omega: Floats, A: Floats) -> Floats:
     slope = model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A)
     with np.errstate(divide="ignore", invalid="ignore"):
         step = F / slope
-    return np.where(np.abs(step) < 1e-8 * A, A - step, A)
+    return np.asarray(np.where(np.abs(step) < 1e-8 * A, A - step, A))
 
 
 def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tuple[Piece, bool]], bool]]:
@@ -326,7 +327,7 @@ def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tu
 
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
-    """About `samples` points along every branch in the window; ends, folds, peaks and corners are among them exactly."""
+    """About `samples` points along every branch in the window; ends, folds, peaks, corners are among them exactly."""
     found = skeleton(model, F_0)
     curves = _clipped(found, window)
     steps = [(number, piece, upward) for number, (curve, _) in enumerate(curves) for piece, upward in curve]
@@ -345,7 +346,10 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     index = np.concatenate(indices) if indices else np.empty(0, dtype=int)
     Omega_inner = np.take_along_axis(roots, index[:, np.newaxis], axis=-1)[:, 0] if index.size else np.empty(0)
 
-    Omega, A, stable, branch = [], [], [], []
+    Omega: list[Any] = []
+    A: list[Any] = []
+    stable: list[Any] = []
+    branch: list[Any] = []
     at = 0
     for k, ((number, piece, upward), n) in enumerate(zip(steps, inner, strict=True)):
         first, final = _end((piece, upward), True), _end((piece, upward), False)

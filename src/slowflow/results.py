@@ -1,4 +1,4 @@
-"""What the questions are answered with: plain records of arrays. Where there is no answer, `message` says why in words."""
+"""What the questions are answered with: plain records of arrays; where there is no answer, `message` says why."""
 
 from __future__ import annotations
 
@@ -72,7 +72,8 @@ class SaddleNodes:
 class SaddleNodeOnset:
     """The lowest forcing that has a fold; None and a message where there is none.
 
-    kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a breakpoint)
+    kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
+            breakpoint)
     """
 
     F_SN: float | None
@@ -84,7 +85,7 @@ class SaddleNodeOnset:
 
 @dataclass(frozen=True)
 class Detachment:
-    """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message for a mechanism without breakpoints."""
+    """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr."""
 
     F_cr: float | None
     Omega_cr: float | None
