@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
@@ -9,14 +11,14 @@ from hypothesis import strategies as st
 from native_roots import Solver, build, why_not
 from root_oracle import KINDS, U, relative_error, roots, stress_cases
 
-from slowflow.roots import fold_roots, peak_roots, response_roots
+from slowflow.roots import numpy_roots, peak_roots, response_roots
 
 # Less than the promised u (1 + kappa), so that a correction that has become useless is seen.  Rounding the exact root
 # costs up to u, which is 2/3 u (1 + kappa), as kappa >= 1/2 (change the unit of frequency); sqrt(-h/A), with kappa = 1,
 # may reach 3/4.
 BOUND = 0.75 * U
 
-SOLVE = {"response": response_roots, "fold": fold_roots, "peak": peak_roots}
+SOLVE = {kind: partial(numpy_roots, f"{kind}_roots") for kind in KINDS}
 FAMILIES = [(kind, name) for kind in KINDS for name in stress_cases(kind, 1, 0)]
 
 

@@ -9,8 +9,8 @@ The generating function of the Chebyshev polynomials gives, for |q| < 1 and |t| 
 
     2 sum_k (-1)^k q^(2k+1)/(2k+1) T_{2k+1}(t) = atan(2 q t/(1 - q^2)),
 
-which is atan(t) for the root q = sqrt(2) - 1 of 2 q = 1 - q^2. As |T_{2k+1}(t)| <= (2k+1) |t|, the terms left out after n
-are at most 2 |t| sum_{k >= n} q^(2k+1) = |t| q^(2n) (2 q/(1 - q^2)) = |t| q^(2n), and |t| <= (4/pi) |atan t| here.
+which is atan(t) for the root q = sqrt(2) - 1 of 2 q = 1 - q^2. As |T_{2k+1}(t)| <= (2k+1) |t|, the terms left out
+after n are at most 2 |t| sum_{k >= n} q^(2k+1) = |t| q^(2n) (2 q/(1 - q^2)) = |t| q^(2n), and |t| <= (4/pi) |atan t|.
 
 E is expanded about the middle of 0 <= t^2 <= 1, where its terms fall fast enough that they do not cancel: E is between
 -0.215 and 0, so that rounding in E counts for little in t + t E.

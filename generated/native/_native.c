@@ -90,7 +90,7 @@ static int fill(PyObject *self)
         return -1;
     for (int i = 0; i < SF_MOST_OPERANDS; i++)
         all_double[i] = NPY_DOUBLE;
-    return sf_add_build(self);
+    return sf_add_build(self, SF_WIDE_BUILDS, SF_WIDE_CHOSEN);
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -10,6 +10,8 @@ function           equation                                   paper       roots
 
 with R = A w^2 + h and I = 2 zeta A w + m; everything is dimensionless.
 
+They run compiled (native/roots.h) where that is built, on NumPy otherwise; what follows holds for both.
+
 Method.  Both quartics are depressed, with a positive leading and a non-negative linear coefficient, and their
 derivative is k (A w^3 + p w + q), q >= 0.  So there are at most two positive critical points, a maximum w1 and then a
 minimum w2.  The signs at 0, w1 and w2 give the number of roots; between these points the quartic is monotone.  Each
@@ -32,12 +34,14 @@ size.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from slowflow.backend import SOLVER
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -465,7 +469,7 @@ def _peak(A: Floats, h: Floats, m: Floats, zeta: Floats) -> tuple[Floats, Counts
 
 
 def _broadcast(
-    solve: Callable[..., tuple[Floats, Counts]], places: int, any_sign: tuple[int, ...], *parameters: ArrayLike
+    solve: Callable[..., tuple[Floats, Counts]], places: int, any_sign: tuple[int, ...], parameters: Sequence[ArrayLike]
 ) -> tuple[Floats, Counts]:
     """Solve in chunks over the broadcast parameters; those outside the domain get the count -1."""
     arrays = np.broadcast_arrays(*(np.asarray(parameter, dtype=np.float64) for parameter in parameters))
@@ -484,6 +488,27 @@ def _broadcast(
     return found.reshape(*shape, places), count.reshape(shape)
 
 
+# solver, places for its roots, which arguments may be negative
+_NUMPY: dict[str, tuple[Callable[..., tuple[Floats, Counts]], int, tuple[int, ...]]] = {
+    "response_roots": (_response, 3, (1,)),
+    "fold_roots": (_fold, 3, (1, 2)),
+    "peak_roots": (_peak, 2, (1,)),
+}
+
+
+def numpy_roots(name: str, *parameters: ArrayLike) -> tuple[Floats, Counts]:
+    """One of the functions below, by name, on NumPy whatever the backend."""
+    return _broadcast(*_NUMPY[name], parameters)
+
+
+def _roots(name: str, *parameters: ArrayLike) -> tuple[Floats, Counts]:
+    """The same on the backend in use."""
+    if SOLVER is None:
+        return numpy_roots(name, *parameters)
+    found: tuple[Floats, Counts] = getattr(SOLVER, name)(*parameters)
+    return found
+
+
 def response_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike, F_0: ArrayLike) -> tuple[Floats, Counts]:
     """All Omega > 0 of the response curve F = 0, equation (24), at amplitude A under the forcing F_0.
 
@@ -492,7 +517,7 @@ def response_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike, F_
     padded with NaN, and the number of roots, shape (...), -1 outside the domain (see the module); nothing is raised but
     for arguments that do not broadcast.  With F_0 < m there is no root.
     """
-    return _broadcast(_response, 3, (1,), A, h, m, zeta, F_0)
+    return _roots("response_roots", A, h, m, zeta, F_0)
 
 
 def fold_roots(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tuple[Floats, Counts]:
@@ -500,7 +525,7 @@ def fold_roots(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, m: ArrayLike, zeta: A
 
     h_A is the derivative of h, of either sign and any finite size.  Otherwise as in `response_roots`.
     """
-    return _broadcast(_fold, 3, (1, 2), A, h, h_A, m, zeta)
+    return _roots("fold_roots", A, h, h_A, m, zeta)
 
 
 def peak_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tuple[Floats, Counts]:
@@ -508,4 +533,4 @@ def peak_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tup
 
     Returns Omega, shape (..., 2), and the number of roots; otherwise as in `response_roots`.
     """
-    return _broadcast(_peak, 2, (1,), A, h, m, zeta)
+    return _roots("peak_roots", A, h, m, zeta)

@@ -13,10 +13,11 @@
 #define SF_ABI "Python " SF_TEXT(PY_MAJOR_VERSION) "." SF_TEXT(PY_MINOR_VERSION) " only"
 #endif
 
-static int sf_add_build(PyObject *module)
+/* builds: the targets that the loops were built for; chosen: the one that runs here */
+static int sf_add_build(PyObject *module, const char *builds, const char *chosen)
 {
-    PyObject *build = Py_BuildValue("{s:s,s:s,s:s,s:s}", "compiler", SF_COMPILER, "abi", SF_ABI, "builds", SF_CLONES,
-                                    "chosen", SF_CHOSEN);
+    PyObject *build = Py_BuildValue("{s:s,s:s,s:s,s:s,s:s}", "compiler", SF_COMPILER, "abi", SF_ABI, "builds", builds,
+                                    "chosen", chosen, "processor", SF_PROCESSOR);
     if (build == NULL)
         return -1;
     const int failed = PyModule_AddObjectRef(module, "BUILD", build);

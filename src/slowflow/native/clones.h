@@ -15,29 +15,37 @@
 #include <stddef.h>
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && !defined(SF_NO_CLONES)
+#define SF_HAS(feature) __builtin_cpu_supports(feature)
 #if __GNUC__ >= 12
-#define SF_WIDE __attribute__((flatten, target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#define SF_FMA __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
-#define SF_CLONES "baseline, x86-64-v3, x86-64-v4"
-#define SF_CHOSEN \
-    (__builtin_cpu_supports("x86-64-v4") ? "x86-64-v4" : __builtin_cpu_supports("x86-64-v3") ? "x86-64-v3" : "baseline")
+#define SF_V3 "arch=x86-64-v3"
+#define SF_V4 "arch=x86-64-v4"
+#define SF_FMA_TARGET SF_V3
+#define SF_WIDE_CHOSEN (SF_HAS("x86-64-v4") ? "x86-64-v4" : SF_FMA_CHOSEN)
+#define SF_FMA_CHOSEN (SF_HAS("x86-64-v3") ? "x86-64-v3" : "baseline")
 #else
-#define SF_WIDE __attribute__((flatten, target_clones("default", "avx2", "avx512f")))
-#define SF_FMA __attribute__((flatten, target_clones("default", "fma")))
-#define SF_CLONES "baseline, avx2, avx512f"
-#define SF_CHOSEN (__builtin_cpu_supports("avx512f") ? "avx512f" : __builtin_cpu_supports("avx2") ? "avx2" : "baseline")
+#define SF_V3 "avx2"
+#define SF_V4 "avx512f"
+#define SF_FMA_TARGET "fma"
+#define SF_WIDE_CHOSEN (SF_HAS("avx512f") ? "avx512f" : SF_HAS("avx2") ? "avx2" : "baseline")
+#define SF_FMA_CHOSEN (SF_HAS("fma") ? "fma" : "baseline")
 #endif
-#elif defined(__GNUC__)
+#define SF_WIDE __attribute__((flatten, target_clones("default", SF_V3, SF_V4)))
+#define SF_FMA __attribute__((flatten, target_clones("default", SF_FMA_TARGET)))
+#define SF_WIDE_BUILDS "baseline, " SF_V3 ", " SF_V4
+#define SF_FMA_BUILDS "baseline, " SF_FMA_TARGET
+#define SF_PROCESSOR (SF_HAS("avx512f") ? "fma, avx2, avx512f" : SF_HAS("avx2") ? "fma, avx2" : "no avx2")
+#else
+#if defined(__GNUC__)
 #define SF_WIDE __attribute__((flatten))
-#define SF_FMA __attribute__((flatten))
 #else
 #define SF_WIDE
-#define SF_FMA
 #endif
-
-#ifndef SF_CLONES
-#define SF_CLONES "one build"
-#define SF_CHOSEN "the compiler's target"
+#define SF_FMA SF_WIDE
+#define SF_WIDE_BUILDS "one"
+#define SF_FMA_BUILDS "one"
+#define SF_WIDE_CHOSEN "the compiler's target"
+#define SF_FMA_CHOSEN "the compiler's target"
+#define SF_PROCESSOR "not asked"
 #endif
 
 #if defined(__GNUC__) && !defined(__clang__)

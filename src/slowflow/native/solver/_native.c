@@ -46,7 +46,7 @@ static int fill(PyObject *self)
         if (failed)
             return -1;
     }
-    return sf_add_build(self);
+    return sf_add_build(self, SF_FMA_BUILDS, SF_FMA_CHOSEN);
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -1,0 +1,38 @@
+"""Which code runs: compiled or NumPy; in goes SLOWFLOW_BACKEND, out come the extension modules, or None.
+
+    KERNELS   compiled kernels (slowflow_kernels._native)
+    SOLVER    compiled solvers (slowflow._native)
+
+`slowflow_kernels` decides, once, at its first import: SLOWFLOW_BACKEND=native demands what is compiled,
+SLOWFLOW_BACKEND=numpy leaves it alone, and without it the compiled code runs where it was built.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import warnings
+from types import ModuleType
+
+from slowflow_kernels._backend import NATIVE, BackendWarning
+
+__all__ = ["KERNELS", "NAME", "SOLVER", "BackendWarning"]
+
+
+def _solver() -> ModuleType | None:
+    """The compiled solvers where the kernels are compiled too."""
+    if NATIVE is None:
+        return None
+    try:
+        return importlib.import_module("slowflow._native")
+    except ImportError as error:
+        if os.environ.get("SLOWFLOW_BACKEND") == "native":
+            raise
+        text = f"slowflow runs on NumPy: its compiled solvers do not load: {error}"
+        warnings.warn(text, BackendWarning, stacklevel=2)
+        return None
+
+
+KERNELS: ModuleType | None = NATIVE
+SOLVER: ModuleType | None = _solver()
+NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
