@@ -12,6 +12,7 @@ Four conditions, linear in the two constants of the free motion and in F_0 cos p
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 
 import sympy as sp
@@ -48,7 +49,7 @@ def den_hartog() -> DenHartog:
     """All of step 6."""
     B, C, p, q, v = sp.symbols("B C p q v", real=True)  # free motion; p = F_0 cos phi, q = F_0 sin phi
     forced = sp.cos(Omega * tau) * p - sp.sin(Omega * tau) * q
-    response = sp.factor(sp.solve(sp.diff(v * forced, tau, 2) + v * forced - forced, v)[0])
+    response = sp.solve(sp.diff(v * forced, tau, 2) + v * forced - forced, v)[0]
 
     motion = mu + V * forced + B * sp.cos(tau) + C * sp.sin(tau)
     velocity = sp.diff(motion, tau)
@@ -70,32 +71,57 @@ def den_hartog() -> DenHartog:
     damping = sp.cancel(-solution[q] * V / mu)
     named = {B: solution[B], C: sp.cancel(solution[C] / damping) * U, p: solution[p], q: -mu * U / V}
     motion = sp.expand(motion.subs(named))
-    # half-angle form: sin/(1 + cos) loses its digits where pi/Omega is near pi, which is resonance
-    tangent = sp.Symbol("tangent", real=True)
-    halved = {sine: 2 * tangent / (1 + tangent**2), cosine: (1 - tangent**2) / (1 + tangent**2)}
-    damping = sp.cancel(damping.subs(halved)).subs(tangent, sp.tan(half / 2))
     # F_0^2 = p^2 + q^2
     A_squared = sp.solve(named[p] ** 2 + named[q] ** 2 - F_0**2, A**2)[0]
     # u' < 0: A exceeds mu/Omega^2 times the ratio below, everywhere in the half-cycle
     velocity = sp.expand(sp.diff(motion, tau))
     friction_share = velocity.coeff(mu)
-    # sums of cosines as products: cos(Omega tau) - cos(tau) loses its digits for small tau
-    by_share = sp.collect(sp.expand(friction_share), U, evaluate=False)
-    products = sum(key * TR9(sp.factor(value)) for key, value in by_share.items())
-    ratio = Omega * products.replace(sp.sin, lambda angle: sp.sin(sp.factor(angle))) / sp.sin(Omega * tau)
+    ratio = sp.factor_terms(sp.expand(Omega * friction_share)) / sp.sin(Omega * tau)
     if sp.simplify(velocity - mu * friction_share + A * Omega * sp.sin(Omega * tau)) != 0:
         raise ArithmeticError("the forced share of the velocity is not -A Omega sin(Omega tau)")
     # at the bound mu = A Omega^2/S; put into (35) and solved for A
     bound_squared = sp.solve(A**2 - A_squared.subs(mu, A * Omega**2 / S), A**2)[0]
     return DenHartog(
         response=response,
-        damping=damping,
+        damping=damping.subs({sine: sp.sin(half), cosine: sp.cos(half)}),
         motion=motion,
-        amplitude=sp.sqrt(sp.factor(A_squared)),
+        amplitude=sp.sqrt(A_squared),
         slope_ratio=ratio,
         bound=sp.sqrt(sp.factor(bound_squared)),
         bound_in_friction=mu * S / Omega**2,
     )
+
+
+def without_cancellation(exact: DenHartog) -> DenHartog:
+    """The same functions in forms that keep their digits near resonance and near tau = 0.
+
+    There V and U grow as 1/(Omega - 1), and what they multiply vanishes as a difference of nearly equal terms.
+    """
+    # pi/Omega = pi - 2 theta, where theta vanishes with Omega - 1; sine and cosine of 2 theta by the tangent of theta
+    theta = sp.factor(sp.pi / 2 - sp.pi / (2 * Omega))
+    double, tangent = sp.symbols("double tangent", real=True)
+    turned = exact.damping.subs(sp.pi / Omega, sp.pi - double)
+    halved = {sp.sin(double): 2 * tangent / (1 + tangent**2), sp.cos(double): (1 - tangent**2) / (1 + tangent**2)}
+    return dataclasses.replace(
+        exact,
+        response=sp.factor(exact.response),
+        damping=sp.cancel(turned.subs(halved)).subs(tangent, sp.tan(theta)),
+        motion=_by_detuning(exact.motion),
+        amplitude=sp.sqrt(sp.factor(exact.amplitude**2)),
+        slope_ratio=_by_detuning(exact.slope_ratio),
+    )
+
+
+def _by_detuning(expression: sp.Expr) -> sp.Expr:
+    """What U multiplies, a wave of Omega tau and one of tau, as a product and a remainder of size Omega - 1."""
+    numerator, denominator = sp.fraction(expression)
+    numerator = sp.expand(numerator)
+    share = numerator.coeff(U)
+    slow, fast = sorted(share.atoms(sp.sin, sp.cos), key=lambda wave: wave.has(Omega))
+    scale = share.coeff(fast)
+    product = TR9(fast - slow).replace(sp.sin, lambda x: sp.sin(sp.factor(x)))
+    remainder = sp.factor(share.coeff(slow) / scale + 1) * slow
+    return (numerator - sp.expand(U * share) + U * scale * (product + remainder)) / denominator
 
 
 def _reduce(expression: sp.Expr, sine: sp.Symbol, cosine: sp.Symbol) -> sp.Expr:

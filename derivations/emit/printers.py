@@ -122,15 +122,9 @@ class _Rules:
     def doprint(self, expr: sp.Expr, assign_to: None = None) -> str:
         """Source text of one expression."""
         for node in sp.preorder_traversal(expr):
-            known = (
-                node.is_Symbol
-                or node.is_Add
-                or node.is_Mul
-                or node.is_Pow
-                or is_constant(node)
-                or (node.is_Function and node.func in self.functions)
-            )
-            if not known:
+            number = getattr(node, "is_Rational", False) or node in (sp.pi, sp.oo)
+            built = isinstance(node, sp.Symbol | sp.Add | sp.Mul | sp.Pow | sp.UnevaluatedExpr)
+            if not (number or built or (isinstance(node, sp.Function) and node.func in self.functions)):
                 self.emptyPrinter(node)
         return self._print(expr)
 
@@ -163,7 +157,6 @@ class NumpyPrinter(_Rules, NumPyPrinter):
         sp.sin: "np.sin",
         sp.cos: "np.cos",
         sp.tan: "np.tan",
-        sp.atan: "np.arctan",
         sp.atan2: "np.arctan2",
     }
 

@@ -71,10 +71,11 @@ def on_disk(folder: Path) -> dict[str, str]:
 
 
 def write(files: dict[str, str], folder: Path) -> None:
-    """Write the files, and delete those that are no longer generated."""
-    for name in on_disk(folder) if folder.exists() else ():
+    """Write the files, and delete those that an earlier run wrote (its manifest says so) and this one does not."""
+    earlier = folder / MANIFEST
+    for name in json.loads(earlier.read_text())["files"] if earlier.exists() else ():
         if name not in files:
-            (folder / name).unlink()
+            (folder / name).unlink(missing_ok=True)
     for name, text in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -1,0 +1,76 @@
+"""The generated C headers as Python functions: a directory for the shared library in, callables out.
+
+Every `static inline` function of `generated/c` gets a wrapper `void wrap_NAME(const double *in, double *out)`.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import re
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+HEADERS = Path(__file__).parents[1] / "generated" / "c"
+WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
+FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
+PROTOTYPE = re.compile(r"^static inline (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
+COMPILER = shutil.which("cc")
+WIDEST = 64
+
+
+def prototypes() -> dict[str, tuple[str, list[str]]]:
+    """Return type and arguments of every function, by name."""
+    found = {}
+    for header in sorted(HEADERS.glob("*.h")):
+        for kind, name, arguments in PROTOTYPE.findall(header.read_text()):
+            found[name] = (kind, [argument.strip() for argument in arguments.split(",")])
+    return found
+
+
+def compile_alone(header: Path, directory: Path) -> str:
+    """What the compiler says about a header by itself."""
+    source = directory / "alone.c"
+    source.write_text(f'#include "{header.name}"\nint main(void) {{ return 0; }}\n')
+    command = [COMPILER, *WARNINGS, f"-I{HEADERS}", "-c", str(source), "-o", str(directory / "alone.o")]
+    return subprocess.run(command, capture_output=True, text=True).stderr
+
+
+def build(directory: Path) -> Callable[..., np.ndarray]:
+    """Compile all headers together; the function returned takes a name and the arguments in one sequence."""
+    includes = [f'#include "{header.name}"' for header in sorted(HEADERS.glob("*.h"))]
+    wrappers = []
+    for name, (kind, arguments) in prototypes().items():
+        call, used = [], 0
+        for argument in arguments:
+            if argument == "double *out":
+                call.append("out")
+            elif argument == "const double *p":
+                call.append(f"in + {used}")
+            else:
+                call.append(f"in[{used}]")
+                used += 1
+        value = f"{name}({', '.join(call)})"
+        body = f"*out = {value};" if kind == "double" else f"(void)out; {value};"
+        wrappers.append(
+            f"void wrap_{name}(const double *in, double *out);\n"
+            f"void wrap_{name}(const double *in, double *out) {{ (void)in; {body} }}"
+        )
+    source, library = directory / "kernels.c", directory / "kernels.so"
+    source.write_text("\n".join([*includes, *wrappers]) + "\n")
+    command = [COMPILER, *WARNINGS, *FLAGS, f"-I{HEADERS}", "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode:
+        raise RuntimeError(done.stderr)
+    loaded = ctypes.CDLL(str(library))
+
+    def call(name: str, arguments: list[float], width: int) -> np.ndarray:
+        given, out = np.array([*arguments, 0.0]), np.full(WIDEST, np.nan)
+        getattr(loaded, f"wrap_{name}")(given.ctypes.data_as(ctypes.c_void_p), out.ctypes.data_as(ctypes.c_void_p))
+        assert np.isnan(out[width:]).all()
+        return out[:width]
+
+    return call

@@ -1,0 +1,223 @@
+"""Passes and printers: what they must survive, what they must refuse, what they must not do to an expression."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import subprocess
+
+import generated_c
+import numpy as np
+import pytest
+import sympy as sp
+from derivations.averaging import averaged
+from derivations.emit.kernels import all_modules
+from derivations.emit.passes import operations, straight_line
+from derivations.emit.printers import CPrinter, NumpyPrinter, Unprintable, literal
+from derivations.results import derive
+from derivations.slow_flow import slow_flow
+from derivations.symbols import A
+from mpmath import mp, mpf
+
+x, y = sp.symbols("x y", positive=True)
+z, w = sp.symbols("z w", real=True)
+PRINTERS = {"c": CPrinter(), "numpy": NumpyPrinter()}
+AT = {x: 0.7, y: 1.8, z: -1.5, w: -0.2}
+
+#: every printer must survive these, after the passes
+SURVIVES = [
+    sp.Integer(0),
+    sp.Integer(-3),
+    sp.Rational(2, 3),
+    sp.pi,
+    sp.pi / 2 - 1,
+    4 / sp.pi,
+    sp.sqrt(2) / 3,
+    x,
+    -x,
+    x + y - z,
+    x - (y - z),
+    -(x + y) * z,
+    2 * (x + y) / 3,
+    -sp.Rational(5, 8) * x * (y - z),
+    x * y / z,
+    x / (y * z),
+    -x / (y + z),
+    1 / x,
+    -1 / (x * y),
+    1 / (x + y) ** 2,
+    x**2,
+    (x + y) ** 2 + z,
+    x**7 + x**4 * y**3,
+    x**-3 * y**5,
+    (x - y) ** 6 / (x + y) ** 5,
+    sp.sqrt(x),
+    1 / sp.sqrt(x + y),
+    sp.sqrt((y - x) * (y + x)),
+    sp.sin(x) + sp.cos(y) * sp.tan(z),
+    sp.sin(x * y) ** 2,
+    sp.atan2(x - y, z),
+    sp.atan2(-z, w),
+    sp.Abs(z) * x,
+    4 * x * (sp.Rational(1, 3) + y * (sp.Rational(1, 7) - z)) / sp.pi,
+]
+
+#: and must refuse these
+REFUSED = [
+    sp.gamma(x),
+    sp.erf(x),
+    sp.exp(x),
+    sp.Function("f")(x),
+    sp.Derivative(sp.Function("f")(x), x),
+    sp.Integral(sp.sin(x), (x, 0, y)),
+    sp.Integral(sp.sin(x), (x, 0, 1)),
+    sp.Sum(x, (x, 1, 3)),
+    sp.Piecewise((x, x < y), (y, True)),
+    sp.Max(x, y),
+    x**y,
+    x ** sp.Rational(1, 3),
+    sp.sqrt(x) ** 3,
+    x**3,
+    (x + y) ** 2,
+    sp.Float("0.1") * x,
+    sp.Float("0.1"),
+    x + sp.I,
+    sp.sin(1) * x,
+    sp.nan,
+    sp.zoo,
+    x < y,
+    sp.Matrix([x, y]),
+]
+
+
+def program_of(expression):
+    """The passes' result for one expression."""
+    return straight_line([], [expression], (x, y, z, w))
+
+
+def numpy_source(programs) -> str:
+    lines = ["import numpy as np", ""]
+    for k, program in enumerate(programs):
+        lines += ["", f"def f{k}(x, y, z, w):"]
+        lines += [f"    {symbol} = {PRINTERS['numpy'].doprint(value)}" for symbol, value in program.lets]
+        lines += [f"    return {PRINTERS['numpy'].doprint(program.outputs[0])}", ""]
+    return "\n".join(lines)
+
+
+def c_source(programs) -> str:
+    lines = ["#include <math.h>", '#include "angles.h"', "#include <stdio.h>"]
+    for k, program in enumerate(programs):
+        lines.append(f"static double f{k}(double x, double y, double z, double w)\n{{\n    (void)x; (void)y; (void)z; (void)w;")
+        lines += [f"    const double {symbol} = {PRINTERS['c'].doprint(value)};" for symbol, value in program.lets]
+        lines += [f"    return {PRINTERS['c'].doprint(program.outputs[0])};", "}"]
+    lines += ["int main(void)", "{"]
+    lines += [f'    printf("%.17g\\n", f{k}({", ".join(map(repr, AT.values()))}));' for k in range(len(programs))]
+    return "\n".join([*lines, "    return 0;", "}", ""])
+
+
+@pytest.fixture(scope="module")
+def expected():
+    with mp.workdps(40):
+        exact = {symbol: sp.Rational(value) for symbol, value in AT.items()}
+        return [float(sp.N(expression.subs(exact), 40)) for expression in SURVIVES]
+
+
+def test_numpy_survives(expected, tmp_path):
+    path = tmp_path / "survives.py"
+    path.write_text(numpy_source([program_of(expression) for expression in SURVIVES]))
+    specification = importlib.util.spec_from_file_location("survives", path)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    for k, value in enumerate(expected):
+        np.testing.assert_allclose(getattr(module, f"f{k}")(*AT.values()), value, rtol=2e-15, err_msg=str(SURVIVES[k]))
+
+
+@pytest.mark.skipif(generated_c.COMPILER is None, reason="no C compiler (cc) on the path")
+def test_c_survives(expected, tmp_path):
+    source, program = tmp_path / "survives.c", tmp_path / "survives"
+    source.write_text(c_source([program_of(expression) for expression in SURVIVES]))
+    command = [generated_c.COMPILER, *generated_c.WARNINGS, f"-I{generated_c.HEADERS}", str(source), "-o", str(program)]
+    subprocess.run([*command, "-lm"], check=True)
+    printed = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout.split()
+    for expression, text, value in zip(SURVIVES, printed, expected, strict=True):
+        np.testing.assert_allclose(float(text), value, rtol=2e-15, err_msg=str(expression))
+
+
+@pytest.mark.parametrize("language", PRINTERS)
+@pytest.mark.parametrize("expression", REFUSED, ids=str)
+def test_printer_refuses(language, expression):
+    with pytest.raises(Unprintable):
+        PRINTERS[language].doprint(expression)
+
+
+def test_c_leaves_the_name_I_to_complex_h():
+    assert CPrinter().doprint(sp.Symbol("I") + x) == "I_ + x"
+
+
+def test_no_call_of_pow():
+    for expression in SURVIVES:
+        program = program_of(expression)
+        for value in (*(value for _, value in program.lets), *program.outputs):
+            for printer in PRINTERS.values():
+                assert "pow" not in printer.doprint(value) and "**" not in printer.doprint(value)
+
+
+@pytest.mark.parametrize("number", [sp.pi, 4 / sp.pi, sp.Rational(1, 3), sp.Rational(5, 24), sp.sqrt(2), sp.Integer(7)])
+def test_literals_are_the_nearest_doubles(number):
+    with mp.workdps(60):
+        value = mpf(sp.N(number, 60)._to_mpmath(200))
+        printed = float(literal(number))
+        assert abs(printed - value) <= min(abs(math.nextafter(printed, end) - value) for end in (math.inf, -math.inf))
+
+
+def test_numbers_are_not_multiplied_out():
+    held = straight_line([], [2 * x * (y + z), sp.Mul(3, y + z, evaluate=False)], (x, y, z))
+    assert not any(operations(output) > 2 for output in held.outputs)
+
+
+def test_structured_forms_stay():
+    """F keeps its product (I - F_0)(I + F_0), and F_A its R (Omega^2 + h_A)."""
+    flow = slow_flow(averaged())
+    I, R = sp.symbols("I R", real=True)
+    program = straight_line([(R, flow.R), (I, flow.I)], [flow.F], flow.F.free_symbols | flow.R.free_symbols)
+    factors = [node for node in sp.preorder_traversal(program.outputs[0]) if node.is_Mul]
+    assert any(sum(factor.is_Add for factor in node.args) == 2 for node in factors)
+    assert program.counts["power chains"] <= program.counts["structured"]
+
+
+def test_passes_change_no_value():
+    """All kernels: putting the lets back gives the expression that went in."""
+    mp.dps = 50
+    rng = np.random.default_rng(7)
+    for module in all_modules(derive()):
+        for kernel in module.kernels:
+            for branch in kernel.branches:
+                program = straight_line(branch.lets, branch.outputs, kernel.arguments)
+                at = {argument: mpf(float(rng.uniform(0.1, 0.4))) for argument in kernel.arguments}
+                at |= {symbol: mpf(float(rng.uniform(0.5, 0.9))) for symbol in at if symbol == A}
+                before = evaluated(branch.lets, branch.outputs, at)
+                after = evaluated(program.lets, program.outputs, at)
+                for one, other in zip(before, after, strict=True):
+                    assert abs(one - other) <= mpf(10) ** -40 * (1 + abs(one)), (module.name, kernel.name)
+
+
+def evaluated(lets, outputs, at):
+    """Values of the outputs to 50 digits."""
+    values = {symbol.name: value for symbol, value in at.items()}
+
+    def value_of(expression):
+        names = sorted(symbol.name for symbol in expression.free_symbols)
+        plain = expression.doit().xreplace({s: sp.Symbol(s.name) for s in expression.free_symbols})
+        if plain in (sp.oo, -sp.oo):
+            return mpf(0)
+        return mp.mpmathify(sp.lambdify([sp.Symbol(n) for n in names], plain, "mpmath")(*(values[n] for n in names)))
+
+    for symbol, expression in lets:
+        values[symbol.name] = value_of(expression)
+    return [value_of(output) for output in outputs]
+
+
+def test_a_name_that_is_taken_is_an_error():
+    t0 = sp.Symbol("t0")
+    with pytest.raises(ValueError, match="t0"):
+        straight_line([], [(x + t0) ** 2 + (x + t0)], (x, t0))

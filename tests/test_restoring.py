@@ -1,0 +1,103 @@
+"""The averaged force's forms against quadrature, for forces that no mechanism here has, and Den Hartog's against each other."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+
+import pytest
+import sympy as sp
+from derivations.den_hartog import S, U, V, den_hartog, without_cancellation
+from derivations.restoring import FAR, moment_parts, moment_series, restoring
+from derivations.symbols import F_0, A, Omega, mu, tau, u
+from mpmath import mp, mpf
+
+b_1, b_2 = sp.symbols("b_1 b_2", real=True)
+#: three pieces, two breakpoints, jumps at both
+PIECES = (sp.Rational(1, 2) * u + 3 * u**3 - u**5, 2 * u - u**3, u + u**3 / 4)
+ENDS = {b_1: mpf("0.3"), b_2: mpf("0.5")}
+DIGITS = 30
+
+
+@pytest.fixture(autouse=True)
+def precise():
+    with mp.workdps(60):
+        yield
+
+
+@pytest.fixture(scope="module")
+def average():
+    return restoring(PIECES, (b_1, b_2))
+
+
+def by_quadrature(amplitude, count):
+    """The average and its derivatives, with `count` breakpoints exceeded."""
+    forces = [sp.lambdify(u, piece, "mpmath") for piece in PIECES]
+
+    def of(a):
+        cuts = [mpf(0), *(mp.asin(b / a) for b in list(ENDS.values())[:count]), mp.pi / 2]
+        parts = []
+        for f, interval in zip(forces, itertools.pairwise(cuts), strict=False):
+            parts.append(mp.quad(lambda t, f=f: f(a * mp.sin(t)) * mp.sin(t), interval, method="gauss-legendre"))
+        return -4 / mp.pi * mp.fsum(parts)
+
+    return [c * mp.factorial(k) for k, c in enumerate(mp.taylor(of, amplitude, 3))]
+
+
+def values(regime, amplitude):
+    known = {A: amplitude, **ENDS}
+    for symbol, value in regime.lets:
+        known[symbol] = number(value, known)
+    return [number(derivative, known) for derivative in regime.derivatives]
+
+
+def number(expression, known):
+    symbols = sorted(expression.free_symbols, key=str)
+    plain = [sp.Dummy() for _ in symbols]
+    function = sp.lambdify(plain, expression.xreplace(dict(zip(symbols, plain, strict=True))), "mpmath")
+    return mp.mpmathify(function(*(known[symbol] for symbol in symbols)))
+
+
+@pytest.mark.parametrize(("count", "amplitude"), [(0, "0.2"), (1, "0.31"), (1, "0.49"), (2, "0.501"), (2, "2")])
+def test_closed_form(average, count, amplitude):
+    exact = by_quadrature(mpf(amplitude), count)
+    for one, other in zip(values(average.regimes[count], mpf(amplitude)), exact, strict=True):
+        assert abs(one - other) <= mpf(10) ** -DIGITS * (1 + abs(other))
+
+
+@pytest.mark.parametrize(("count", "far", "amplitude"), [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")])
+def test_far_form_to_working_precision(average, count, far, amplitude):
+    exact = by_quadrature(mpf(amplitude), count)
+    for one, other in zip(values(average.far_regimes[count, far], mpf(amplitude)), exact, strict=True):
+        assert abs(one - other) <= mpf(2) ** -54 * (1 + abs(other))
+
+
+@pytest.mark.parametrize("power", [2, 4, 6, 8])
+def test_moments(power):
+    theta = sp.Symbol("theta", positive=True)
+    secular, polynomial = moment_parts(power)
+    x, y = sp.sin(theta), sp.cos(theta)
+    closed = secular * theta - x * y * polynomial.as_expr().subs(polynomial.gen, x)
+    assert sp.expand(sp.diff(closed, theta).rewrite(sp.exp) - (sp.sin(theta) ** power).rewrite(sp.exp)).expand() == 0
+    for share in (mpf("0.999"), mpf("0.3"), mpf("1e-6")):
+        angle = mp.asin(share / mpf(FAR.p) * FAR.q)
+        half = mp.sin(angle / 2)
+        series = half ** (power + 1) * mp.polyval([mpf(c.p) / c.q for c in moment_series(power).all_coeffs()], half**2)
+        exact = mp.quad(lambda t: mp.sin(t) ** power, [0, angle], method="gauss-legendre")
+        assert abs(series / exact - 1) < mpf(2) ** -54
+
+
+def test_no_breakpoint_no_lets():
+    assert restoring((u + u**3,), ()).regimes[0].lets == ()
+    assert restoring((u + u**3,), ()).far_regimes == {}
+
+
+def test_without_cancellation_is_the_same():
+    exact = den_hartog()
+    rewritten = without_cancellation(exact)
+    at = {Omega: "0.7", tau: "0.9", A: "0.4", mu: "0.01", F_0: "0.2", V: "1.9", U: "-1.3", S: "1.2"}
+    for field in dataclasses.fields(exact):
+        one, other = getattr(exact, field.name), getattr(rewritten, field.name)
+        for frequency in ("0.45", "0.7", "1.4"):
+            known = {symbol: mpf(value) for symbol, value in (at | {Omega: frequency}).items()}
+            assert abs(number(one, known) - number(other, known)) < mpf(10) ** -50, field.name
