@@ -1,0 +1,257 @@
+"""In: the derivation's results and published.py. Out: `Facts`, every number that rows and findings quote, computed once.
+
+All are balls of exact or certified values; what is said of them in words is decided from the balls.
+"""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+from fractions import Fraction
+from types import ModuleType
+
+import sympy as sp
+from flint import arb
+
+from derivations.den_hartog import U, V
+from derivations.ledger.balls import evaluate, polynomial_zeros, rational
+from derivations.ledger.example import Example, Point, system
+from derivations.ledger.formulas import MECHANISM, subjects
+from derivations.ledger.judging import Judgement, judge
+from derivations.ledger.proofs import canonical
+from derivations.mechanisms.rod_spring import delta_h, lam, r
+from derivations.results import Results
+from derivations.symbols import F_0, A, Omega, h, mu, tau, zeta
+
+#: the mesh of amplitudes that Table 2 turns out to have been read from: 1000 points on [0, 1]
+MESH = 999
+
+
+@dataclass(frozen=True)
+class MeshPoint:
+    """The point A = k/999 of a branch that is the extremal one in Omega."""
+
+    k: int
+    A: arb
+    Omega: arb
+
+
+class Facts:
+    """Numbers of the paper's example (Table 1) and of its other statements."""
+
+    def __init__(self, results: Results, published: ModuleType) -> None:
+        self.results = results
+        self.published = published
+        self.rod = results.mechanisms[MECHANISM]
+        self._system = system(results)
+        self.example = self.isolator()
+        self._folds: dict[str, list[Point]] = {}
+
+    # ---- formulas -------------------------------------------------------------------------------------------------
+
+    @functools.cached_property
+    def judgements(self) -> dict[str, Judgement]:
+        """The verdict on every published function, by its name."""
+        against = subjects(self.results)
+        return {f.function.__name__: judge(f.function, against[f.function.__name__]) for f in self.published.FORMULAS}
+
+    # ---- the example ----------------------------------------------------------------------------------------------
+
+    def isolator(self, **changed: Fraction) -> Example:
+        """Table 1, with changes."""
+        return Example(self.results, self._system, {**self.published.TABLE_1, **changed})
+
+    def forcing(self, label: str) -> arb:
+        """The forcing of a row of Table 2, or any decimal."""
+        named = {"F_SN": self.example.onset.F_0, "F_cr": self.example.detachment.F_0}
+        return named[label] if label in named else arb(rational(Fraction(label)))
+
+    def folds(self, label: str) -> list[Point]:
+        """Every fold at that forcing, by rising Omega."""
+        if label not in self._folds:
+            self._folds[label] = self.example.folds(self.forcing(label))
+        return self._folds[label]
+
+    def fold(self, label: str, kind: str) -> Point:
+        """The one fold of a kind."""
+        (point,) = (p for p in self.folds(label) if p.kind == kind)
+        return point
+
+    def mesh_point(self, label: str, kind: str) -> MeshPoint:
+        """Of the response at A = k/999, the point that stands for this fold: the extremal Omega among its neighbours."""
+        fold = self.fold(label, kind)
+        nearest = round(float(fold.A.mid()) * MESH)
+        # beyond the peak a mesh line has no response
+        points = [p for k in range(nearest - 2, nearest + 3) for p in self._on_mesh(k, fold)]
+        direction = 1 if kind == "jump-down" else -1
+        best = max(points, key=lambda p: direction * p.Omega.mid())
+        if best in (points[0], points[-1]):
+            raise ArithmeticError("the extremum lies outside the neighbours looked at")
+        return best
+
+    def _on_mesh(self, k: int, fold: Point) -> list[MeshPoint]:
+        amplitude = arb(k) / MESH
+        frequencies = self.example.frequencies(amplitude, fold.F_0)
+        frequencies.sort(key=lambda x: abs(x - fold.Omega).mid())
+        return [MeshPoint(k, amplitude, x) for x in frequencies[:1]]
+
+    @functools.cached_property
+    def chord_shortfall(self) -> arb:
+        """How much linear interpolation of F on a mesh of step 1/999 in Omega may lower the jump-down Omega at 0.040."""
+        point = self.mesh_point("0.040", "jump-down")
+        values = {**self.example.at(point.A), F_0: self.forcing("0.040")}
+        f = [evaluate(form, values) for form in self._system.response]
+        x = point.Omega
+        slope = f[1] + 2 * f[2] * x + 4 * f[4] * x**3
+        bend = 2 * f[2] + 12 * f[4] * x**2
+        return bend / slope / 8 / MESH**2
+
+    @functools.cached_property
+    def peaks(self) -> dict[str, Point]:
+        """The resonance peaks beyond F_cr."""
+        return {label: self.example.peak(self.forcing(label)) for label in ("0.040", "0.050")}
+
+    @functools.cached_property
+    def variants(self) -> dict[str, Point]:
+        """The jump-down fold at 0.050 for parameters that the text also prints."""
+        table, rounded_r = self.published.TABLE_1, Fraction("2.03")
+        changes = {
+            "r = 2.03, δ_h as in Table 1": {"r": rounded_r},
+            "r = 2.03, δ_h = 1/(6r)": {"r": rounded_r, "delta_h": 1 / (6 * rounded_r)},
+            "μ = 0.01": {"mu": Fraction("0.01"), "r": table["r"]},
+        }
+        near = self.fold("0.050", "jump-down").A
+        found = {}
+        for name, change in changes.items():
+            points = self.isolator(**change).detached_folds(self.forcing("0.050"), near - arb("0.01"), near + arb("0.01"))
+            (found[name],) = points
+        return found
+
+    # ---- (33) -----------------------------------------------------------------------------------------------------
+
+    @functools.cached_property
+    def spurious_onset(self) -> tuple[arb, arb]:
+        """The least positive root of (33), and the negative Omega at which F_A and F_AA vanish there."""
+        amplitude, points = self.example.onset_candidates[0]
+        if points:
+            raise ArithmeticError("the least root of (33) is no candidate more")
+        at = self.example.attached(amplitude)
+        bend = [evaluate(form, at) for form in self._system.bend]
+        # F_AA is even in Omega: its positive zeros, mirrored
+        for frequency in polynomial_zeros(dict(enumerate(bend))):
+            fold = sum(
+                (evaluate(form, at) * (-frequency) ** k for k, form in enumerate(self._system.fold)), arb(0)
+            )
+            if fold.contains(0):
+                return amplitude, -frequency
+        raise ArithmeticError("no common root on the real axis")
+
+    @functools.cached_property
+    def detachment_roots(self) -> list[arb]:
+        """Positive roots of (34)."""
+        at = self.example.attached(self.example.u_cr)
+        return polynomial_zeros({k: evaluate(f, at) for k, f in self.example.detachment_polynomial.items()})
+
+    def onset_roots(self, **changed: Fraction) -> tuple[list[arb], arb]:
+        """Positive roots of (33) for an isolator, and the one that solves F_A = F_AA = 0 with Omega > 0."""
+        candidates = self.isolator(**changed).onset_candidates
+        (valid,) = (a for a, points in candidates if points)
+        return [a for a, _ in candidates], valid
+
+    # ---- F_cr over the preload ------------------------------------------------------------------------------------
+
+    def F_cr(self, share: Fraction, **changed: Fraction) -> arb:
+        """F_cr at this share of the quasi-zero-stiffness preload, lam = 3, r = 2.03, mu = 0.012, zeta = 0.02."""
+        stiffness = {"lam": Fraction(3), "r": Fraction("2.03")}
+        parameters = {**stiffness, "mu": Fraction("0.012"), "zeta": Fraction("0.02"), **changed}
+        return self.isolator(**parameters, delta_h=share / (3 * Fraction("2.03"))).detachment.F_0
+
+    @functools.cached_property
+    def F_cr_curve(self) -> list[arb]:
+        """F_cr at every 5 % of the quasi-zero-stiffness preload, from 5 % on, with the caption's parameters of Figure 5."""
+        return [self.F_cr(Fraction(k, 20)) for k in range(1, 21)]
+
+    @functools.cached_property
+    def rises_with_preload(self) -> bool:
+        """Whether d F_cr/d delta_h > 0 on 0 < delta_h <= 1/(lam r) for lam r = 3 * 2.03, wherever Omega_cr^2 >= kappa/2.
+
+        On the peak R = -zeta I/Omega, so dF_cr^2/d delta_h = 2 zeta I (u' (Omega^2 + kappa) + u kappa')/Omega with u = u_cr
+        and kappa = -h(u)/u. Times u this is positive if 3/2 (1 - delta_h) kappa + delta_h (2 - delta_h) kappa' is: a
+        polynomial, whose roots on the interval Sturm's theorem counts.
+        """
+        rod = self.rod
+        (end,) = rod.whole.breakpoints
+        form = rod.whole.regimes[0].derivatives[0].subs(A, end)
+        values = rod.oscillator.definitions
+        kappa = sp.expand(sp.expand(-form / end).subs(values).subs({lam: 3, r: sp.Rational(203, 100)}))
+        criterion = sp.Poly(
+            sp.Rational(3, 2) * (1 - delta_h) * kappa + delta_h * (2 - delta_h) * sp.diff(kappa, delta_h), delta_h
+        )
+        limit = 1 / (3 * sp.Rational(203, 100))
+        return criterion.count_roots(0, limit) == 0 and criterion.eval(0) > 0
+
+    @functools.cached_property
+    def detachment_in_preload(self) -> bool:
+        """Whether the coefficients of (34), u_cr^8 divided out, are polynomials in delta_h.
+
+        h(u_cr) is odd in u_cr, and u_cr^2, alpha, beta, gamma are polynomials in delta_h: only even powers must be left.
+        """
+        (end,) = self.rod.whole.breakpoints
+        force = self.rod.whole.regimes[0].derivatives[0].subs(A, end)
+        definitions = self.rod.oscillator.definitions
+        basis = [sp.expand(definitions[end] ** 2), *(value for symbol, value in definitions.items() if symbol != end)]
+        even = all(
+            k % 2 == 0
+            for form in self.results.detachment[""].reduced.values()
+            for (k,) in sp.Poly(form.subs({A: end, h: force}), end).monoms()
+        )
+        return even and all(value.is_polynomial(delta_h) for value in basis)
+
+    # ---- Den Hartog -----------------------------------------------------------------------------------------------
+
+    def S_at_least(self, frequency: str) -> arb:
+        """The largest of 99 values of the maximand of (37): a lower bound of S."""
+        exact = self.results.den_hartog
+        form = exact.slope_ratio.subs(U, exact.damping)
+        w = arb(rational(Fraction(frequency)))
+        values = [evaluate(form, {Omega: w, tau: arb.pi() / w * k / 100}) for k in range(1, 100)]
+        return max(values, key=lambda x: x.mid())
+
+    @functools.cached_property
+    def S_is_one(self) -> bool:
+        """The identities behind S = 1 for Omega > 1/2; see the finding on (37)."""
+        exact = self.results.den_hartog
+        x = sp.Symbol("x", real=True)
+        b = sp.pi / (2 * Omega)
+        ratio = sp.expand(exact.slope_ratio.subs(tau, b - x)).subs(U, exact.damping)
+        gap = sp.cos(Omega * x) - Omega * sp.tan(b) * sp.sin(Omega * x) + Omega * sp.sin(x) / sp.cos(b)
+        force = Omega * (Omega**2 - 1) * sp.sin(x) / sp.cos(b)
+        slope = sp.diff(gap, x)
+        return all(
+            canonical(e).is_zero
+            for e in (
+                ratio - (1 - gap / sp.cos(Omega * x)),
+                sp.diff(slope, x) + Omega**2 * gap - force,
+                gap.subs(x, b),
+                slope.subs(x, b),
+            )
+        )
+
+    def amplitudes_without_stiffening(self, frequency: str, ratio: str) -> tuple[arb, arb]:
+        """A/F_0 of the linear oscillator with friction mu/F_0 = ratio: averaged (24) and exact (35)."""
+        exact = self.results.den_hartog
+        w, friction = arb(rational(Fraction(frequency))), arb(rational(Fraction(ratio)))
+        at = {Omega: w, F_0: arb(1), mu: friction}
+        response = evaluate(exact.response, at)
+        values = {**at, V: response, U: evaluate(exact.damping, at)}
+        averaged = abs(response) * (1 - (4 * friction / arb.pi()) ** 2).sqrt()
+        return averaged, evaluate(exact.amplitude, values)
+
+    # ---- damping --------------------------------------------------------------------------------------------------
+
+    def friction_share(self, frequency: arb, amplitude: arb) -> arb:
+        """Friction's part of (38) divided by zeta."""
+        flow = self.results.flows[""]
+        values = {**self.example.attached(amplitude), Omega: frequency}
+        return evaluate(flow.equivalent_damping - zeta, values) / self.example.zeta
+

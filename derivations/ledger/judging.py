@@ -1,0 +1,129 @@
+"""In: a published function and its `Subject`. Out: `Judgement`, whether they agree, by an exact proof, and how they differ.
+
+No row of the ledger is needed to judge another: the mutation test calls `judge` with functions that it has changed.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from derivations.ledger import formulas
+from derivations.ledger.formulas import Reading, Subject
+from derivations.ledger.proofs import Quotient, canonical
+from derivations.ledger.rows import DIFFERS, IDENTICAL, REWRITTEN
+from derivations.ledger.source import EXACT
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """identical, equal after a stated rewriting, or differs.
+
+    published  -- the published expression in its own symbols
+    derived    -- the derived one
+    rewriting  -- what was used to make them equal
+    difference -- published less derived, in lowest terms, where it is not zero
+    factor     -- published divided by derived, if that is a number
+    """
+
+    verdict: str
+    published: str
+    derived: str
+    rewriting: str = ""
+    difference: str = ""
+    factor: str = ""
+
+
+def _flat(value: Any) -> Iterator[sp.Expr]:
+    if isinstance(value, tuple | list):
+        for entry in value:
+            yield from _flat(entry)
+    else:
+        yield sp.sympify(value)
+
+
+def _values(function: Callable[..., Any], given: dict[str, sp.Expr], known: dict[str, sp.Symbol]) -> list[sp.Expr]:
+    names = [name for name in inspect.signature(function).parameters if name != "xp"]
+    arguments = {
+        name: given[name] if name in given else known.get(name, sp.Symbol(name, real=True)) for name in names
+    }
+    return list(_flat(function(**arguments, xp=EXACT)))
+
+
+def _text(values: list[sp.Expr]) -> str:
+    return "; ".join(sp.sstr(value) for value in values)
+
+
+def _compare(published: sp.Expr, derived: sp.Expr, subject: Subject) -> tuple[Quotient, str]:
+    """What must vanish, and the rewriting that putting it so means."""
+    if subject.how == formulas.DIFFERENCE:
+        return canonical(published - derived), ""
+    if subject.how == formulas.COSINES:
+        return canonical(sp.cos(published) - sp.cos(derived)), "both angles lie in [0, π]; cosines compared"
+    if published.subs(subject.sample).is_negative is not False:
+        return canonical(published - derived), ""
+    return canonical(published**2 - derived**2), "both are positive; squares compared"
+
+
+def _factor(published: list[sp.Expr], derived: list[sp.Expr]) -> str:
+    """The number by which every published entry is the derived one times it, or nothing."""
+    ratios = set()
+    for one, other in zip(published, derived, strict=True):
+        if other == 0:
+            return ""
+        ratio = canonical(one / other)
+        value = ratio.numerator / ratio.denominator
+        if value.free_symbols or value.has(sp.sin, sp.cos):
+            return ""
+        ratios.add(value)
+    return sp.sstr(ratios.pop()) if len(ratios) == 1 else ""
+
+
+def _judge_form(function: Callable[..., Any], subject: Subject, form: Reading, known: dict[str, sp.Symbol]) -> Judgement:
+    published = _values(function, subject.given | form.given, known)
+    derived = list(_flat(form.derived))
+    plain = _text(_values(function, {}, known))
+    shown = subject.shown or _text(derived)
+    if len(published) != len(derived):
+        return Judgement(DIFFERS, plain, shown, difference=f"{len(published)} entries for {len(derived)}")
+    used = {form.rewriting} if form.rewriting else set()
+    differences = []
+    for one, other in zip(published, derived, strict=True):
+        quotient, rewriting = _compare(one, other, subject)
+        differences.append(quotient)
+        used |= set(quotient.relations) | ({rewriting} if rewriting else set())
+    if all(quotient.is_zero for quotient in differences):
+        return Judgement(REWRITTEN if used else IDENTICAL, plain, shown, "; ".join(sorted(used)))
+    factor = _factor(published, derived) if subject.how == formulas.DIFFERENCE else ""
+    prefix = {formulas.SQUARES: "of the squares: ", formulas.COSINES: "of the cosines: "}.get(subject.how, "")
+    return Judgement(
+        DIFFERS, plain, shown, difference=prefix + "; ".join(q.text() for q in differences), factor=factor
+    )
+
+
+def _judge_fields(function: Callable[..., Any], subject: Subject) -> Judgement:
+    def text(record: dict[str, Any]) -> str:
+        return (
+            f"Res_{record['eliminated']}({record['first']}, {record['second']}) at {record['evaluated_at']}: "
+            f"degree {record['degree']} in {record['unknown']}, powers in steps of {record['step']}, "
+            f"coefficients {record['coefficients']}"
+        )
+
+    published, derived = vars(function(xp=EXACT)), subject.forms[0].derived
+    wrong = [f"{key}: {published[key]} for {derived[key]}" for key in derived if published[key] != derived[key]]
+    return Judgement(
+        DIFFERS if wrong else IDENTICAL, text(published), text(derived), difference="; ".join(wrong)
+    )
+
+
+def judge(function: Callable[..., Any], subject: Subject) -> Judgement:
+    """The verdict on one published function."""
+    if subject.how == formulas.FIELDS:
+        return _judge_fields(function, subject)
+    known = formulas.shared_symbols()
+    judgements = [_judge_form(function, subject, form, known) for form in subject.forms]
+    return next((j for j in judgements if j.verdict != DIFFERS), judgements[0])

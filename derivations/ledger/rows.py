@@ -1,0 +1,73 @@
+"""The rows of the ledger and the closed vocabulary of its verdicts.
+
+In:  nothing.
+Out: `Row`, one judged entry of the paper, and the verdicts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+IDENTICAL = "identical"
+REWRITTEN = "equal after a stated rewriting"
+DIFFERS = "differs"
+AMBIGUOUS = "not decidable: our text is ambiguous"
+INPUT = "input"
+TRUE = "true"
+FALSE = "false"
+LOOSE = "loose as worded"
+DEFINITION = "definition"
+OPEN = "not decided here"
+
+#: what each verdict says, in the order of the summary
+VOCABULARY: dict[str, str] = {
+    IDENTICAL: "formulas: the same expression but for the order of terms, proved; "
+    "numbers: the derived value rounds to the printed digits",
+    REWRITTEN: "proved equal over the rationals once the relations that the row names are used",
+    DIFFERS: "the exact difference is not zero, or the printed digits are not the rounding of the derived value",
+    AMBIGUOUS: "our plain text lost a sign or a bracket; every reading was tried, and this one differs where another holds",
+    INPUT: "a value that the author chose: nothing to derive",
+    TRUE: "the sentence holds, by the evidence given",
+    FALSE: "the sentence does not hold, by the evidence given",
+    LOOSE: "holds only with a condition, or in a sense, that the sentence does not state",
+    DEFINITION: "introduces a name, a convention or a choice of method: nothing to decide",
+    OPEN: "needs direct integration of the equation of motion or data of a figure that our text does not hold",
+}
+
+#: the kinds of rows, with the verdicts that each may have
+ALLOWED: dict[str, tuple[str, ...]] = {
+    "formula": (IDENTICAL, REWRITTEN, DIFFERS, AMBIGUOUS),
+    "table": (IDENTICAL, DIFFERS, AMBIGUOUS, INPUT),
+    "number": (IDENTICAL, DIFFERS, AMBIGUOUS, INPUT),
+    "claim": (TRUE, FALSE, LOOSE, DEFINITION, OPEN),
+}
+
+
+@dataclass(frozen=True)
+class Row:
+    """One entry of the paper, judged.
+
+    id        -- of a formula: the name of its function in published.py; of the rest: its id there
+    kind      -- formula, table, number or claim
+    where     -- equation number, section or table
+    quantity  -- what it gives; of a formula with several readings: the reading in brackets
+    published -- as the paper has it
+    derived   -- what the derivation has in its place; of a claim: empty
+    verdict   -- one of `ALLOWED[kind]`
+    difference -- published less derived where it is not zero
+    evidence  -- the rewriting used, the proof, or what the published value is the value of
+    """
+
+    id: str
+    kind: str
+    where: str
+    quantity: str
+    published: str
+    derived: str
+    verdict: str
+    difference: str = ""
+    evidence: str = ""
+
+    def __post_init__(self) -> None:
+        if self.verdict not in ALLOWED[self.kind]:
+            raise ValueError(f"{self.id}: a {self.kind} cannot be {self.verdict!r}")
