@@ -1,6 +1,6 @@
-"""The derivation: from an equation of motion (`mechanisms/`) to slow flow, polynomials and resultants, in the paper's order.
+"""The derivation, in the paper's order: from an equation of motion to slow flow, polynomials and resultants.
 
-In:  a `Mechanism` (pieces of a restoring force as SymPy expressions, and the names of its parameters).
+In:  a `Mechanism` from `mechanisms/`: pieces of a restoring force as SymPy expressions, names of its parameters.
 Out: exact SymPy expressions, which `emit/` prints as kernels and `ledger/` holds against the published formulas.
 
     oscillator     (1)-(7)    equation of motion, dimensionless form, Taylor coefficients, critical displacement

@@ -52,7 +52,8 @@ def check(folder: Path) -> list[str]:
             reports.append(differences(on_disk(Path(scratch)), found, folder.name))
     if all(report == reports[0] for report in reports):
         return reports[0]
-    return [line for seed, report in zip(HASH_SEEDS, reports, strict=True) for line in (f"hash seed {seed}:\n", *report)]
+    by_seed = zip(HASH_SEEDS, reports, strict=True)
+    return [line for seed, report in by_seed for line in (f"hash seed {seed}:\n", *report)]
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -44,7 +44,7 @@ class Averaged:
 
 
 def variation_of_parameters() -> tuple[sp.Expr, sp.Expr, tuple[sp.Expr, sp.Expr]]:
-    """(11)-(17): let A and phi vary in u = A cos psi, u' = -A Omega sin psi, psi' = Omega + phi', and solve for A', A phi'."""
+    """(11)-(17): A and phi vary in u = A cos psi, u' = -A Omega sin psi, psi' = Omega + phi'; solved for A', A phi'."""
 
     def along_the_motion(expression: sp.Expr) -> sp.Expr:
         return sp.diff(expression, A) * A_dot + sp.diff(expression, psi) * (Omega + phi_dot)
@@ -79,8 +79,8 @@ def averaged() -> Averaged:
         if weight.has(psi):
             raise ArithmeticError(f"{rate} is not proportional to {harmonic}")
         known = sum(cycle_integral(half.subs(F_k, 0) * harmonic, start, end) for half, start, end in halves)
-        # An odd force along A cos psi is even in psi: its sine component vanishes, its cosine component is -F_k cos psi,
-        # which integrates to pi H.
+        # An odd force along A cos psi is even in psi: its sine component vanishes, its cosine component is
+        # -F_k cos psi, which integrates to pi H.
         slow_flow.append(sp.factor_terms(sp.expand(weight * (known + sp.pi * mechanism_term) / (2 * sp.pi))))
     return Averaged(
         compatibility,

@@ -1,4 +1,4 @@
-"""Step 6, equations (35)-(37): the linear oscillator with dry friction alone, solved exactly over half a cycle (Den Hartog).
+"""Step 6, equations (35)-(37): the linear oscillator with dry friction alone, exactly over half a cycle (Den Hartog).
 
 In:  nothing but the equation of motion at zeta = 0 with F_k = 0.
 Out: `DenHartog`: the motion, the amplitude, and the condition that the mass does not stop within the half-cycle.

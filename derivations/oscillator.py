@@ -91,6 +91,19 @@ def piece_end(mechanism: Mechanism, until: sp.Expr) -> sp.Expr:
     return sp.sqrt(sp.factor(sp.expand(positive[0] ** 2)))
 
 
+def without_cancellation(force: sp.Expr) -> sp.Expr:
+    """The same with sqrt(s) - 1 as (s - 1)/(sqrt(s) + 1), which keeps the digits of a small displacement."""
+
+    def rationalised(total: sp.Expr) -> sp.Expr:
+        roots = [term for term in total.args if term.is_Pow and term.exp == sp.Rational(1, 2)]
+        if len(roots) != 1 or -1 not in total.args:
+            return total
+        root = roots[0]
+        return total - root + 1 + sp.expand(root.base - 1) / (root + 1)
+
+    return force.replace(lambda part: part.is_Add, rationalised)
+
+
 def taylor_polynomial(force: sp.Expr, order: int) -> dict[int, sp.Expr]:
     """(6), (7): coefficients of F_k(u) by power of u, up to `order`; an even power is an error (the force is odd)."""
     coefficients: dict[int, sp.Expr] = {}

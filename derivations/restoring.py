@@ -1,14 +1,14 @@
-"""Step 3, equations (20)-(22), (31), (32): the averaged restoring force of a piecewise odd polynomial, and its derivatives.
+"""Step 3, equations (20)-(22), (31), (32): the averaged force of a piecewise odd polynomial, and its derivatives.
 
 In:  polynomial pieces of a force by rising |u|, and the names of the breakpoints between them.
 Out: one `Regime` for each number of breakpoints that the amplitude exceeds, with the average and its first derivatives;
      beside these exact forms, one whose series keeps its digits where A exceeds a breakpoint by far.
 
-With t = pi/2 - psi the average over the cycle, -(1/pi) int_0^{2 pi} f(A cos psi) cos psi dpsi, is four times that over a
-quarter, -(4/pi) int_0^{pi/2} f(A sin t) sin t dt, and the piece that ends at |u| = b ends at sin(theta) = b/A. Derivatives
-are taken under the integral sign (Leibniz):
+With t = pi/2 - psi the average over the cycle, -(1/pi) int_0^{2 pi} f(A cos psi) cos psi dpsi, is four times that over
+a quarter, -(4/pi) int_0^{pi/2} f(A sin t) sin t dt, and the piece that ends at |u| = b ends at sin(theta) = b/A.
+Derivatives are taken under the integral sign (Leibniz), with boundary terms in the jumps of f^(n):
 
-    d/dA  int f^(n)(A sin t) sin^(n+1) t dt  =  int f^(n+1)(A sin t) sin^(n+2) t dt  +  boundary terms in the jumps of f^(n)
+    d/dA  int f^(n)(A sin t) sin^(n+1) t dt  =  int f^(n+1)(A sin t) sin^(n+2) t dt  +  boundary terms
 
 Differentiating the closed form instead, and sin(acos(b/A)) -> sqrt(1 - b^2/A^2) after it, is exact too but leaves a
 difference of nearly equal numbers for A near b.
@@ -84,10 +84,11 @@ class Restoring:
 
 @functools.cache
 def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
-    """The rational a and the polynomial P with int_0^theta sin^power t dt = a theta - x y P(x^2), x = sin theta, y = cos theta.
+    """The rational a and the even polynomial P with int_0^theta sin^power t dt = a theta - x y P(x).
 
-    By symmetry int_0^psi cos^power t dt = a psi + x y P(x^2) with x = cos psi, y = sin psi: for psi = pi/2 - theta the
-    same x, y and P serve both ends. All coefficients of P are positive, so neither end cancels within the second form.
+    x = sin theta and y = cos theta. By symmetry int_0^psi cos^power t dt = a psi + x y P(x) with x = cos psi and
+    y = sin psi: for psi = pi/2 - theta the same x, y and P serve both ends. All coefficients of P are positive, so
+    neither end cancels within the second form.
     """
     if power % 2:
         raise ArithmeticError(f"an odd force gives even powers of the sine only, not {power}")

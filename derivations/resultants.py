@@ -3,8 +3,8 @@
 In:  the slow flow and the averaged force of the first regime (a polynomial in A).
 Out: `Elimination`: a resultant with its coefficients by power, the powers that vanish, content and factors.
 
-A root of a resultant is a candidate only: elimination adds roots (Omega negative or complex, A negative), so each one has
-to be tried in the system that it came from.
+A root of a resultant is a candidate only: elimination adds roots (Omega negative or complex, A negative), so each one
+has to be tried in the system that it came from.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ class Elimination:
 
     unknown      -- the quantity
     coefficients -- by power of the unknown, exact, content divided out; powers that vanish identically are absent
-    reduced      -- the same for the product of the factors that hold a root to look for: each factor once, without powers
-                    of the unknown itself and without factors free of it
+    reduced      -- the same for the product of the factors that hold a root to look for: each factor once, without
+                    powers of the unknown itself and without factors free of it
     content      -- the rational factor divided out
     factors      -- (factor, multiplicity) over the rationals, all symbols kept
     degree       -- in the unknown
@@ -88,7 +88,7 @@ def _expanded(flow: SlowFlow, expression: sp.Expr) -> sp.Expr:
 
 
 def saddle_node_onset(flow: SlowFlow, restoring: Restoring) -> Elimination:
-    """(33): Res_Omega(F_A, F_AA) with the averaged force of the first regime; its roots A_s are candidates for the onset."""
+    """(33): Res_Omega(F_A, F_AA) with the first regime's averaged force; its roots A_s are candidates for the onset."""
     derivatives = restoring.regimes[0].derivatives
     in_A = {h: derivatives[0], h_A: derivatives[1], h_AA: derivatives[2]}
     return eliminate(*(_expanded(flow, F).subs(in_A).expand() for F in (flow.F_A, flow.F_AA)), Omega, A)
@@ -102,5 +102,5 @@ def saddle_nodes(flow: SlowFlow, restoring: Restoring) -> Elimination:
 
 
 def detachment(flow: SlowFlow) -> Elimination:
-    """(34): Res_Omega(F, F_Omega) as a polynomial in F_0, for A = u_cr and h = h(u_cr); its roots are candidates for F_cr."""
+    """(34): Res_Omega(F, F_Omega) as a polynomial in F_0, for A = u_cr and its h; its roots are candidates for F_cr."""
     return eliminate(_expanded(flow, flow.F), _expanded(flow, flow.F_Omega), Omega, F_0)

@@ -93,7 +93,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
     )
     phi_rate = A_phi_rate / A
 
-    # (23): each averaged equation is (its forcing term) + (the rest) = 0, scaled so that the forcing term has factor F_0
+    # (23): each averaged equation is (its forcing term) + (the rest) = 0, scaled so that the former has factor F_0
     sine = sp.expand(-2 * Omega * A_rate)
     cosine = sp.expand(-2 * Omega * A_phi_rate)
     I_value = sp.collect(sp.expand(sine - F_0 * sp.sin(phi)), A)

@@ -1,4 +1,4 @@
-"""The symbols that all steps share; the paper's letters. Nothing comes in; everything is dimensionless unless it says so."""
+"""The symbols that all steps share: the paper's letters, dimensionless unless it says so. Nothing comes in."""
 
 import sympy as sp
 

@@ -10,6 +10,8 @@ import generated_c
 import numpy as np
 import pytest
 import sympy as sp
+from mpmath import mp, mpf
+
 from derivations.averaging import averaged
 from derivations.emit.kernels import all_modules
 from derivations.emit.passes import operations, straight_line
@@ -17,7 +19,6 @@ from derivations.emit.printers import CPrinter, NumpyPrinter, Unprintable, liter
 from derivations.results import derive
 from derivations.slow_flow import slow_flow
 from derivations.symbols import A
-from mpmath import mp, mpf
 
 x, y = sp.symbols("x y", positive=True)
 z, w = sp.symbols("z w", real=True)
@@ -107,7 +108,9 @@ def numpy_source(programs) -> str:
 def c_source(programs) -> str:
     lines = ["#include <math.h>", '#include "angles.h"', "#include <stdio.h>"]
     for k, program in enumerate(programs):
-        lines.append(f"static double f{k}(double x, double y, double z, double w)\n{{\n    (void)x; (void)y; (void)z; (void)w;")
+        lines.append(
+            f"static double f{k}(double x, double y, double z, double w)\n{{\n    (void)x; (void)y; (void)z; (void)w;"
+        )
         lines += [f"    const double {symbol} = {PRINTERS['c'].doprint(value)};" for symbol, value in program.lets]
         lines += [f"    return {PRINTERS['c'].doprint(program.outputs[0])};", "}"]
     lines += ["int main(void)", "{"]
@@ -129,7 +132,8 @@ def test_numpy_survives(expected, tmp_path):
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
     for k, value in enumerate(expected):
-        np.testing.assert_allclose(getattr(module, f"f{k}")(*AT.values()), value, rtol=2e-15, err_msg=str(SURVIVES[k]))
+        found = getattr(module, f"f{k}")(*AT.values())
+        np.testing.assert_allclose(found, value, rtol=2e-15, err_msg=str(SURVIVES[k]))
 
 
 @pytest.mark.skipif(generated_c.COMPILER is None, reason="no C compiler (cc) on the path")

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from derivations.emit.write import MANIFEST, differences, on_disk, write
 
 ROOT = Path(__file__).parents[1]

@@ -1,4 +1,4 @@
-"""The averaged force's forms against quadrature, for forces that no mechanism here has, and Den Hartog's against each other."""
+"""The averaged force's forms against quadrature, for a force that no mechanism has; Den Hartog's against each other."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ import itertools
 
 import pytest
 import sympy as sp
+from mpmath import mp, mpf
+
 from derivations.den_hartog import S, U, V, den_hartog, without_cancellation
 from derivations.restoring import FAR, moment_parts, moment_series, restoring
 from derivations.symbols import F_0, A, Omega, mu, tau, u
-from mpmath import mp, mpf
 
 b_1, b_2 = sp.symbols("b_1 b_2", real=True)
 #: three pieces, two breakpoints, jumps at both
@@ -65,7 +66,10 @@ def test_closed_form(average, count, amplitude):
         assert abs(one - other) <= mpf(10) ** -DIGITS * (1 + abs(other))
 
 
-@pytest.mark.parametrize(("count", "far", "amplitude"), [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")])
+FAR_POINTS = [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")]
+
+
+@pytest.mark.parametrize(("count", "far", "amplitude"), FAR_POINTS)
 def test_far_form_to_working_precision(average, count, far, amplitude):
     exact = by_quadrature(mpf(amplitude), count)
     for one, other in zip(values(average.far_regimes[count, far], mpf(amplitude)), exact, strict=True):

@@ -1,8 +1,9 @@
 """The kernels: which functions each generated module holds, with their arguments, equation numbers and domains.
 
 In:  `Results`.
-Out: `Module`s of `Kernel`s (expressions to print) and `Composition`s (calls of other kernels), in canonical argument order:
-     Omega, A, F_0, m or mu, zeta, h, h_A, h_AA, h_AAA, then the mechanism's parameters.
+Out: `Module`s of `Kernel`s (expressions to print) and `Composition`s (calls of other kernels).
+
+Arguments come in one order everywhere: Omega, A, F_0, m or mu, zeta, h, h_A, h_AA, h_AAA, the mechanism's parameters.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import sympy as sp
 
 from derivations import den_hartog as dh
 from derivations.mechanisms import Mechanism
+from derivations.oscillator import without_cancellation
 from derivations.restoring import FAR, Regime, Restoring
 from derivations.resultants import Elimination
 from derivations.results import OfMechanism, Results
@@ -132,7 +134,7 @@ def plain(
     return Kernel(name, tuple(arguments), (branch,), doc, equation, domain, **keywords)
 
 
-# --- slow flow ---------------------------------------------------------------------------------------------------------
+# --- slow flow ---
 
 
 def slow_flow_module(results: Results, scene: str) -> Module:
@@ -287,7 +289,7 @@ def in_words(scene: str) -> str:
     return f", in the scene {' and '.join(vanishing)}" if vanishing else ""
 
 
-# --- Den Hartog --------------------------------------------------------------------------------------------------------
+# --- Den Hartog ---
 
 
 def den_hartog_module(results: Results) -> Module:
@@ -342,7 +344,7 @@ def den_hartog_module(results: Results) -> Module:
     )
 
 
-# --- mechanisms --------------------------------------------------------------------------------------------------------
+# --- mechanisms ---
 
 
 def regime_branches(restoring: Restoring, orders: Sequence[int], attached_only: bool) -> tuple[Branch, ...]:
@@ -405,10 +407,9 @@ def averaged_kernels(derived: OfMechanism, attached_only: bool = False) -> list[
 
 def force_branches(pieces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[Branch, ...]:
     """A piecewise force; at a breakpoint the lower piece holds."""
-    guards = [((sp.Abs(u), end),) for end in ends] + [()]
-    return tuple(
-        Branch(f"piece_{k + 1}", guard, (), (piece,)) for k, (guard, piece) in enumerate(zip(guards, pieces, strict=True))
-    )
+    guards = [*(((sp.Abs(u), end),) for end in ends), ()]
+    numbered = enumerate(zip(guards, pieces, strict=True), start=1)
+    return tuple(Branch(f"piece_{k}", guard, (), (piece,)) for k, (guard, piece) in numbered)
 
 
 def data_kernels(derived: OfMechanism) -> list[Kernel]:
@@ -451,7 +452,9 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             Kernel(
                 "exact_force",
                 (u, *ratios),
-                force_branches([u + force for force in dimensionless.exact], dimensionless.exact_ends),
+                force_branches(
+                    [u + without_cancellation(force) for force in dimensionless.exact], dimensionless.exact_ends
+                ),
                 "Whole dimensionless restoring force u + F_k(u), untruncated.",
                 "(3), (5)",
                 f"|u| < {mechanism.reach}" if mechanism.reach != sp.oo else "any u",
@@ -491,7 +494,10 @@ def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:
 
 
 #: functions of the slow flow that every mechanism composes with its own h
-COMPOSED = ("R", "I", "F", "F_A", "F_AA", "F_AAA", "F_Omega", "F_AOmega", "phase", "jacobian", "stability", "transmissibility")
+COMPOSED = (
+    *("R", "I", "F", "F_A", "F_AA", "F_AAA", "F_Omega", "F_AOmega"),
+    *("phase", "jacobian", "stability", "transmissibility"),
+)
 #: those whose arguments say all: no mechanism enters, or nothing but A and the mechanism
 BARE = ("backbone", "limit_envelope", "equivalent_damping")
 
@@ -518,6 +524,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
     """The modules of one mechanism: general, one for each damping scene, and attached-only where it has breakpoints."""
     derived = results.mechanisms[name]
     mechanism = derived.oscillator.mechanism
+    title = mechanism.title[0].upper() + mechanism.title[1:]
     inputs = (f"mechanisms/{name}.py",)
     family = (*averaged_kernels(derived), *data_kernels(derived))
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
@@ -533,7 +540,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
         modules.append(
             Module(
                 name=name + suffix(scene),
-                title=mechanism.title + in_words(scene),
+                title=title + in_words(scene),
                 inputs=inputs,
                 kernels=(*(() if scene else family), *resultant_kernels(derived, scene)),
                 compositions=tuple(compositions(flows[scene], mechanism)),
@@ -549,7 +556,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
         modules.append(
             Module(
                 name=f"{name}_attached",
-                title=f"{mechanism.title}; amplitudes up to {mechanism.breakpoints[0]} only",
+                title=f"{title}; amplitudes up to {mechanism.breakpoints[0]} only",
                 inputs=inputs,
                 kernels=tuple(averaged_kernels(derived, attached_only=True)),
                 compositions=tuple(compositions(flows[""], mechanism)),

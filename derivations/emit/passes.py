@@ -32,7 +32,7 @@ class Program:
 
 
 def operations(expression: sp.Expr) -> int:
-    """Additions, multiplications, divisions, roots and function calls that evaluating the expression as written takes."""
+    """Additions, multiplications, divisions, roots and function calls in evaluating the expression as written."""
     total = 0
     for node in sp.preorder_traversal(expression):
         if is_constant(node):

@@ -3,11 +3,13 @@
 In:  an expression as `passes` leaves it: exact numbers, at most squares of symbols.
 Out: source text, every number a double of 17 digits.
 
-Whatever a printer does not know is an error (`Unprintable`): an unsupported function, a floating-point number, an object
-that was not evaluated, a power that is not a chain.
+Whatever a printer does not know is an error (`Unprintable`): an unsupported function, a floating-point number, an
+object that was not evaluated, a power that is not a chain.
 """
 
 from __future__ import annotations
+
+from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
@@ -39,7 +41,7 @@ def literal(number: sp.Expr) -> str:
 class _Rules:
     """What both languages share; mixed in before one of SymPy's printers."""
 
-    functions: dict[type, str]
+    functions: ClassVar[dict[object, str]]
     infinity: str
 
     def _print_Rational(self, expr: sp.Expr) -> str:
@@ -133,7 +135,7 @@ class CPrinter(_Rules, C99CodePrinter):
     """C99, with math.h's functions and the arctangent of `arctangent`."""
 
     infinity = "INFINITY"
-    functions = {
+    functions: ClassVar = {
         sp.sqrt: "sqrt",
         sp.Abs: "fabs",
         sp.sin: "sin",
@@ -151,7 +153,7 @@ class NumpyPrinter(_Rules, NumPyPrinter):
     """NumPy, imported as np."""
 
     infinity = "np.inf"
-    functions = {
+    functions: ClassVar = {
         sp.sqrt: "np.sqrt",
         sp.Abs: "np.abs",
         sp.sin: "np.sin",

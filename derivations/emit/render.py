@@ -137,10 +137,7 @@ def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[st
     manifest: dict[str, dict[str, object]] = {}
     for module in modules:
         code = programs(module)
-        manifest[module.name] = {
-            kernel.name: {branch.name or "all": program.counts for branch, program in zip(kernel.branches, code[kernel.name], strict=True)}
-            for kernel in module.kernels
-        }
+        manifest[module.name] = {kernel.name: operations(kernel, code[kernel.name]) for kernel in module.kernels}
         inputs = {f"derivations/{name}": digest(HERE.parent / name) for name in module.inputs if "/" in name}
         steps = [f"derivations/{name}" for name in module.inputs if "/" not in name]
         for target in TARGETS:
@@ -149,6 +146,8 @@ def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[st
                 module=module,
                 kernels=views,
                 compositions=[composition_view(c, module, target) for c in module.compositions],
+                exported=exported(module),
+                imported=sorted(module.reexports[1], key=in_import),
                 inputs=inputs,
                 steps=steps,
                 constants={name: constant(value) for name, value in module.constants.items()},
@@ -158,6 +157,22 @@ def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[st
     for name, template in (("__init__.py", "numpy_init.py.jinja"), ("_broadcast.py", "numpy_broadcast.py.jinja")):
         files[f"slowflow_kernels/{name}"] = environment.get_template(template).render(**shared)
     return files, manifest
+
+
+def operations(kernel: Kernel, code: Sequence[Program]) -> dict[str, dict[str, int]]:
+    """Counts after each pass, by branch."""
+    return {branch.name or "all": one.counts for branch, one in zip(kernel.branches, code, strict=True)}
+
+
+def exported(module: Module) -> list[str]:
+    """Public names of a Python module, sorted as in an import."""
+    own = [*module.constants, *(kernel.name for kernel in module.kernels), *(c.name for c in module.compositions)]
+    return sorted({*module.reexports[1], *own}, key=in_import)
+
+
+def in_import(name: str) -> tuple[bool, bool, str]:
+    """Where a name stands in an import: constants, then what begins with a capital, then the rest."""
+    return not (name.isupper() and len(name) > 1), not name[0].isupper(), name
 
 
 def constant(value: object) -> str:
@@ -172,9 +187,14 @@ def constant(value: object) -> str:
 
 def fill(text: str, indent: int, first: int = 0) -> str:
     """A paragraph wrapped at the line length, continued at `indent`, its first line `first` wide already."""
-    return textwrap.fill(
-        text, WIDTH, initial_indent=" " * first, subsequent_indent=" " * indent, break_long_words=False, break_on_hyphens=False
-    )[first:]
+    whole = textwrap.TextWrapper(
+        WIDTH,
+        initial_indent=" " * first,
+        subsequent_indent=" " * indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return whole.fill(text)[first:]
 
 
 def view(kernel: Kernel, code: Sequence[Program], target: Target) -> KernelView:
@@ -263,7 +283,7 @@ def composition_view(composition: Composition, module: Module, target: Target) -
         friction, inner = f"{module.flow}_friction(mu)", f"{module.flow}_{composition.inner.name}"
         averages = [f"average[{k}]" for k in range(4)]
     else:
-        friction, inner = f"{module.flow}.friction(mu)", f"{module.flow}.{composition.inner.name}"
+        friction, inner = "flow.friction(mu)", f"flow.{composition.inner.name}"
         averages = ["average" + symbol.name[1:] for symbol in AVERAGED]
     local = {symbol.name: average for symbol, average in zip(AVERAGED, averages, strict=True)} | {m.name: friction}
     passed = [local.get(argument.name, argument.name) for argument in composition.inner.arguments]

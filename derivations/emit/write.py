@@ -13,8 +13,8 @@ from pathlib import Path
 
 from derivations.emit.kernels import Module
 from derivations.emit.render import digest, versions
-from derivations.results import Results
 from derivations.resultants import Elimination
+from derivations.results import Results
 
 MANIFEST = "MANIFEST.json"
 COMMAND = "make derive"

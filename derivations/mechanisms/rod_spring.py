@@ -12,8 +12,8 @@ x = sp.Symbol("x", real=True)
 k_v, k_h, L, Delta_h = sp.symbols("k_v k_h L Delta_h", positive=True)
 lam, r, delta_h = sp.symbols("lam r delta_h", positive=True)
 
-# A rod of length L, hinged L from the line of the mass: at displacement x its end stands sqrt(L^2 - x^2) away. The spring
-# is compressed by Delta_h at x = 0 and has lost that compression where the rod has drawn back by Delta_h.
+# A rod of length L, hinged L from the line of the mass: at displacement x its end stands sqrt(L^2 - x^2) away. The
+# spring is compressed by Delta_h at x = 0 and has lost that compression where the rod has drawn back by Delta_h.
 projection = sp.sqrt(L**2 - x**2)
 compression = Delta_h - (L - projection)
 horizontal_force = lam * k_h * compression

@@ -21,8 +21,9 @@ static inline double angles_atan2(double y, double x)
     const double a = fabs(x), b = fabs(y);
     const double larger = b > a ? b : a;
     const double smaller = b > a ? a : b;
-    const double above = smaller > DBL_MAX ? 1.0 : smaller;
-    const double below = smaller > DBL_MAX ? 1.0 : larger == 0.0 ? 1.0 : larger;
+    const int infinite = (a > DBL_MAX) & (b > DBL_MAX);
+    const double above = infinite ? 1.0 : smaller;
+    const double below = infinite | (larger == 0.0) ? 1.0 : larger;
     const double t = above / below;
     const double w = t * t - 0.5;
     const double e0_0 = -0.1295802486328968 + w * -0.20375308470043654;

@@ -1,7 +1,7 @@
-/* mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
+/* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
 
    Written by `make derive`; never edit.
-   Input: derivations/mechanisms/rod_spring.py, sha256 4b963fa4cfe8b884f3f3cc62065cd6e54430afc4cec7aeafef2d915baea8ed5b
+   Input: derivations/mechanisms/rod_spring.py, sha256 2bda92792c3738e00594db7329cbf7be2879fc514e0bd616da28c8a792b9a483
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
@@ -1035,13 +1035,14 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
    Equation (3), (5). Domain: |u| < 1.
-   Operations where piece_1: 13 structured, 10 common subexpressions, 10 power chains
+   Operations where piece_1: 15 structured, 11 common subexpressions, 11 power chains
    Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
  */
 static inline double rod_spring_exact_force_piece_1(double u, double lam, double r, double delta_h)
 {
-    const double t0 = sqrt(1.0 - u * u);
-    return -lam * r * u * (delta_h + t0 - 1.0) / t0 + u;
+    const double t0 = u * u;
+    const double t1 = sqrt(1.0 - t0);
+    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u;
 }
 
 static inline double rod_spring_exact_force_piece_2(double u, double lam, double r, double delta_h)

@@ -1,4 +1,4 @@
-/* mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr: loops for NumPy.
+/* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr: loops for NumPy.
 
    Written by `make derive`; never edit.
    Input: rod_spring.h, the same functions for one number each

@@ -1,4 +1,4 @@
-/* mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr; amplitudes up to u_cr only: loops for NumPy.
+/* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr; amplitudes up to u_cr only: loops for NumPy.
 
    Written by `make derive`; never edit.
    Input: rod_spring_attached.h, the same functions for one number each

@@ -24,7 +24,7 @@ MODULES = (
     "rod_spring_attached",
 )
 
-__all__ = ["MODULES", *MODULES]  # noqa: PLE0604
+__all__ = ["MODULES", *MODULES]
 
 
 def __getattr__(name):

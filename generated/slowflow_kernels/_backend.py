@@ -30,7 +30,7 @@ def _choose():
             raise ImportError(f"SLOWFLOW_BACKEND=native, but the compiled kernels do not load: {error}") from error
         warnings.warn(
             "slowflow runs on NumPy: its compiled kernels are not built here (they need a C compiler at installation). "
-            "The answers are the same, later. SLOWFLOW_BACKEND=numpy silences this.",
+            "The answers are the same and take longer. SLOWFLOW_BACKEND=numpy silences this.",
             BackendWarning,
             stacklevel=2,
         )
@@ -43,7 +43,8 @@ NATIVE = _choose()
 
 def _stacked(ufunc):
     def stacked(*arguments):
-        return np.stack(ufunc(*arguments))
+        values = ufunc(*arguments)
+        return np.stack(values if ufunc.nout > 1 else (values,))
 
     return stacked
 

@@ -8,17 +8,17 @@ Everything is dimensionless. Arguments broadcast; outputs have their common shap
 docstring gives equation number, domain and the operations after each pass.
 """
 
-from slowflow_kernels import slow_flow_mu0
+from slowflow_kernels import slow_flow_mu0 as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 from slowflow_kernels.duffing import (
-    H,
     H_A,
     H_AA,
     PARAMETERS,
     RATIOS,
     REACH,
     REACH_REASON,
+    H,
     averaged,
     averaged_2,
     averaged_3,
@@ -34,21 +34,21 @@ from slowflow_kernels.duffing import (
 )
 
 __all__ = [
-    "F",
     "F_A",
     "F_AA",
     "F_AAA",
-    "F_AOmega",
-    "F_Omega",
-    "H",
     "H_A",
     "H_AA",
-    "I",
     "PARAMETERS",
-    "R",
     "RATIOS",
     "REACH",
     "REACH_REASON",
+    "F",
+    "F_AOmega",
+    "F_Omega",
+    "H",
+    "I",
+    "R",
     "averaged",
     "averaged_2",
     "averaged_3",
@@ -123,16 +123,16 @@ def R(Omega, A, mu, zeta, alpha, beta):
     """
     average = h(A, alpha, beta)
     arguments = (Omega, A, mu, zeta, alpha, beta)
-    return full(slow_flow_mu0.R(Omega, A, average), arguments)
+    return full(flow.R(Omega, A, average), arguments)
 
 
-def I(Omega, A, mu, zeta, alpha, beta):
+def I(Omega, A, mu, zeta, alpha, beta):  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0.
     """
     arguments = (Omega, A, mu, zeta, alpha, beta)
-    return full(slow_flow_mu0.I(Omega, A, slow_flow_mu0.friction(mu), zeta), arguments)
+    return full(flow.I(Omega, A, flow.friction(mu), zeta), arguments)
 
 
 def F(Omega, A, F_0, mu, zeta, alpha, beta):
@@ -141,7 +141,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0.F(Omega, A, F_0, slow_flow_mu0.friction(mu), zeta, average)
+    return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def F_A(Omega, A, mu, zeta, alpha, beta):
@@ -150,7 +150,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta):
     Equation (24), (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0.F_A(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+    return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def F_AA(Omega, A, mu, zeta, alpha, beta):
@@ -159,7 +159,7 @@ def F_AA(Omega, A, mu, zeta, alpha, beta):
     Equation (24), (33). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA = averaged_3(A, alpha, beta)
-    return slow_flow_mu0.F_AA(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A, average_AA)
+    return flow.F_AA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA)
 
 
 def F_AAA(Omega, A, mu, zeta, alpha, beta):
@@ -168,7 +168,7 @@ def F_AAA(Omega, A, mu, zeta, alpha, beta):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA, average_AAA = averaged(A, alpha, beta)
-    return slow_flow_mu0.F_AAA(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A, average_AA, average_AAA)
+    return flow.F_AAA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
 
 
 def F_Omega(Omega, A, mu, zeta, alpha, beta):
@@ -177,7 +177,7 @@ def F_Omega(Omega, A, mu, zeta, alpha, beta):
     Equation (24), (34). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0.F_Omega(Omega, A, slow_flow_mu0.friction(mu), zeta, average)
+    return flow.F_Omega(Omega, A, flow.friction(mu), zeta, average)
 
 
 def F_AOmega(Omega, A, mu, zeta, alpha, beta):
@@ -186,7 +186,7 @@ def F_AOmega(Omega, A, mu, zeta, alpha, beta):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0.F_AOmega(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+    return flow.F_AOmega(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def phase(Omega, A, mu, zeta, alpha, beta):
@@ -195,7 +195,7 @@ def phase(Omega, A, mu, zeta, alpha, beta):
     Equation (25). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0.phase(Omega, A, slow_flow_mu0.friction(mu), zeta, average)
+    return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
 def jacobian(Omega, A, mu, zeta, alpha, beta):
@@ -204,7 +204,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta):
     Equation (28). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0.jacobian(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+    return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def stability(Omega, A, mu, zeta, alpha, beta):
@@ -213,7 +213,7 @@ def stability(Omega, A, mu, zeta, alpha, beta):
     Equation (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0.stability(Omega, A, slow_flow_mu0.friction(mu), zeta, average, average_A)
+    return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
@@ -222,7 +222,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0.transmissibility(Omega, A, F_0, slow_flow_mu0.friction(mu), zeta, average)
+    return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def backbone(A, alpha, beta):
@@ -231,7 +231,7 @@ def backbone(A, alpha, beta):
     Equation (26). Domain: A > 0, h <= 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0.backbone(A, average)
+    return flow.backbone(A, average)
 
 
 def limit_envelope(Omega, F_0, mu, zeta):
@@ -239,7 +239,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
     """
-    return slow_flow_mu0.limit_envelope(Omega, F_0, slow_flow_mu0.friction(mu), zeta)
+    return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
 
 def equivalent_damping(Omega, A, mu, zeta):
@@ -247,7 +247,7 @@ def equivalent_damping(Omega, A, mu, zeta):
 
     Equation (38). Domain: Omega > 0, A > 0.
     """
-    return slow_flow_mu0.equivalent_damping(Omega, A, slow_flow_mu0.friction(mu), zeta)
+    return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
 globals().update(compiled("duffing_mu0"))

@@ -8,17 +8,17 @@ Everything is dimensionless. Arguments broadcast; outputs have their common shap
 docstring gives equation number, domain and the operations after each pass.
 """
 
-from slowflow_kernels import slow_flow_mu0_zeta0
+from slowflow_kernels import slow_flow_mu0_zeta0 as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 from slowflow_kernels.duffing import (
-    H,
     H_A,
     H_AA,
     PARAMETERS,
     RATIOS,
     REACH,
     REACH_REASON,
+    H,
     averaged,
     averaged_2,
     averaged_3,
@@ -34,21 +34,21 @@ from slowflow_kernels.duffing import (
 )
 
 __all__ = [
-    "F",
     "F_A",
     "F_AA",
     "F_AAA",
-    "F_AOmega",
-    "F_Omega",
-    "H",
     "H_A",
     "H_AA",
-    "I",
     "PARAMETERS",
-    "R",
     "RATIOS",
     "REACH",
     "REACH_REASON",
+    "F",
+    "F_AOmega",
+    "F_Omega",
+    "H",
+    "I",
+    "R",
     "averaged",
     "averaged_2",
     "averaged_3",
@@ -113,16 +113,16 @@ def R(Omega, A, mu, zeta, alpha, beta):
     """
     average = h(A, alpha, beta)
     arguments = (Omega, A, mu, zeta, alpha, beta)
-    return full(slow_flow_mu0_zeta0.R(Omega, A, average), arguments)
+    return full(flow.R(Omega, A, average), arguments)
 
 
-def I(Omega, A, mu, zeta, alpha, beta):
+def I(Omega, A, mu, zeta, alpha, beta):  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0.
     """
     arguments = (Omega, A, mu, zeta, alpha, beta)
-    return full(slow_flow_mu0_zeta0.I(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta), arguments)
+    return full(flow.I(Omega, A, flow.friction(mu), zeta), arguments)
 
 
 def F(Omega, A, F_0, mu, zeta, alpha, beta):
@@ -131,7 +131,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0_zeta0.F(Omega, A, F_0, slow_flow_mu0_zeta0.friction(mu), zeta, average)
+    return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def F_A(Omega, A, mu, zeta, alpha, beta):
@@ -140,7 +140,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta):
     Equation (24), (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0_zeta0.F_A(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average, average_A)
+    return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def F_AA(Omega, A, mu, zeta, alpha, beta):
@@ -149,7 +149,7 @@ def F_AA(Omega, A, mu, zeta, alpha, beta):
     Equation (24), (33). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA = averaged_3(A, alpha, beta)
-    return slow_flow_mu0_zeta0.F_AA(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average, average_A, average_AA)
+    return flow.F_AA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA)
 
 
 def F_AAA(Omega, A, mu, zeta, alpha, beta):
@@ -158,7 +158,7 @@ def F_AAA(Omega, A, mu, zeta, alpha, beta):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA, average_AAA = averaged(A, alpha, beta)
-    return slow_flow_mu0_zeta0.F_AAA(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average, average_A, average_AA, average_AAA)
+    return flow.F_AAA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
 
 
 def F_Omega(Omega, A, mu, zeta, alpha, beta):
@@ -167,7 +167,7 @@ def F_Omega(Omega, A, mu, zeta, alpha, beta):
     Equation (24), (34). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0_zeta0.F_Omega(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average)
+    return flow.F_Omega(Omega, A, flow.friction(mu), zeta, average)
 
 
 def F_AOmega(Omega, A, mu, zeta, alpha, beta):
@@ -176,7 +176,7 @@ def F_AOmega(Omega, A, mu, zeta, alpha, beta):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0_zeta0.F_AOmega(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average, average_A)
+    return flow.F_AOmega(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def phase(Omega, A, mu, zeta, alpha, beta):
@@ -185,7 +185,7 @@ def phase(Omega, A, mu, zeta, alpha, beta):
     Equation (25). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0_zeta0.phase(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average)
+    return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
 def jacobian(Omega, A, mu, zeta, alpha, beta):
@@ -194,7 +194,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta):
     Equation (28). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0_zeta0.jacobian(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average, average_A)
+    return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def stability(Omega, A, mu, zeta, alpha, beta):
@@ -203,7 +203,7 @@ def stability(Omega, A, mu, zeta, alpha, beta):
     Equation (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta)
-    return slow_flow_mu0_zeta0.stability(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta, average, average_A)
+    return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
@@ -212,7 +212,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0_zeta0.transmissibility(Omega, A, F_0, slow_flow_mu0_zeta0.friction(mu), zeta, average)
+    return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def backbone(A, alpha, beta):
@@ -221,7 +221,7 @@ def backbone(A, alpha, beta):
     Equation (26). Domain: A > 0, h <= 0.
     """
     average = h(A, alpha, beta)
-    return slow_flow_mu0_zeta0.backbone(A, average)
+    return flow.backbone(A, average)
 
 
 def limit_envelope(Omega, F_0, mu, zeta):
@@ -229,7 +229,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
     """
-    return slow_flow_mu0_zeta0.limit_envelope(Omega, F_0, slow_flow_mu0_zeta0.friction(mu), zeta)
+    return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
 
 def equivalent_damping(Omega, A, mu, zeta):
@@ -237,7 +237,7 @@ def equivalent_damping(Omega, A, mu, zeta):
 
     Equation (38). Domain: Omega > 0, A > 0.
     """
-    return slow_flow_mu0_zeta0.equivalent_damping(Omega, A, slow_flow_mu0_zeta0.friction(mu), zeta)
+    return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
 globals().update(compiled("duffing_mu0_zeta0"))

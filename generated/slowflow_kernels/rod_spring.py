@@ -1,7 +1,7 @@
-"""mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
+"""Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring.py, sha256 4b963fa4cfe8b884f3f3cc62065cd6e54430afc4cec7aeafef2d915baea8ed5b
+Input: derivations/mechanisms/rod_spring.py, sha256 2bda92792c3738e00594db7329cbf7be2879fc514e0bd616da28c8a792b9a483
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -10,7 +10,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_kernels import slow_flow
+from slowflow_kernels import slow_flow as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import by_regime, floats, full, stacked
 
@@ -20,21 +20,21 @@ REACH = 1.0
 REACH_REASON = "the push-rod stands vertical"
 
 __all__ = [
-    "F",
     "F_A",
     "F_AA",
     "F_AAA",
-    "F_AOmega",
-    "F_Omega",
-    "H",
     "H_A",
     "H_AA",
-    "I",
     "PARAMETERS",
-    "R",
     "RATIOS",
     "REACH",
     "REACH_REASON",
+    "F",
+    "F_AOmega",
+    "F_Omega",
+    "H",
+    "I",
+    "R",
     "averaged",
     "averaged_2",
     "averaged_3",
@@ -1061,10 +1061,11 @@ def force(u, alpha, beta, gamma, u_cr):
 
 
 def _exact_force_piece_1(u, lam, r, delta_h):
-    # operations: 13 structured, 10 common subexpressions, 10 power chains
-    t0 = np.sqrt(1.0 - u * u)
+    # operations: 15 structured, 11 common subexpressions, 11 power chains
+    t0 = u * u
+    t1 = np.sqrt(1.0 - t0)
     return (
-        -lam * r * u * (delta_h + t0 - 1.0) / t0 + u,
+        -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u,
     )
 
 
@@ -1335,16 +1336,16 @@ def R(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """
     average = h(A, alpha, beta, gamma, u_cr)
     arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
-    return full(slow_flow.R(Omega, A, average), arguments)
+    return full(flow.R(Omega, A, average), arguments)
 
 
-def I(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+def I(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0.
     """
     arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
-    return full(slow_flow.I(Omega, A, slow_flow.friction(mu), zeta), arguments)
+    return full(flow.I(Omega, A, flow.friction(mu), zeta), arguments)
 
 
 def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1353,7 +1354,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F(Omega, A, F_0, slow_flow.friction(mu), zeta, average)
+    return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1362,7 +1363,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24), (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_A(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def F_AA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1371,7 +1372,7 @@ def F_AA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24), (33). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA = averaged_3(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_AA(Omega, A, slow_flow.friction(mu), zeta, average, average_A, average_AA)
+    return flow.F_AA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA)
 
 
 def F_AAA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1380,7 +1381,7 @@ def F_AAA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA, average_AAA = averaged(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_AAA(Omega, A, slow_flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
+    return flow.F_AAA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
 
 
 def F_Omega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1389,7 +1390,7 @@ def F_Omega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24), (34). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_Omega(Omega, A, slow_flow.friction(mu), zeta, average)
+    return flow.F_Omega(Omega, A, flow.friction(mu), zeta, average)
 
 
 def F_AOmega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1398,7 +1399,7 @@ def F_AOmega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_AOmega(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.F_AOmega(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1407,7 +1408,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (25). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.phase(Omega, A, slow_flow.friction(mu), zeta, average)
+    return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
 def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1416,7 +1417,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (28). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.jacobian(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1425,7 +1426,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.stability(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1434,7 +1435,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.transmissibility(Omega, A, F_0, slow_flow.friction(mu), zeta, average)
+    return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def backbone(A, alpha, beta, gamma, u_cr):
@@ -1443,7 +1444,7 @@ def backbone(A, alpha, beta, gamma, u_cr):
     Equation (26). Domain: A > 0, h <= 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.backbone(A, average)
+    return flow.backbone(A, average)
 
 
 def limit_envelope(Omega, F_0, mu, zeta):
@@ -1451,7 +1452,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
     """
-    return slow_flow.limit_envelope(Omega, F_0, slow_flow.friction(mu), zeta)
+    return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
 
 def equivalent_damping(Omega, A, mu, zeta):
@@ -1459,7 +1460,7 @@ def equivalent_damping(Omega, A, mu, zeta):
 
     Equation (38). Domain: Omega > 0, A > 0.
     """
-    return slow_flow.equivalent_damping(Omega, A, slow_flow.friction(mu), zeta)
+    return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
 globals().update(compiled("rod_spring"))

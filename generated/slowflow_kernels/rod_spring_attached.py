@@ -1,14 +1,15 @@
-"""mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr; amplitudes up to u_cr only.
+"""Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr; amplitudes up to
+u_cr only.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring.py, sha256 4b963fa4cfe8b884f3f3cc62065cd6e54430afc4cec7aeafef2d915baea8ed5b
+Input: derivations/mechanisms/rod_spring.py, sha256 2bda92792c3738e00594db7329cbf7be2879fc514e0bd616da28c8a792b9a483
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain and the operations after each pass.
 """
 
-from slowflow_kernels import slow_flow
+from slowflow_kernels import slow_flow as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full
 from slowflow_kernels.rod_spring import (
@@ -26,21 +27,21 @@ from slowflow_kernels.rod_spring import (
 )
 
 __all__ = [
-    "F",
     "F_A",
     "F_AA",
     "F_AAA",
-    "F_AOmega",
-    "F_Omega",
-    "H",
     "H_A",
     "H_AA",
-    "I",
     "PARAMETERS",
-    "R",
     "RATIOS",
     "REACH",
     "REACH_REASON",
+    "F",
+    "F_AOmega",
+    "F_Omega",
+    "H",
+    "I",
+    "R",
     "averaged",
     "averaged_2",
     "averaged_3",
@@ -201,16 +202,16 @@ def R(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """
     average = h(A, alpha, beta, gamma, u_cr)
     arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
-    return full(slow_flow.R(Omega, A, average), arguments)
+    return full(flow.R(Omega, A, average), arguments)
 
 
-def I(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+def I(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0.
     """
     arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
-    return full(slow_flow.I(Omega, A, slow_flow.friction(mu), zeta), arguments)
+    return full(flow.I(Omega, A, flow.friction(mu), zeta), arguments)
 
 
 def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
@@ -219,7 +220,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F(Omega, A, F_0, slow_flow.friction(mu), zeta, average)
+    return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -228,7 +229,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24), (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_A(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def F_AA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -237,7 +238,7 @@ def F_AA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24), (33). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA = averaged_3(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_AA(Omega, A, slow_flow.friction(mu), zeta, average, average_A, average_AA)
+    return flow.F_AA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA)
 
 
 def F_AAA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -246,7 +247,7 @@ def F_AAA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A, average_AA, average_AAA = averaged(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_AAA(Omega, A, slow_flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
+    return flow.F_AAA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
 
 
 def F_Omega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -255,7 +256,7 @@ def F_Omega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24), (34). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_Omega(Omega, A, slow_flow.friction(mu), zeta, average)
+    return flow.F_Omega(Omega, A, flow.friction(mu), zeta, average)
 
 
 def F_AOmega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -264,7 +265,7 @@ def F_AOmega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (24). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.F_AOmega(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.F_AOmega(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -273,7 +274,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (25). Domain: Omega > 0, A > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.phase(Omega, A, slow_flow.friction(mu), zeta, average)
+    return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
 def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -282,7 +283,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (28). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.jacobian(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -291,7 +292,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     Equation (30). Domain: Omega > 0, A > 0.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return slow_flow.stability(Omega, A, slow_flow.friction(mu), zeta, average, average_A)
+    return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
 def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
@@ -300,7 +301,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.transmissibility(Omega, A, F_0, slow_flow.friction(mu), zeta, average)
+    return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
 def backbone(A, alpha, beta, gamma, u_cr):
@@ -309,7 +310,7 @@ def backbone(A, alpha, beta, gamma, u_cr):
     Equation (26). Domain: A > 0, h <= 0.
     """
     average = h(A, alpha, beta, gamma, u_cr)
-    return slow_flow.backbone(A, average)
+    return flow.backbone(A, average)
 
 
 def limit_envelope(Omega, F_0, mu, zeta):
@@ -317,7 +318,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
     """
-    return slow_flow.limit_envelope(Omega, F_0, slow_flow.friction(mu), zeta)
+    return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
 
 def equivalent_damping(Omega, A, mu, zeta):
@@ -325,7 +326,7 @@ def equivalent_damping(Omega, A, mu, zeta):
 
     Equation (38). Domain: Omega > 0, A > 0.
     """
-    return slow_flow.equivalent_damping(Omega, A, slow_flow.friction(mu), zeta)
+    return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
 globals().update(compiled("rod_spring_attached"))

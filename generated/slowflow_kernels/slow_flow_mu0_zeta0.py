@@ -14,10 +14,10 @@ from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 
 __all__ = [
-    "F",
     "F_A",
     "F_AA",
     "F_AAA",
+    "F",
     "F_AOmega",
     "F_Omega",
     "I",
@@ -57,7 +57,7 @@ def R(Omega, A, h):
     return A * Omega * Omega + h
 
 
-def I(Omega, A, m, zeta):
+def I(Omega, A, m, zeta):  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
     Equation (23). Domain: Omega > 0, A > 0.

@@ -1,0 +1,682 @@
+"""Writes `data/kernel_oracle.json`: every generated kernel's values to 40 digits at fixed points, by other routes.
+
+In:  nothing from `derivations/`, `generated/` or `src/`: definitions typed here, seeded points.
+Out: {module: {kernel: [{"at": arguments, "is": values, "scale": |f| + sum |x df/dx|}, ...]}}.
+
+The routes: the averaged force by quadrature of the piecewise force, its derivatives and those of F by numerical
+differentiation, coefficients of polynomials by interpolation, resultants as Sylvester determinants over the rationals,
+the Jacobian by differentiating the averaged equations of motion, Den Hartog's solution from its four linear conditions.
+
+u * scale is the error that rounding the arguments and the result once each would cause: error/scale is measured in u.
+
+Run it after a change of the list of kernels: python tests/make_kernel_oracle.py [module ...] (all: ten minutes).
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import json
+import random
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from flint import fmpq, fmpq_poly
+from mpmath import mp, mpf
+
+DIGITS = 40
+mp.dps = 60
+STEP = mpf(10) ** -20
+EXACT_STEP = fmpq(1, 2**70)
+OUT = Path(__file__).parent / "data" / "kernel_oracle.json"
+SCENES = {"": (), "_mu0": ("m", "mu"), "_zeta0": ("zeta",), "_mu0_zeta0": ("m", "mu", "zeta")}
+
+Function = Callable[..., list]
+# each with the parameters it belongs to
+Amplitudes = list[tuple[float, tuple[float, ...]]]
+
+
+# --- slow flow: the definitions --------------------------------------------------------------------------------------
+
+
+def balances(Omega, A, m, zeta, h):
+    """R and I: what balances F_0 cos phi and F_0 sin phi at a steady state, with the sign reversed."""
+    return A * Omega**2 + h, 2 * zeta * A * Omega + m
+
+
+def response(Omega, A, F_0, m, zeta, h):
+    R, I = balances(Omega, A, m, zeta, h)
+    return R**2 + I**2 - F_0**2
+
+
+def near(A, values):
+    """An h with the given value and derivatives at A."""
+    return lambda a: sum(value * (a - A) ** k / mp.factorial(k) for k, value in enumerate(values))
+
+
+def slope_of_response(order, Omega, A, m, zeta, *values):
+    h = near(A, values)
+    return mp.diff(lambda a: response(Omega, a, 0, m, zeta, h(a)), A, order)
+
+
+def mixed_slope(Omega, A, m, zeta, h, h_A):
+    local = near(A, (h, h_A))
+    return mp.diff(lambda a, w: response(w, a, 0, m, zeta, local(a)), (A, Omega), (1, 1))
+
+
+def phase(Omega, A, m, zeta, h):
+    R, I = balances(Omega, A, m, zeta, h)
+    if I == 0:  # the limit of vanishing damping: I > 0 keeps phi below zero
+        return -mp.pi if R > 0 else mpf(0)
+    return mp.arg(mp.mpc(-R, -I))
+
+
+def rates(Omega, A, phi, F_0, m, zeta, h):
+    """(19): the averaged A' and phi'."""
+    return (
+        -(F_0 * mp.sin(phi) + 2 * zeta * Omega * A + m) / (2 * Omega),
+        -(F_0 * mp.cos(phi) + Omega**2 * A + h) / (2 * Omega * A),
+    )
+
+
+def jacobian(Omega, A, m, zeta, h, h_A):
+    R, I = balances(Omega, A, m, zeta, h)
+    F_0, phi = mp.hypot(R, I), mp.arg(mp.mpc(-R, -I))
+    local = near(A, (h, h_A))
+    entries = []
+    for k in (0, 1):
+        for by in ((1, 0), (0, 1)):
+            entry = mp.diff(lambda a, f, k=k: rates(Omega, a, f, F_0, m, zeta, local(a))[k], (A, phi), by)
+            entries.append(mp.chop(entry, tol=mpf(10) ** -45))
+    return entries
+
+
+def stability(Omega, A, m, zeta, h, h_A):
+    J11, J12, J21, J22 = jacobian(Omega, A, m, zeta, h, h_A)
+    return 4 * Omega**2 * (J11 * J22 - J12 * J21)
+
+
+def dissipated(Omega, A, m, zeta):
+    """Work of both dampings over a cycle of u = A cos psi, by quadrature; mu = pi m/4."""
+    speed = lambda psi: A * Omega * mp.sin(psi)  # noqa: E731
+    power = lambda psi: 2 * zeta * speed(psi) ** 2 + mp.pi * m / 4 * abs(speed(psi))  # noqa: E731
+    return 2 * mp.quad(power, [0, mp.pi], method="gauss-legendre") / Omega
+
+
+def equivalent_damping(Omega, A, m, zeta):
+    """The ratio of a purely viscous damping that does the same work."""
+    return zeta * 0 + dissipated(Omega, A, m, zeta) / dissipated(Omega, A, 0, mpf(1))
+
+
+def transmissibility(Omega, A, F_0, m, zeta, h):
+    """Harmonics of f(u) + 2 zeta u' + mu sign(u'): the force's is -h by definition, the damping's by quadrature."""
+    damping = lambda psi: -2 * zeta * A * Omega * mp.sin(psi) - mp.pi * m / 4  # noqa: E731
+    sine = 2 / mp.pi * mp.quad(lambda psi: damping(psi) * mp.sin(psi), [0, mp.pi], method="gauss-legendre")
+    return mp.hypot(h, sine) / F_0
+
+
+def interpolated(f, degree, missing):
+    """Coefficients of a polynomial from its values, without one that must vanish."""
+    nodes = [mpf(k) / 2 for k in range(-degree, degree + 1, 2)]
+    matrix = mp.matrix([[node**k for k in range(degree + 1)] for node in nodes])
+    with mp.extradps(20):
+        coefficients = list(mp.lu_solve(matrix, mp.matrix([f(node) for node in nodes])))
+    assert abs(coefficients.pop(missing)) < mpf(10) ** -50
+    return coefficients
+
+
+def response_quartic(A, F_0, m, zeta, h):
+    return interpolated(lambda w: response(w, A, F_0, m, zeta, h), 4, 3)
+
+
+def fold_quartic(A, m, zeta, h, h_A):
+    return interpolated(lambda w: slope_of_response(1, w, A, m, zeta, h, h_A) / 2, 4, 3)
+
+
+def peak_cubic(A, m, zeta, h):
+    return interpolated(lambda w: mp.diff(lambda v: response(v, A, 0, m, zeta, h), w) / (4 * A), 3, 2)
+
+
+SLOW_FLOW: dict[str, tuple[str, Function]] = {
+    "friction": ("mu", lambda mu: [4 * mu / mp.pi]),
+    "R": ("Omega A h", lambda Omega, A, h: [balances(Omega, A, 0, 0, h)[0]]),
+    "I": ("Omega A m zeta", lambda Omega, A, m, zeta: [balances(Omega, A, m, zeta, 0)[1]]),
+    "F": ("Omega A F_0 m zeta h", lambda *x: [response(*x)]),
+    "F_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_response(1, *x)]),
+    "F_AA": ("Omega A m zeta h h_A h_AA", lambda *x: [slope_of_response(2, *x)]),
+    "F_AAA": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [slope_of_response(3, *x)]),
+    "F_Omega": ("Omega A m zeta h", lambda w, A, m, zeta, h: [mp.diff(lambda v: response(v, A, 0, m, zeta, h), w)]),
+    "F_AOmega": ("Omega A m zeta h h_A", lambda *x: [mixed_slope(*x)]),
+    "phase": ("Omega A m zeta h", lambda *x: [phase(*x)]),
+    "backbone": ("A h", lambda A, h: [mp.findroot(lambda w: balances(w, A, 0, 0, h)[0], mp.sqrt(-h / A))]),
+    "limit_envelope": (
+        "Omega F_0 m zeta",
+        lambda w, F_0, m, zeta: [(F_0 - m) / balances(w, 1, 0, zeta, 0)[1] if zeta else mp.inf],
+    ),
+    "equivalent_damping": ("Omega A m zeta", lambda *x: [equivalent_damping(*x)]),
+    "transmissibility": ("Omega A F_0 m zeta h", lambda *x: [transmissibility(*x)]),
+    "jacobian": ("Omega A m zeta h h_A", jacobian),
+    "stability": ("Omega A m zeta h h_A", lambda *x: [stability(*x)]),
+    "response_quartic": ("A F_0 m zeta h", response_quartic),
+    "fold_quartic": ("A m zeta h h_A", fold_quartic),
+    "peak_cubic": ("A m zeta h", peak_cubic),
+}
+
+
+# --- resultants: Sylvester determinants over the rationals -----------------------------------------------------------
+
+
+def determinant(matrix: list[list[fmpq_poly]]) -> fmpq_poly:
+    """Bareiss' elimination without fractions."""
+    matrix = [row[:] for row in matrix]
+    size, previous, sign = len(matrix), fmpq_poly([1]), 1
+    for k in range(size - 1):
+        pivot = next((i for i in range(k, size) if matrix[i][k] != 0), None)
+        if pivot is None:
+            return fmpq_poly([0])
+        if pivot != k:
+            matrix[k], matrix[pivot], sign = matrix[pivot], matrix[k], -sign
+        for i in range(k + 1, size):
+            for j in range(k + 1, size):
+                matrix[i][j] = (matrix[k][k] * matrix[i][j] - matrix[i][k] * matrix[k][j]) // previous
+        previous = matrix[k][k]
+    return sign * matrix[-1][-1]
+
+
+def resultant(first: list[fmpq_poly], second: list[fmpq_poly]) -> fmpq_poly:
+    """Of two polynomials in Omega, given by their coefficients, constant first."""
+    zero = fmpq_poly([0])
+    first, second = ([c for c in reversed(p)] for p in (first, second))
+    while first[0] == 0:
+        first = first[1:]
+    while second[0] == 0:
+        second = second[1:]
+    n, k = len(first) - 1, len(second) - 1
+    rows = [[zero] * i + first + [zero] * (k - 1 - i) for i in range(k)]
+    rows += [[zero] * i + second + [zero] * (n - 1 - i) for i in range(n)]
+    return determinant(rows)
+
+
+def essential(polynomial: fmpq_poly, leading: fmpq) -> list[fmpq]:
+    """Coefficients of even power of the product of distinct factors but the unknown itself, scaled to a leading one."""
+    distinct = polynomial // polynomial.gcd(polynomial.derivative())
+    if distinct[0] == 0:
+        distinct = distinct // fmpq_poly([0, 1])
+    distinct = distinct * (leading / distinct[distinct.degree()])
+    assert all(distinct[k] == 0 for k in range(1, distinct.degree() + 1, 2))
+    return [distinct[k] for k in range(0, distinct.degree() + 1, 2)]
+
+
+def constant(x) -> fmpq_poly:
+    return fmpq_poly([x])
+
+
+X = fmpq_poly([0, 1])
+
+
+def detachment(A, m, zeta, h):
+    """Res(F, F_Omega) in F_0; its essential part is monic."""
+    R, I = [constant(h), constant(0), constant(A)], [constant(m), constant(2 * zeta * A)]
+    F = added(product(R, R), product(I, I), [-X * X])
+    return essential(resultant(F, derived(F)), fmpq(1))
+
+
+def product(a, b):
+    result = [fmpq_poly([0])] * (len(a) + len(b) - 1)
+    for (i, x), (j, y) in itertools.product(enumerate(a), enumerate(b)):
+        result[i + j] = result[i + j] + x * y
+    return result
+
+
+def added(*polynomials):
+    size = max(map(len, polynomials))
+    return [sum((p[k] for p in polynomials if k < len(p)), fmpq_poly([0])) for k in range(size)]
+
+
+def derived(polynomial):
+    """By Omega."""
+    return [k * c for k, c in enumerate(polynomial)][1:]
+
+
+def by_amplitude(polynomial):
+    return [c.derivative() for c in polynomial]
+
+
+def first_regime(coefficients):
+    """h of an odd polynomial force: the mean of 2 cos^(n+1) is 2 (n+1 choose (n+1)/2)/2^(n+1)."""
+    total = fmpq_poly([0])
+    for k, c in enumerate(coefficients):
+        n = 2 * k + 1
+        total = total - c * fmpq(2 * int(mp.binomial(n + 1, (n + 1) // 2)), 2 ** (n + 1)) * X**n
+    return total
+
+
+def in_amplitude(F_0, m, zeta, coefficients):
+    """F as a polynomial in Omega over Q[A]."""
+    R, I = [first_regime(coefficients), constant(0), X], [constant(m), 2 * zeta * X]
+    return added(product(R, R), product(I, I), [constant(-F_0 * F_0)])
+
+
+def saddle_node_onset(leading, m, zeta, *coefficients):
+    F_A = by_amplitude(in_amplitude(fmpq(0), m, zeta, coefficients))
+    return essential(resultant(F_A, by_amplitude(F_A)), leading)
+
+
+def saddle_nodes(leading, F_0, m, zeta, *coefficients):
+    F = in_amplitude(F_0, m, zeta, coefficients)
+    return essential(resultant(F, by_amplitude(F)), leading)
+
+
+#: the scale of a resultant is a convention: its leading coefficient once its factors are primitive over the integers
+LEADING = {
+    ("rod_spring", "", "saddle_node_onset"): lambda zeta, a, b, c: 9765625 * c**8,
+    ("rod_spring", "_mu0", "saddle_node_onset"): lambda zeta, a, b, c: 3125 * c**4,
+    ("rod_spring", "_zeta0", "saddle_node_onset"): lambda zeta, a, b, c: 125 * c**2,
+    ("rod_spring", "_mu0_zeta0", "saddle_node_onset"): lambda zeta, a, b, c: 125 * c**2,
+    ("rod_spring", "", "saddle_nodes"): lambda zeta, a, b, c: 15625 * c**6 * zeta**4,
+    ("rod_spring", "_mu0", "saddle_nodes"): lambda zeta, a, b, c: 125 * c**3 * zeta**2,
+    ("rod_spring", "_zeta0", "saddle_nodes"): lambda zeta, a, b, c: 25 * c**2,
+    ("rod_spring", "_mu0_zeta0", "saddle_nodes"): lambda zeta, a, b, c: 25 * c**2,
+    ("duffing", "", "saddle_node_onset"): lambda zeta, a, b: 59049 * b**8,
+    ("duffing", "_mu0", "saddle_node_onset"): lambda zeta, a, b: 27 * b**2,
+    ("duffing", "_zeta0", "saddle_node_onset"): lambda zeta, a, b: fmpq(1),
+    ("duffing", "_mu0_zeta0", "saddle_node_onset"): lambda zeta, a, b: fmpq(1),
+    ("duffing", "", "saddle_nodes"): lambda zeta, a, b: 729 * b**6 * zeta**4,
+    ("duffing", "_mu0", "saddle_nodes"): lambda zeta, a, b: 27 * b**3 * zeta**2,
+    ("duffing", "_zeta0", "saddle_nodes"): lambda zeta, a, b: 9 * b**2,
+    ("duffing", "_mu0_zeta0", "saddle_nodes"): lambda zeta, a, b: 9 * b**2,
+}
+
+
+# --- the averaged force ----------------------------------------------------------------------------------------------
+
+
+def pieces(name: str, p: Sequence):
+    """The whole restoring force, piece by piece, and where the pieces end."""
+    if name == "duffing":
+        alpha, beta = p
+        return [lambda u: alpha * u + beta * u**3], []
+    alpha, beta, gamma, u_cr = p
+    return [lambda u: alpha * u + beta * u**3 + gamma * u**5, lambda u: u], [u_cr]
+
+
+def average(name: str, p: Sequence, passed: int, less_vertical: bool) -> Callable:
+    """-(1/pi) int_0^{2 pi} f(A cos psi) cos psi dpsi by quadrature over a quarter, `passed` ends exceeded."""
+    forces, ends = pieces(name, p)
+
+    def of(A):
+        cuts = [mpf(0), *(mp.asin(b / A) for b in ends[:passed]), mp.pi / 2]
+        total = mpf(0)
+        for f, start, end in zip(forces, cuts, cuts[1:], strict=False):
+
+            def integrand(t, f=f):
+                u = A * mp.sin(t)
+                return (f(u) - u if less_vertical else f(u)) * mp.sin(t)
+
+            total += mp.quad(integrand, [start, end], method="gauss-legendre")
+        return -4 / mp.pi * total
+
+    return of
+
+
+@functools.cache
+def family(name: str, passed: int, less_vertical: bool, A, *p):
+    """The average and its first three derivatives by A."""
+    taylor = mp.taylor(average(name, p, passed, less_vertical), A, 3)
+    return [mp.factorial(k) * c for k, c in enumerate(taylor)]
+
+
+def passed_by(name: str, A: float, p: Sequence[float]) -> int:
+    return sum(A > end for end in pieces(name, p)[1])
+
+
+# --- forces and parameters -------------------------------------------------------------------------------------------
+
+
+def rod_force(lam, r, delta_h):
+    """F_k at k_v = L = 1: lam springs of stiffness r, shortened by delta_h - (1 - sqrt(1 - u^2)), on a tilted rod."""
+
+    def force(u):
+        adjacent = mp.sqrt(1 - u**2)
+        return -lam * r * (delta_h - (1 - adjacent)) * u / adjacent
+
+    return force
+
+
+def rod_coefficients(lam, r, delta_h):
+    taylor = mp.taylor(rod_force(lam, r, delta_h), 0, 5)
+    # the spring is at its free length where the rod has drawn back by delta_h
+    u_cr = mp.sqrt((1 - (1 - delta_h)) * (1 + (1 - delta_h)))
+    return [1 + taylor[1], taylor[3], taylor[5], u_cr]
+
+
+def duffing_coefficients(kappa_1, kappa_3):
+    taylor = mp.taylor(lambda u: kappa_1 * u + kappa_3 * u**3, 0, 3)
+    return [1 + taylor[1], taylor[3]]
+
+
+# --- Den Hartog ------------------------------------------------------------------------------------------------------
+
+
+def half_cycle(Omega, A, mu):
+    """B, C, p, q of u = mu + V(p cos - q sin)(Omega tau) + B cos tau + C sin tau, from (A, 0) to (-A, 0)."""
+    end, V = mp.pi / Omega, 1 / (1 - Omega**2)
+
+    def row(tau):
+        return [mp.cos(tau), mp.sin(tau), V * mp.cos(Omega * tau), -V * mp.sin(Omega * tau)]
+
+    def slope(tau):
+        return [-mp.sin(tau), mp.cos(tau), -V * Omega * mp.sin(Omega * tau), -V * Omega * mp.cos(Omega * tau)]
+
+    matrix = mp.matrix([row(mpf(0)), slope(mpf(0)), row(end), slope(end)])
+    with mp.extradps(30):
+        return list(mp.lu_solve(matrix, mp.matrix([A - mu, 0, -A - mu, 0])))
+
+
+def motion(tau, Omega, A, mu):
+    B, C, p, q = half_cycle(Omega, A, mu)
+    V = 1 / (1 - Omega**2)
+    return mu + V * (p * mp.cos(Omega * tau) - q * mp.sin(Omega * tau)) + B * mp.cos(tau) + C * mp.sin(tau)
+
+
+def forcing(Omega, A, mu):
+    _, _, p, q = half_cycle(Omega, A, mu)
+    return mp.hypot(p, q)
+
+
+def exact_V(Omega):
+    """Without friction the forced motion is A = V p."""
+    return [1 / half_cycle(Omega, mpf(1), mpf(0))[2]]
+
+
+def exact_U(Omega):
+    return [-half_cycle(Omega, mpf(0), mpf(1))[3] * exact_V(Omega)[0]]
+
+
+def exact_amplitude(Omega, F_0, mu):
+    V, U = exact_V(Omega)[0], exact_U(Omega)[0]
+    guess = mp.sqrt(F_0**2 * V**2 - mu**2 * U**2)
+    return [mp.findroot(lambda A: forcing(Omega, A, mu) - F_0, guess)]
+
+
+def exact_bound(Omega, F_0, S):
+    """The amplitude at which A = mu S/Omega^2: forcing is proportional to A there."""
+    return [F_0 / forcing(Omega, mpf(1), Omega**2 / S)]
+
+
+def slope_ratio(tau, Omega):
+    """u' = -A Omega sin(Omega tau) + mu g: the second share alone, times Omega/sin(Omega tau)."""
+    g = mp.diff(lambda t: motion(t, Omega, mpf(0), mpf(1)), tau)
+    return [Omega * g / mp.sin(Omega * tau)]
+
+
+DEN_HARTOG: dict[str, tuple[str, Function]] = {
+    "V": ("Omega", exact_V),
+    "U": ("Omega", exact_U),
+    "S_ratio": ("tau Omega", slope_ratio),
+    "amplitude": ("Omega F_0 mu", exact_amplitude),
+    "bound": ("Omega F_0 S", exact_bound),
+    "motion": ("tau Omega A mu", lambda *x: [motion(*x)]),
+}
+
+
+# --- points ----------------------------------------------------------------------------------------------------------
+
+RANGES = {
+    "Omega": (0.3, 2.0),
+    "A": (0.01, 1.0),
+    "F_0": (0.03, 0.1),
+    "m": (0.001, 0.03),
+    "mu": (0.001, 0.02),
+    "zeta": (0.004, 0.1),
+    "h": (-1.0, -0.001),
+    "h_A": (-2.0, 1.0),
+    "h_AA": (-5.0, 5.0),
+    "h_AAA": (-20.0, 20.0),
+    "S": (0.5, 2.0),
+}
+
+TABLE_1 = (3.0, 3747 / 1848, 1848 / (6 * 3747))
+DESIGNS = (TABLE_1, (1.0, 0.5, 0.05), (4.0, 4.0, 0.0606), (1.0, 1.0, 0.9), (2.0, 1.5, 0.5), (3.0, 2.0, 1e-6))
+DUFFINGS = ((1.0, 0.3), (0.2, 2.5), (-0.1, 1.0), (1.0, -0.4))
+
+
+def parameters_of(design: Sequence[float]) -> tuple[float, ...]:
+    """Doubles near the isolator's coefficients; as inputs they are exact."""
+    return tuple(float(c) for c in rod_coefficients(*map(mpf, design)))
+
+
+def around(u_cr: float, thorough: bool) -> list[float]:
+    """Amplitudes in every regime, on the corner, close above it, and far beyond."""
+    factors = [0.0, 1e-8, 0.3, 1 - 1e-9, 1.0, 1 + 1e-12, 1 + 1e-6, 1.05, 1.249, 1.251, 2.0, 30.0]
+    if thorough:
+        factors += [1e-3, 0.9, 1 + 1e-9, 1.001, 1.5, 3.0, 10.0, 1e4]
+    return [u_cr * factor for factor in factors]
+
+
+def points(rng: random.Random, names: str, count: int) -> list[list[float]]:
+    return [[rng.uniform(*RANGES[name]) for name in names.split()] for _ in range(count)]
+
+
+# --- the table -------------------------------------------------------------------------------------------------------
+
+
+def entry(f: Function, at: Sequence[float], exact: bool = False) -> dict:
+    """One row: values, and their scale by a difference quotient in each argument."""
+    x = [fmpq(*value.as_integer_ratio()) for value in at] if exact else [mpf(value) for value in at]
+    step = EXACT_STEP if exact else STEP
+    values = f(*x)
+    scales = [abs(value) for value in values]
+    for k, value in enumerate(x):
+        if value != 0:
+            shifted = f(*x[:k], value * (1 + step), *x[k + 1 :])
+            scales = [s + abs(b - a) / step for s, a, b in zip(scales, values, shifted, strict=True)]
+    return {"at": list(at), "is": [shown(v) for v in values], "scale": [shown(s, 6) for s in scales]}
+
+
+def shown(value, digits: int = DIGITS) -> str:
+    if isinstance(value, fmpq):
+        value = mpf(int(value.p)) / int(value.q)
+    if value == 0:
+        return "0"
+    return mp.nstr(value, digits)
+
+
+def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
+    """The function with the scene's arguments put to zero, whatever is passed for them."""
+    gone = [k for k, name in enumerate(names) if name in SCENES[scene]]
+    return lambda *x: f(*(value * 0 if k in gone else value for k, value in enumerate(x)))
+
+
+def slow_flow_table(rng: random.Random, scene: str) -> dict:
+    table = {}
+    for name, (names, f) in SLOW_FLOW.items():
+        chosen = points(rng, names, 6)
+        if {"Omega", "A", "h"} <= set(names.split()):  # next to the backbone: R is the small difference of two terms
+            Omega, A, h = (names.split().index(x) for x in ("Omega", "A", "h"))
+            for x in chosen[:2]:
+                x[h] = -x[A] * x[Omega] ** 2 * (1 + 1e-9)
+        table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
+    names = "A m zeta h"
+    table["detachment"] = [
+        entry(zeroed(detachment, names.split(), scene), x, exact=True) for x in points(rng, names, 6)
+    ]
+    return table
+
+
+def den_hartog_table(rng: random.Random) -> dict:
+    frequencies = [0.4, 0.45, 0.55, 0.7, 0.9, 0.999, 1.0 + 1e-9, 1.001, 1.1, 1.5, 2.0, 3.0]
+    table = {}
+    for name, (names, f) in DEN_HARTOG.items():
+        rows = []
+        for Omega in frequencies:
+            x = {other: rng.uniform(*RANGES[other]) for other in ("A", "F_0", "mu", "S")}
+            x["Omega"] = Omega
+            # friction small enough for a steady motion; tau in the first half of the half-cycle, where S is attained
+            x["mu"] = x["F_0"] * abs(float(exact_V(mpf(Omega))[0] / exact_U(mpf(Omega))[0])) * rng.uniform(0.1, 0.9)
+            taus = [1e-6, rng.uniform(0.05, 0.5) * float(mp.pi) / Omega] if "tau" in names else [0.0]
+            for x["tau"] in taus:
+                rows.append(entry(f, [x[other] for other in names.split()]))
+        table[name] = rows
+    return table
+
+
+def family_table(name: str, amplitudes: Amplitudes) -> dict:
+    """h, H and their derivatives, singly and together."""
+    orders = ("", "_A", "_AA", "_AAA")
+    table: dict[str, list] = {}
+    for A, p in amplitudes:
+        passed = passed_by(name, A, p)
+        for letter, top, vertical in (("h", 4, False), ("H", 3, True)):
+            row = entry(lambda *x, n=passed, v=vertical: family(name, n, v, *x), [A, *p])
+            for k in range(top):
+                one = {"at": row["at"], "is": [row["is"][k]], "scale": [row["scale"][k]]}
+                table.setdefault(letter + orders[k], []).append(one)
+            if letter == "h":
+                for together, count in (("averaged", 4), ("averaged_3", 3), ("averaged_2", 2)):
+                    some = {"at": row["at"], "is": row["is"][:count], "scale": row["scale"][:count]}
+                    table.setdefault(together, []).append(some)
+    return table
+
+
+def composed_table(rng: random.Random, name: str, scene: str, amplitudes: Amplitudes) -> dict:
+    """The slow flow's functions with the mechanism put in."""
+    table: dict[str, list] = {}
+    for kernel, (names, f) in SLOW_FLOW.items():
+        if kernel in ("friction", "response_quartic", "fold_quartic", "peak_cubic"):
+            continue
+        inner = names.split()
+        outer = [x for x in ("Omega", "A", "F_0", "mu", "zeta") if x != "F_0" or "F_0" in inner]
+        if kernel == "backbone":
+            outer = ["A"]
+        elif kernel in ("limit_envelope", "equivalent_damping"):
+            outer = ["mu" if x == "m" else x for x in inner]
+        of_mechanism = "h" in inner or kernel in ("R", "I")
+        for A, p in amplitudes:
+            passed = passed_by(name, A, p)
+
+            def composed(*x, inner=inner, outer=outer, f=f, passed=passed):
+                given = dict(zip(outer, x, strict=False))
+                given["m"] = 4 * given.get("mu", mpf(0)) / mp.pi
+                if "h" in inner:
+                    averages = family(name, passed, False, given["A"], *x[len(outer) :])
+                    given |= zip(("h", "h_A", "h_AA", "h_AAA"), averages, strict=True)
+                return f(*(given[argument] for argument in inner))
+
+            x = [A if argument == "A" else rng.uniform(*RANGES[argument]) for argument in outer]
+            if kernel == "backbone" and family(name, passed, False, mpf(A), *map(mpf, p))[0] > 0:
+                continue
+            full = zeroed(composed, [*outer, *["parameter"] * len(p)], scene)
+            table.setdefault(kernel, []).append(entry(full, [*x, *(p if of_mechanism else ())]))
+    return table
+
+
+def resultant_table(rng: random.Random, name: str, scene: str, parameters: list[tuple[float, ...]]) -> dict:
+    table: dict[str, list] = {}
+    # the breakpoint does not enter
+    count = 2 if name == "duffing" else 3
+    for kernel, f, own in (
+        ("saddle_node_onset", saddle_node_onset, ["m", "zeta"]),
+        ("saddle_nodes", saddle_nodes, ["F_0", "m", "zeta"]),
+    ):
+
+        def whole(*x, f=f, leading=LEADING[name, scene, kernel], last=len(own) - 1):  # noqa: B008
+            used = x[: last + 1 + count]
+            return f(leading(*used[last:]), *used)
+
+        for p in parameters:
+            x = points(rng, " ".join(own), 1)[0]
+            full = zeroed(whole, [*own, *["parameter"] * len(p)], scene)
+            table.setdefault(kernel, []).append(entry(full, [*x, *p], exact=True))
+    return table
+
+
+def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
+    """Parameters, breakpoints, jumps and the force itself."""
+    coefficients = rod_coefficients if name == "rod_spring" else duffing_coefficients
+    table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), d) for d in designs]}
+    table["breakpoints"] = [entry(lambda *q: list(pieces(name, q)[1]), p) for p in parameters]
+
+    def jumps(*q):
+        forces, ends = pieces(name, q)
+        return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
+
+    table["jumps"] = [entry(jumps, p) for p in parameters]
+    table["force"], table["exact_force"] = [], []
+    for design, p in zip(designs, parameters, strict=True):
+        for factor in (-0.9, 1e-6, 0.7, 0.999, -1.2):
+            u = factor * (p[-1] if name == "rod_spring" else 1.0)
+            k = passed_by(name, abs(u), p)
+            table["force"].append(entry(lambda v, *q, k=k: [pieces(name, q)[0][k](v)], [u, *p]))
+            if abs(u) < 1:
+
+                def exact(v, *d, k=k):
+                    if name == "duffing":
+                        return [v + d[0] * v + d[1] * v**3]
+                    return [v + (0 if k else rod_force(*d)(v))]
+
+                table["exact_force"].append(entry(exact, [u, *design]))
+    return table
+
+
+def tables() -> dict[str, Callable[[random.Random], dict]]:
+    """How to make the table of each module."""
+    made: dict[str, Callable[[random.Random], dict]] = {}
+    for scene in SCENES:
+        made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
+    made["den_hartog"] = den_hartog_table
+    isolators = [parameters_of(design) for design in DESIGNS]
+    made |= mechanism_tables(
+        "rod_spring",
+        DESIGNS,
+        isolators,
+        [(A, p) for k, p in enumerate(isolators) for A in around(p[-1], k in (0, 4))],
+        [(A * p[-1], p) for p in isolators for A in (0.5, 1.1, 2.2)],
+    )
+    parameters = [(1 + kappa_1, kappa_3) for kappa_1, kappa_3 in DUFFINGS]
+    made |= mechanism_tables(
+        "duffing",
+        DUFFINGS,
+        parameters,
+        [(A, p) for p in parameters for A in (0.0, 1e-8, 0.1, 0.7, 3.0)],
+        [(A, p) for p in parameters for A in (0.1, 0.6)],
+    )
+    return made
+
+
+def mechanism_tables(name: str, designs, parameters, amplitudes: Amplitudes, some: Amplitudes) -> dict:
+    """The modules of a mechanism: its averages at all `amplitudes`, the composed functions at `some`."""
+
+    def table(rng: random.Random, scene: str) -> dict:
+        own = composed_table(rng, name, scene, some) | resultant_table(rng, name, scene, parameters)
+        if scene:
+            return own
+        return own | family_table(name, amplitudes) | data_table(name, designs, parameters)
+
+    def attached(rng: random.Random) -> dict:
+        below = [(A, p) for A, p in some if A <= p[-1]]
+        return composed_table(rng, name, "", below) | family_table(name, [(A, p) for A, p in amplitudes if A <= p[-1]])
+
+    made = {name + scene: functools.partial(table, scene=scene) for scene in SCENES}
+    return made if name == "duffing" else made | {f"{name}_attached": attached}
+
+
+def main(only: list[str]) -> None:
+    """Makes the table, or anew the modules named."""
+    table = json.loads(OUT.read_text()) if only else {}
+    for module, make in tables().items():
+        if not only or module in only:
+            table[module] = make(random.Random(module))
+    lines = []
+    for module, kernels in table.items():
+        inner = []
+        for kernel, rows in kernels.items():
+            body = ",\n".join("   " + json.dumps(row) for row in rows)
+            inner.append(f'  "{kernel}": [\n{body}\n  ]')
+        lines.append(f' "{module}": {{\n' + ",\n".join(inner) + "\n }")
+    OUT.write_text("{\n" + ",\n".join(lines) + "\n}\n")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

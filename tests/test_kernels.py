@@ -1,0 +1,224 @@
+"""Every generated kernel (NumPy, compiled, C) against 40-digit values from independent routes: `make_kernel_oracle.py`.
+
+The measure is error/(u scale), where scale = |f| + sum |x df/dx| over the arguments: what rounding the arguments and
+the result once each would cause. It is the error in units of u(1 + kappa), and stays finite where f vanishes.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import json
+import os
+import subprocess
+import sys
+import warnings
+from fractions import Fraction
+from pathlib import Path
+
+import generated_c
+import numpy as np
+import pytest
+
+HERE = Path(__file__).parent
+PACKAGE = HERE.parent / "generated" / "slowflow_kernels"
+ORACLE = json.loads((HERE / "data" / "kernel_oracle.json").read_text())
+MODULES = sorted(path.stem for path in PACKAGE.glob("*.py") if not path.stem.startswith("_"))
+KERNELS = [(module, kernel) for module, kernels in ORACLE.items() for kernel in kernels]
+U = Fraction(1, 2**53)
+# measured: at most 2.4, of h_A well beyond u_cr; half of all kernels stay below 0.8
+BOUND = 4
+INFINITE = {"inf": np.inf, "+inf": np.inf}
+
+
+def functions(module: str) -> set[str]:
+    """Public functions that a generated module defines itself."""
+    tree = ast.parse((PACKAGE / f"{module}.py").read_text())
+    return {node.name for node in tree.body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")}
+
+
+def worst(values: np.ndarray, row: dict) -> float:
+    """The largest error/(u scale) of a kernel's outputs at one point; exact zeros and infinities have to be met."""
+    assert len(values) == len(row["is"])
+    ratios = [0.0]
+    for value, expected, scale in zip(values, row["is"], row["scale"], strict=True):
+        if expected in INFINITE:
+            assert value == INFINITE[expected]
+        elif Fraction(scale) == 0:
+            assert value == 0
+        else:
+            assert np.isfinite(value)
+            ratios.append(float(abs(Fraction(float(value)) - Fraction(expected)) / (U * Fraction(scale))))
+    return max(ratios)
+
+
+@pytest.fixture(scope="module", params=["numpy", "native"])
+def package(request):
+    """The kernels' modules by name, freshly imported on one backend."""
+
+    def forget() -> dict:
+        return {name: sys.modules.pop(name) for name in list(sys.modules) if name.split(".")[0] == "slowflow_kernels"}
+
+    before, backend = forget(), os.environ.get("SLOWFLOW_BACKEND")
+    os.environ["SLOWFLOW_BACKEND"] = request.param
+    try:
+        loaded = {module: importlib.import_module(f"slowflow_kernels.{module}") for module in MODULES}
+    except ImportError as error:
+        pytest.skip(f"no {request.param} backend: {error}")
+    finally:
+        forget()
+        sys.modules.update(before)
+        os.environ.pop("SLOWFLOW_BACKEND")
+        if backend is not None:
+            os.environ["SLOWFLOW_BACKEND"] = backend
+    return loaded
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    """The C headers, compiled together with all warnings as errors."""
+    if generated_c.COMPILER is None:
+        pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
+    return generated_c.build(tmp_path_factory.mktemp("kernels"))
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_no_kernel_without_an_oracle(module):
+    assert functions(module) == set(ORACLE[module])
+    assert all(rows for rows in ORACLE[module].values())
+
+
+def test_every_c_function_has_an_oracle():
+    known = {f"{module}_{kernel}" for module, kernel in KERNELS}
+    found = set(generated_c.prototypes())
+    assert known <= found
+    helpers = {name for name in found - known if name.startswith("angles_")}
+    regimes = {name for name in found - known if any(f"{kernel}_p" in name for kernel in known)}
+    assert found == known | helpers | regimes
+
+
+@pytest.mark.parametrize(("module", "kernel"), KERNELS)
+def test_kernel_at_points(package, module, kernel):
+    function = getattr(package[module], kernel)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        errors = [worst(np.ravel(np.array(function(*row["at"]))), row) for row in ORACLE[module][kernel]]
+    assert max(errors) <= BOUND
+
+
+@pytest.mark.parametrize(("module", "kernel"), KERNELS)
+def test_kernel_on_arrays(package, module, kernel):
+    """All points in one call: every regime by its mask, without a warning from the others."""
+    rows = ORACLE[module][kernel]
+    columns = np.array([row["at"] for row in rows]).T
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        result = getattr(package[module], kernel)(*columns)
+    outputs = [result] if isinstance(result, np.ndarray) and result.ndim == 1 else list(result)
+    assert all(output.shape == (len(rows),) for output in outputs)
+    assert max(worst([output[k] for output in outputs], row) for k, row in enumerate(rows)) <= BOUND
+
+
+@pytest.mark.parametrize(("module", "kernel"), KERNELS)
+def test_kernel_in_c(library, module, kernel):
+    rows = ORACLE[module][kernel]
+    errors = [worst(library(f"{module}_{kernel}", row["at"], len(row["is"])), row) for row in rows]
+    assert max(errors) <= BOUND
+
+
+@pytest.mark.parametrize("header", sorted(generated_c.HEADERS.glob("*.h")), ids=lambda header: header.name)
+def test_header_compiles_alone(header, tmp_path):
+    if generated_c.COMPILER is None:
+        pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
+    assert generated_c.compile_alone(header, tmp_path) == ""
+
+
+ISOLATOR = (0.5, 2.7914, 2.0935, 0.397)
+
+
+def test_scalars_give_scalars(package):
+    value = package["rod_spring"].h(0.5, *ISOLATOR)
+    assert isinstance(value, np.float64)
+    assert all(isinstance(part, np.float64) for part in package["rod_spring"].averaged(0.3, *ISOLATOR))
+    assert isinstance(package["slow_flow_mu0_zeta0"].equivalent_damping(0.9, 0.3, 0.01, 0.02), np.float64)
+
+
+def test_integers_are_taken_as_floats(package):
+    assert package["den_hartog"].V(2) == package["den_hartog"].V(2.0)
+    assert package["rod_spring"].h(1, 1, 0, 0, 0) == -1.0
+
+
+def test_unused_arguments_count_for_the_shape(package):
+    mu = np.zeros((3, 1))
+    assert package["rod_spring"].R(0.9, np.full(2, 0.3), mu, 0.02, *ISOLATOR).shape == (3, 2)
+    jacobian = package["slow_flow"].jacobian(0.9, np.full(2, 0.3), mu, 0.02, -0.1, -0.5)
+    assert [entry.shape for entry in jacobian] == [(3, 2)] * 4
+    assert package["rod_spring"].saddle_node_onset(mu, 0.02, *ISOLATOR).shape == (19, 3, 1)
+    assert package["duffing_zeta0"].saddle_node_onset(mu, 0.02, 1.0, 0.3).shape == (1, 3, 1)
+
+
+def test_outputs_are_not_the_arguments(package):
+    A = np.array([0.1, 0.2])
+    *_, leading = package["slow_flow"].fold_quartic(A, 0.01, 0.02, -0.1, -0.5)
+    leading[0] = 7.0
+    beyond = package["rod_spring"].force(A, 0.5, 2.0, 2.0, 0.05)
+    beyond[0] = 7.0
+    assert A[0] == 0.1
+
+
+def test_nan_in_nan_out(package):
+    A = np.array([0.1, np.nan, 0.5])
+    for values in package["rod_spring"].averaged(A, *ISOLATOR):
+        assert list(np.isnan(values)) == [False, True, False]
+    assert np.isnan(package["rod_spring"].h(np.nan, *ISOLATOR))
+    assert np.isnan(package["rod_spring"].h(0.1, np.nan, *ISOLATOR[1:]))
+
+
+def test_empty_arrays(package):
+    values = package["rod_spring"].averaged(np.empty((0, 3)), *ISOLATOR)
+    assert [value.shape for value in values] == [(0, 3)] * 4
+
+
+def test_the_corner_belongs_below(package):
+    """At A = u_cr the attached regime holds: h_A is finite there, and falls to minus infinity just above."""
+    kernels, u_cr = package["rod_spring"], ISOLATOR[-1]
+    assert kernels.h_A(u_cr, *ISOLATOR) == package["rod_spring_attached"].h_A(u_cr, *ISOLATOR)
+    assert kernels.h_A(np.nextafter(u_cr, 1.0), *ISOLATOR) < -1e4
+
+
+def test_no_piece_without_preload(package):
+    """delta_h = 0 leaves a linear oscillator: h = -A, without a warning."""
+    A = np.array([0.0, 1e-3, 0.5])
+    h, h_A, h_AA, h_AAA = package["rod_spring"].averaged(A, 1.0, 3.0, 2.25, 0.0)
+    np.testing.assert_allclose(h, -A, rtol=4e-16)
+    np.testing.assert_allclose(h_A[1:], -1.0, rtol=4e-16)
+    assert not h_AA[1:].any() and not h_AAA[1:].any()
+
+
+def test_averaged_shares_its_parts(package):
+    """The functions that give several derivatives at once agree with the single ones to rounding."""
+    kernels = package["rod_spring"]
+    A = np.linspace(0.01, 2.0, 200)
+    single = [kernels.h(A, *ISOLATOR), kernels.h_A(A, *ISOLATOR), kernels.h_AA(A, *ISOLATOR)]
+    for together in (kernels.averaged_2, kernels.averaged_3, kernels.averaged):
+        for one, other in zip(single, together(A, *ISOLATOR), strict=False):
+            np.testing.assert_allclose(other, one, rtol=1e-13, atol=1e-13)
+
+
+def test_package_imports_nothing_before_it_is_asked():
+    code = "import sys, slowflow_kernels; print(*sorted(m for m in sys.modules if m.startswith('slowflow_kernels')))"
+    assert run_python(code) == "slowflow_kernels"
+    code = "import slowflow_kernels; print(slowflow_kernels.duffing.PARAMETERS, *slowflow_kernels.MODULES)"
+    assert run_python(code).startswith("('alpha', 'beta') slow_flow ")
+
+
+def test_package_needs_numpy_only():
+    code = "import sys; from slowflow_kernels import rod_spring; print('sympy' in sys.modules, 'scipy' in sys.modules)"
+    assert run_python(code) == "False False"
+
+
+def run_python(code: str) -> str:
+    """What a fresh interpreter prints."""
+    environment = {**os.environ, "PYTHONPATH": str(PACKAGE.parent), "SLOWFLOW_BACKEND": "numpy"}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, check=True)
+    return done.stdout.strip()
