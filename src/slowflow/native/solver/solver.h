@@ -9,4 +9,8 @@ typedef void sf_gufunc_loop(char **operands, const ptrdiff_t *dimensions, const 
 
 sf_gufunc_loop sf_response_roots_loop, sf_fold_roots_loop, sf_peak_roots_loop;
 
+/* The solvers of whole questions (answers.c) as further members of a module, a PyObject; -1 with an exception set. */
+struct _object;
+int sf_add_answers(struct _object *module);
+
 #endif

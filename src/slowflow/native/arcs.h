@@ -1,0 +1,138 @@
+/* Curves from roots: in go events along the amplitude, out come arcs, which of their ends meet, and curves through them.
+ *
+ * Between neighbouring events the number of roots Omega is constant and each root is an arc, continuous in A. At an
+ * event a pair of arcs may meet and end, or the lowest may end at Omega = 0; all others go on.
+ */
+#ifndef SF_ARCS_H
+#define SF_ARCS_H
+
+#include "zeros.h"
+
+enum { SF_MOST_EVENTS = 112, SF_MOST_ARCS = 3 * SF_MOST_EVENTS };
+
+typedef enum {
+    SF_THROUGH,   /* all arcs go on */
+    SF_CUT,       /* all arcs end: an end of the range, or a jump */
+    SF_PAIR_LOW,  /* the two lowest of the richer side meet at Omega */
+    SF_PAIR_HIGH, /* the two highest */
+    SF_TO_ZERO    /* the lowest of the richer side ends at Omega = 0 */
+} sf_event_kind;
+
+/* gain: by how much the number of roots changes, where it is known */
+typedef struct {
+    double A, Omega;
+    sf_event_kind kind;
+    int gain;
+} sf_event;
+
+/* ends 0 and 1 by rising A; partner: 2 * arc + end of the end that it meets, or -1 */
+typedef struct {
+    double A[2], Omega[2];
+    int partner[2];
+    int interval, count, index;
+} sf_arc;
+
+/* interval k lies between events k and k + 1, and first[k] is the first of its arcs */
+typedef struct {
+    sf_status status;
+    int events, arcs;
+    sf_event event[SF_MOST_EVENTS];
+    int count[SF_MOST_EVENTS], first[SF_MOST_EVENTS];
+    sf_arc arc[SF_MOST_ARCS];
+} sf_graph;
+
+/* steps of all curves in order: 2 * arc + (1 where A rises along it); start[c] is the first step of curve c */
+typedef struct {
+    int curves;
+    int start[SF_MOST_ARCS + 1], closed[SF_MOST_ARCS];
+    int step[SF_MOST_ARCS];
+} sf_tour;
+
+static inline void sf_add_event(sf_graph *graph, double A, double Omega, sf_event_kind kind, int gain) {
+    sf_event *event;
+    if (graph->events == SF_MOST_EVENTS) {
+        graph->status = SF_TOO_MANY;
+        return;
+    }
+    event = &graph->event[graph->events++];
+    event->A = A, event->Omega = Omega, event->kind = kind, event->gain = gain;
+}
+
+static inline void sf_end(sf_graph *graph, int arc, int end, double A, double Omega) {
+    graph->arc[arc].A[end] = A, graph->arc[arc].Omega[end] = Omega;
+}
+
+static inline void sf_meet(sf_graph *graph, int one, int end_one, int other, int end_other) {
+    graph->arc[one].partner[end_one] = 2 * other + end_other;
+    graph->arc[other].partner[end_other] = 2 * one + end_one;
+}
+
+static inline void sf_make_arcs(sf_graph *graph) {
+    int k, i;
+    graph->arcs = 0;
+    for (k = 0; k + 1 < graph->events; k++) {
+        graph->first[k] = graph->arcs;
+        for (i = 0; i < graph->count[k]; i++) {
+            sf_arc *arc = &graph->arc[graph->arcs++];
+            arc->interval = k, arc->count = graph->count[k], arc->index = i;
+            arc->partner[0] = arc->partner[1] = -1;
+        }
+    }
+}
+
+/* The arcs from an end on, along the curve, until it ends or closes. */
+static inline int sf_follow(const sf_graph *graph, int end, int *visited, int *step) {
+    int n = 0;
+    while (end >= 0 && !visited[end / 2]) {
+        const int arc = end / 2, upward = 1 - end % 2;
+        visited[arc] = 1;
+        step[n++] = 2 * arc + upward;
+        end = graph->arc[arc].partner[upward];
+    }
+    return n;
+}
+
+static inline double sf_first_Omega(const sf_graph *graph, int step) { return graph->arc[step / 2].Omega[1 - step % 2]; }
+static inline double sf_last_Omega(const sf_graph *graph, int step) { return graph->arc[step / 2].Omega[step % 2]; }
+
+static inline void sf_reverse(int *step, int n) {
+    int i;
+    for (i = 0; i < n / 2; i++) {
+        const int swap = step[i];
+        step[i] = step[n - 1 - i] ^ 1;
+        step[n - 1 - i] = swap ^ 1;
+    }
+    if (n % 2)
+        step[n / 2] ^= 1;
+}
+
+static inline void sf_tour_from(const sf_graph *graph, int end, int closed, int *visited, sf_tour *tour) {
+    const int at = tour->start[tour->curves];
+    int *step = &tour->step[at];
+    const int n = sf_follow(graph, end, visited, step);
+    if (n == 0)
+        return;
+    if (!closed && sf_first_Omega(graph, step[0]) > sf_last_Omega(graph, step[n - 1]))
+        sf_reverse(step, n);
+    tour->closed[tour->curves++] = closed;
+    tour->start[tour->curves] = at + n;
+}
+
+/* Open curves from one loose end to the other, at the lower Omega first, then the closed ones. The curve that reaches
+ * A = 0 is the first: its end is the lowest. */
+static inline void sf_make_tour(const sf_graph *graph, sf_tour *tour) {
+    int visited[SF_MOST_ARCS], arc, end;
+    memset(visited, 0, sizeof visited);
+    tour->curves = 0, tour->start[0] = 0;
+    for (arc = 0; arc < graph->arcs && graph->arc[arc].interval == 0; arc++)
+        if (graph->arc[arc].partner[0] < 0)
+            sf_tour_from(graph, 2 * arc, 0, visited, tour);
+    for (arc = 0; arc < graph->arcs; arc++)
+        for (end = 0; end < 2; end++)
+            if (graph->arc[arc].partner[end] < 0)
+                sf_tour_from(graph, 2 * arc + end, 0, visited, tour);
+    for (arc = 0; arc < graph->arcs; arc++)
+        sf_tour_from(graph, 2 * arc, 1, visited, tour);
+}
+
+#endif

@@ -1,0 +1,85 @@
+/* What every solver file knows: the oscillator as numbers, the slow flow at a point, and the words for what went wrong.
+ *
+ * Everything is dimensionless. The derivatives of F are halved or quartered where a comment says so.
+ */
+#ifndef SF_MODEL_H
+#define SF_MODEL_H
+
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "isolate.h"
+
+/* the words are in slowflow.many.STATUS */
+typedef enum {
+    SF_OK = 0,
+    SF_INVALID = 1,    /* a parameter outside its domain */
+    SF_STICKS = 2,     /* F_0 <= 4 mu/pi */
+    SF_NONE = 3,       /* there is none */
+    SF_UNBOUNDED = 4,  /* no viscous damping: no end of the response, no lowest forcing */
+    SF_NO_BOUND = 5,   /* no amplitude was found that bounds the response */
+    SF_TOO_MANY = 6,   /* more of them than places */
+    SF_UNRESOLVED = 7, /* branches coincide within rounding */
+    SF_NO_MEMORY = 8
+} sf_status;
+
+typedef enum { SF_NO_KIND = 0, SF_CUSP_KIND = 1, SF_ISOLA_KIND = 2, SF_CORNER_KIND = 3 } sf_onset_kind;
+
+enum { SF_MOST_BREAKS = 4, SF_MOST_PARAMETERS = 16 };
+
+/* reach: largest amplitude of the mechanism, or infinite; breaks: number of breakpoints b > 0, by rising size;
+ * jump: force just below less force just above */
+typedef struct {
+    double p[SF_MOST_PARAMETERS];
+    double m, zeta, reach;
+    double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
+    int breaks;
+} sf_model;
+
+typedef struct {
+    double A, h, h_A, h_AA, h_AAA;
+} sf_sample;
+
+typedef struct {
+    double Omega, A;
+} sf_point;
+
+/* R, I, and F's derivatives: F_A/2, F_AA/2, F_AAA/2, F_Omega/(4 A), F_AOmega/4, F_OmegaOmega/4 */
+static inline double sf_R(const sf_sample *at, double w) { return at->A * w * w + at->h; }
+static inline double sf_I(const sf_model *model, const sf_sample *at, double w) {
+    return 2 * model->zeta * at->A * w + model->m;
+}
+static inline double sf_half_F_A(const sf_model *model, const sf_sample *at, double w) {
+    return sf_R(at, w) * (w * w + at->h_A) + 2 * model->zeta * w * sf_I(model, at, w);
+}
+static inline double sf_half_F_AA(const sf_model *model, const sf_sample *at, double w) {
+    const double T = w * w + at->h_A;
+    return T * T + sf_R(at, w) * at->h_AA + 4 * model->zeta * model->zeta * w * w;
+}
+static inline double sf_half_F_AAA(const sf_sample *at, double w) {
+    return sf_R(at, w) * at->h_AAA + 3 * at->h_AA * (w * w + at->h_A);
+}
+static inline double sf_half_F_AAOmega(const sf_model *model, const sf_sample *at, double w) {
+    return 2 * w * (2 * (w * w + at->h_A) + at->A * at->h_AA + 4 * model->zeta * model->zeta);
+}
+static inline double sf_F_Omega_4A(const sf_model *model, const sf_sample *at, double w) {
+    return w * sf_R(at, w) + model->zeta * sf_I(model, at, w);
+}
+static inline double sf_quarter_F_AOmega(const sf_model *model, const sf_sample *at, double w) {
+    return sf_F_Omega_4A(model, at, w) + at->A * w * (w * w + at->h_A + 2 * model->zeta * model->zeta);
+}
+static inline double sf_quarter_F_OmegaOmega(const sf_model *model, const sf_sample *at, double w) {
+    return at->A * (sf_R(at, w) + 2 * at->A * w * w + 2 * model->zeta * model->zeta * at->A);
+}
+
+/* The forcing for which (Omega, A) is a steady state. */
+static inline double sf_level(const sf_model *model, const sf_sample *at, double w) {
+    const double R = sf_R(at, w), I = sf_I(model, at, w);
+    return sqrt(R * R + I * I);
+}
+
+static inline int sf_opposite(double a, double b) { return (a < 0) != (b < 0); }
+
+#endif

@@ -1,0 +1,206 @@
+/* What is asked along the amplitude: in goes one sample of the averaged force, out come functions of A whose zeros count.
+ *
+ * Everything that can change along a locus changes at a zero of a function that is explicit in A:
+ *
+ *   SF_STIFFNESS  h and h_A                      the static state and its fold at Omega = 0
+ *   SF_ISOLA      F_A = F_Omega = 0              there F_A/2 = R (h_A - Omega^2), so Omega = sqrt(h_A), put into F_Omega
+ *   SF_CUSP       F_A = F_AA = 0                 F_AA is biquadratic in Omega: both roots in closed form, put into F_A
+ *   SF_TURN       F_A = F_AOmega = 0             F_A at its two critical points in Omega
+ *   SF_UNDAMPED   the same for zeta = 0          F_A = 2 R (Omega^2 + h_A): h_AA = 0 are cusps, h = A h_A touches R = 0
+ *   SF_PEAK       F = F_Omega = 0                F at its two critical points in Omega
+ *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
+ *
+ * With the slopes beside them, two zeros between neighbouring samples are not missed.
+ */
+#ifndef SF_QUESTIONS_H
+#define SF_QUESTIONS_H
+
+#include "model.h"
+
+typedef enum { SF_STIFFNESS, SF_ISOLA, SF_CUSP, SF_TURN, SF_UNDAMPED, SF_PEAK, SF_REST } sf_question;
+
+/* Up to two functions (channels) of A. exists: whether each is defined here; Omega: what its zero has for Omega;
+ * edge: positive where they are defined, with its slope; merge: the value where a channel ends, if `edge` does not say */
+typedef struct {
+    int exists[2];
+    double y[2], dy[2], Omega[2];
+    double edge, d_edge, merge;
+} sf_answer;
+
+static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
+    out->exists[0] = out->exists[1] = 1;
+    out->y[0] = at->h, out->dy[0] = at->h_A;
+    out->y[1] = at->h_A, out->dy[1] = at->h_AA;
+}
+
+static inline void sf_ask_isola(const sf_model *model, const sf_sample *at, sf_answer *out) {
+    const double zeta = model->zeta, q = zeta * model->m;
+    const double bracket = at->A * at->h_A + at->h + 2 * zeta * zeta * at->A;
+    const double slope = 2 * at->h_A + at->A * at->h_AA + 2 * zeta * zeta;
+    const double w = sqrt(fmax(at->h_A, 0));
+    out->Omega[0] = w;
+    out->edge = at->h_A, out->d_edge = at->h_AA, out->merge = q;
+    if (q == 0) { /* the factor sqrt(h_A) is left out; a zero with h_A <= 0 is dropped later */
+        out->exists[0] = 1;
+        out->y[0] = bracket, out->dy[0] = slope;
+        return;
+    }
+    out->exists[0] = at->h_A > 0;
+    out->y[0] = w * bracket + q;
+    out->dy[0] = w * slope + bracket * at->h_AA / (2 * w);
+}
+
+/* Omega^2 solves X^2 + c_1 X + c_0 = 0; channel 0 is the larger root. */
+static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_answer *out) {
+    const double zz = 4 * model->zeta * model->zeta, e = at->A * at->h_AA + zz;
+    const double c_0 = at->h_A * at->h_A + at->h * at->h_AA, minus_half_c_1 = -at->h_A - 0.5 * e;
+    const double along = at->A * at->h_A - at->h;
+    /* (c_1/2)^2 - c_0 with what cancels left out */
+    const double square = 0.25 * e * e + at->h_AA * along + zz * at->h_A;
+    double root, X[2];
+    int i;
+    out->edge = square;
+    out->d_edge = 0.5 * e * (at->h_AA + at->A * at->h_AAA) + at->h_AAA * along + at->h_AA * at->A * at->h_AA +
+                  zz * at->h_AA;
+    out->merge = at->h * at->h_A;
+    if (!(square >= 0) || (minus_half_c_1 <= 0 && c_0 >= 0))
+        return;
+    root = sqrt(square);
+    if (minus_half_c_1 > 0) {
+        X[0] = minus_half_c_1 + root;
+        X[1] = c_0 / X[0];
+    } else {
+        X[1] = minus_half_c_1 - root;
+        X[0] = c_0 / X[1];
+    }
+    for (i = 0; i < 2; i++) {
+        double w, slope;
+        if (!(X[i] > 0))
+            continue;
+        w = sqrt(X[i]);
+        slope = (i == 0 ? 4 : -4) * root * w; /* F_AAOmega/2 */
+        out->exists[i] = 1;
+        out->Omega[i] = w;
+        out->y[i] = sf_half_F_A(model, at, w);
+        out->dy[i] = -2 * sf_quarter_F_AOmega(model, at, w) * sf_half_F_AAA(at, w) / slope;
+    }
+}
+
+/* Critical values of a quartic. With q = 0 the lower one lies at Omega = 0 and belongs to other questions. */
+static inline void sf_ask_critical(const sf_isolated *q, double d_p, sf_answer *out) {
+    out->exists[0] = q->exist && q->w1 > 0;
+    out->exists[1] = q->exist;
+    out->y[0] = q->f1, out->y[1] = q->f2;
+    out->Omega[0] = q->w1, out->Omega[1] = q->w2;
+    out->merge = q->f0;
+    if (!q->exist) { /* the two points exist where 4 (-p)^3 >= 27 A q^2 */
+        const double c = 3 * cbrt(0.25 * q->s.A * q->s.q.hi * q->s.q.hi);
+        out->edge = -q->s.p.hi - c;
+        out->d_edge = -d_p - c / (3 * q->s.A);
+    }
+}
+
+static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_answer *out) {
+    sf_isolated q;
+    const double zeta = model->zeta;
+    sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, zeta);
+    sf_ask_critical(&q, at->h_A + 0.5 * at->A * at->h_AA + 2 * zeta * zeta, out);
+    if (q.exist) {
+        out->dy[0] = sf_half_F_AA(model, at, q.w1);
+        out->dy[1] = sf_half_F_AA(model, at, q.w2);
+    }
+}
+
+static inline void sf_ask_peak(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
+    sf_isolated q;
+    sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
+    sf_ask_critical(&q, at->h_A + 2 * model->zeta * model->zeta, out);
+    if (q.exist) {
+        out->dy[0] = 2 * sf_half_F_A(model, at, q.w1);
+        out->dy[1] = 2 * sf_half_F_A(model, at, q.w2);
+    }
+}
+
+static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
+    out->exists[0] = out->exists[1] = 1;
+    out->y[0] = at->h_AA, out->dy[0] = at->h_AAA;
+    out->y[1] = at->h - at->A * at->h_A, out->dy[1] = -at->A * at->h_AA;
+    out->Omega[0] = out->Omega[1] = sqrt(fmax(-at->h_A, 0));
+}
+
+static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
+    out->exists[0] = 1;
+    out->y[0] = fabs(at->h) - sqrt((F_0 - model->m) * (F_0 + model->m));
+    out->dy[0] = at->h < 0 ? -at->h_A : at->h_A;
+}
+
+static inline void sf_ask(sf_question question, const sf_model *model, double F_0, const sf_sample *at,
+                          sf_answer *out) {
+    static const sf_answer nothing = {{0, 0}, {0, 0}, {0, 0}, {0, 0}, 1, 0, 0};
+    *out = nothing;
+    switch (question) {
+    case SF_STIFFNESS:
+        sf_ask_stiffness(at, out);
+        break;
+    case SF_ISOLA:
+        sf_ask_isola(model, at, out);
+        break;
+    case SF_CUSP:
+        sf_ask_cusp(model, at, out);
+        break;
+    case SF_TURN:
+        sf_ask_turn(model, at, out);
+        break;
+    case SF_UNDAMPED:
+        sf_ask_undamped(at, out);
+        break;
+    case SF_PEAK:
+        sf_ask_peak(model, F_0, at, out);
+        break;
+    case SF_REST:
+        sf_ask_rest(model, F_0, at, out);
+        break;
+    }
+}
+
+static inline int sf_channels(sf_question question) { return question == SF_ISOLA || question == SF_REST ? 1 : 2; }
+
+/* Whether a zero really belongs: where a channel is defined more widely than its meaning. */
+static inline int sf_belongs(sf_question question, const sf_sample *at) {
+    if (question == SF_ISOLA)
+        return at->h_A > 0;
+    if (question == SF_UNDAMPED)
+        return at->h_A < 0;
+    return 1;
+}
+
+/* Whether a channel that ends between `inside` and `outside` has no zero before its end: it is already close to the
+ * value that it ends with, on the same side of zero. */
+static inline int sf_settled(sf_question question, int channel, const sf_answer *inside, const sf_answer *outside) {
+    const double y = inside->y[channel];
+    double last = inside->merge;
+    if (question == SF_ISOLA)
+        return y > 0;
+    if (question == SF_CUSP ? outside->edge < 0 : inside->exists[0]) { /* it merges with the other channel */
+        if (!inside->exists[1 - channel])
+            return 0;
+        last = inside->y[1 - channel];
+    }
+    return !sf_opposite(y, last) && fabs(y - last) <= 0.5 * fabs(y);
+}
+
+/* Whether a function with these values and slopes at both ends of a width may come down to zero between: values on one
+ * side of zero, slopes towards it and away again, tangents that meet near or beyond it. For a convex function the
+ * tangents meet below its least value. */
+static inline int sf_may_touch(double y_0, double dy_0, double y_1, double dy_1, double width) {
+    const double sign = y_0 < 0 ? -1 : 1;
+    double t, lowest;
+    y_0 *= sign, dy_0 *= sign, y_1 *= sign, dy_1 *= sign;
+    if (!(dy_0 < 0 && dy_1 > 0))
+        return 0;
+    t = (y_1 - y_0 - dy_1 * width) / (dy_0 - dy_1);
+    lowest = y_0 + dy_0 * t;
+    return !(lowest >= 0.3 * fmin(y_0, y_1));
+}
+
+#endif

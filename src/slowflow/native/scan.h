@@ -1,0 +1,160 @@
+/* Zeros along the amplitude, for one mechanism: in go a range of A and a question, out come all its zeros.
+ *
+ * Included once per mechanism, with SF_M(name) naming this mechanism's functions and SF_KERNEL(name) the generated ones.
+ *
+ * A chart spaces the samples as the force varies: evenly in log A below the first breakpoint, and above a breakpoint b
+ * by A = b (y + 1/y)/2, y = 1 + e, evenly in log e: the averaged force is analytic in sqrt(A^2 - b^2), not in A.
+ */
+
+static void SF_M(sample)(const sf_model *model, double A, sf_sample *at) {
+    double out[4];
+    SF_KERNEL(averaged)(A, model->p, out);
+    at->A = A;
+    at->h = out[0], at->h_A = out[1], at->h_AA = out[2], at->h_AAA = out[3];
+}
+
+/* Samples from the lowest amplitude that matters up to `end`, within (0, b] of the first piece. */
+static sf_status SF_M(nodes_from_zero)(const sf_model *model, double end, sf_nodes *nodes) {
+    double A = end;
+    int n = 0, i;
+    for (;;) {
+        sf_sample *at = &nodes->at[n++];
+        SF_M(sample)(model, A, at);
+        if (n == SF_MOST_NODES)
+            return SF_NO_BOUND;
+        if (A < SF_DEEP * end) {
+            /* below, friction and damping outweigh the force: nothing is left but the response's upper end */
+            sf_answer cusp;
+            sf_ask(SF_CUSP, model, 0, at, &cusp);
+            if (!(cusp.exists[1] && cusp.y[1] < 0) || model->zeta == 0 || A < SF_DEEPEST * end)
+                break;
+        }
+        A *= SF_STEP_DOWN;
+    }
+    for (i = 0; i < n / 2; i++) {
+        const sf_sample swap = nodes->at[i];
+        nodes->at[i] = nodes->at[n - 1 - i];
+        nodes->at[n - 1 - i] = swap;
+    }
+    nodes->n = n;
+    return SF_OK;
+}
+
+/* Samples from just above the breakpoint up to `end`. */
+static sf_status SF_M(nodes_above)(const sf_model *model, double b, double end, double step, sf_nodes *nodes) {
+    const double first = nextafter(b, HUGE_VAL);
+    double e = SF_FIRST_ABOVE, A = first;
+    int n = 0;
+    while (A < end) {
+        if (n == SF_MOST_NODES - 1)
+            return SF_NO_BOUND;
+        SF_M(sample)(model, A, &nodes->at[n++]);
+        do {
+            e *= step;
+            A = b + b * e * e / (2 * (1 + e));
+        } while (!(A > nodes->at[n - 1].A));
+    }
+    SF_M(sample)(model, end, &nodes->at[n++]);
+    nodes->n = n;
+    return SF_OK;
+}
+
+typedef struct {
+    const sf_model *model;
+    sf_question question;
+    int channel;
+    double F_0;
+    sf_zeros *found;
+} SF_M(search);
+
+typedef struct {
+    sf_sample at;
+    sf_answer answer;
+} SF_M(probe);
+
+static void SF_M(ask)(const SF_M(search) * search, double A, SF_M(probe) * probe) {
+    SF_M(sample)(search->model, A, &probe->at);
+    sf_ask(search->question, search->model, search->F_0, &probe->at, &probe->answer);
+}
+
+/* The zero between two probes with values on either side of it: Newton's steps, kept in the bracket. */
+static void SF_M(bracketed_zero)(const SF_M(search) * search, const SF_M(probe) * a, const SF_M(probe) * b) {
+    const int c = search->channel, rising = a->answer.y[c] < 0;
+    double lo = a->at.A, hi = b->at.A, last = hi - lo;
+    SF_M(probe) probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? *a : *b;
+    int i;
+    for (i = 0; i < 200; i++) {
+        double next = probe.at.A - probe.answer.y[c] / probe.answer.dy[c];
+        double moved = fabs(next - probe.at.A);
+        if (i > 0 && moved <= 0x1p-52 * probe.at.A)
+            break;
+        if (!(next > lo && next < hi) || moved > 0.6 * last) {
+            next = 0.5 * (lo + hi);
+            moved = 0.5 * (hi - lo);
+            if (!(next > lo && next < hi))
+                break;
+        }
+        last = moved;
+        SF_M(ask)(search, next, &probe);
+        if (!probe.answer.exists[c])
+            break;
+        if ((probe.answer.y[c] < 0) == rising)
+            lo = next;
+        else
+            hi = next;
+    }
+    if (sf_belongs(search->question, &probe.at))
+        sf_add_zero(search->found, probe.at.A, probe.answer.Omega[c], search->question, c, rising);
+}
+
+/* Whether the interval between two probes has to be looked at more closely. */
+static int SF_M(suspicious)(const SF_M(search) * search, const SF_M(probe) * a, const SF_M(probe) * b, int depth) {
+    const sf_answer *x = &a->answer, *y = &b->answer;
+    const int c = search->channel;
+    if (x->exists[c] && y->exists[c]) {
+        if (sf_opposite(x->y[c], y->y[c])) { /* one zero, if the slopes agree */
+            const double sign = x->y[c] < 0 ? 1 : -1;
+            return depth < 6 && (sign * x->dy[c] < 0 || sign * y->dy[c] < 0);
+        }
+        return depth < 40 && sf_may_touch(x->y[c], x->dy[c], y->y[c], y->dy[c], b->at.A - a->at.A);
+    }
+    if (x->exists[c])
+        return !sf_settled(search->question, c, x, y);
+    if (y->exists[c])
+        return !sf_settled(search->question, c, y, x);
+    return depth < 40 && x->edge < 0 && y->edge < 0 &&
+           sf_may_touch(x->edge, x->d_edge, y->edge, y->d_edge, b->at.A - a->at.A);
+}
+
+static void SF_M(between)(const SF_M(search) * search, const SF_M(probe) * a, const SF_M(probe) * b, int depth) {
+    const int c = search->channel;
+    if (depth < 60 && SF_M(suspicious)(search, a, b, depth)) {
+        const double A = 0.5 * (a->at.A + b->at.A);
+        if (A > a->at.A && A < b->at.A) {
+            SF_M(probe) middle;
+            SF_M(ask)(search, A, &middle);
+            SF_M(between)(search, a, &middle, depth + 1);
+            SF_M(between)(search, &middle, b, depth + 1);
+            return;
+        }
+    }
+    if (a->answer.exists[c] && b->answer.exists[c] && sf_opposite(a->answer.y[c], b->answer.y[c]))
+        SF_M(bracketed_zero)(search, a, b);
+}
+
+/* All zeros of a question's channels between the first and the last of the nodes. */
+static void SF_M(zeros)(const sf_model *model, sf_question question, double F_0, const sf_nodes *nodes,
+                        sf_zeros *found) {
+    SF_M(search) search;
+    SF_M(probe) low, high;
+    int i;
+    search.model = model, search.question = question, search.F_0 = F_0, search.found = found;
+    for (i = 0; i < nodes->n; i++) {
+        high.at = nodes->at[i];
+        sf_ask(question, model, F_0, &high.at, &high.answer);
+        if (i > 0)
+            for (search.channel = 0; search.channel < sf_channels(question); search.channel++)
+                SF_M(between)(&search, &low, &high, 0);
+        low = high;
+    }
+}

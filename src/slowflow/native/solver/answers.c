@@ -1,0 +1,405 @@
+/* The questions about one oscillator as Python functions, and those about many as generalised ufuncs.
+ *
+ * The functions take the mechanism's name, its parameters, m, zeta and reach, and give a status and arrays; the words are
+ * slowflow's. The solvers run without the GIL, in a workspace of their own.
+ */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+/* before NumPy, whose complex.h takes the name I */
+#include "interface.h"
+
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
+#include <numpy/arrayobject.h>
+#include <numpy/ufuncobject.h>
+
+#include "solver.h"
+
+static const sf_solver *const *solvers;
+
+static void choose_solvers(void)
+{
+    solvers = sf_solvers_baseline;
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+        __builtin_cpu_supports("bmi2"))
+        solvers = sf_solvers_fma;
+#endif
+}
+
+/* ==== One oscillator =============================================================================================== */
+
+static const sf_solver *find_solver(const char *name)
+{
+    for (int i = 0; i < SF_MECHANISMS; i++)
+        if (strcmp(solvers[i]->name, name) == 0)
+            return solvers[i];
+    PyErr_Format(PyExc_ValueError, "no mechanism %s", name);
+    return NULL;
+}
+
+/* An oscillator, given as (name, parameters, m, zeta, reach). */
+static const sf_solver *read_model(PyObject *given, sf_model *model)
+{
+    const char *name;
+    PyObject *parameters;
+    double m, zeta, reach;
+    if (!PyArg_ParseTuple(given, "sO!ddd", &name, &PyTuple_Type, &parameters, &m, &zeta, &reach))
+        return NULL;
+    const sf_solver *solver = find_solver(name);
+    if (solver == NULL)
+        return NULL;
+    if (PyTuple_Size(parameters) != solver->parameters) {
+        PyErr_Format(PyExc_ValueError, "%s has %d parameters", name, solver->parameters);
+        return NULL;
+    }
+    for (int i = 0; i < solver->parameters; i++)
+        model->p[i] = PyFloat_AsDouble(PyTuple_GetItem(parameters, i));
+    if (PyErr_Occurred())
+        return NULL;
+    solver->prepare(m, zeta, reach, model);
+    return solver;
+}
+
+static sf_work *new_work(void)
+{
+    sf_work *work = malloc(sizeof *work);
+    if (work == NULL)
+        PyErr_NoMemory();
+    return work;
+}
+
+/* A new one-dimensional array; `*values` points into it. */
+static PyObject *new_array(npy_intp n, int type, void *values)
+{
+    PyObject *array = PyArray_SimpleNew(1, &n, type);
+    if (array != NULL)
+        *(void **)values = PyArray_DATA((PyArrayObject *)array);
+    return array;
+}
+
+/* (status, items...) with the references given away; NULL if one of them is. */
+static PyObject *answer(int status, PyObject *const *items, int n)
+{
+    PyObject *tuple = PyTuple_New(n + 1);
+    int whole = tuple != NULL && PyTuple_SetItem(tuple, 0, PyLong_FromLong(status)) == 0;
+    for (int i = 0; i < n; i++) {
+        if (items[i] == NULL || !whole) {
+            Py_XDECREF(items[i]);
+            whole = 0;
+        } else {
+            PyTuple_SetItem(tuple, i + 1, items[i]);
+        }
+    }
+    if (!whole)
+        Py_CLEAR(tuple);
+    return tuple;
+}
+
+static PyObject *fold_arrays(sf_status status, const sf_folds *folds)
+{
+    double *Omega, *A;
+    npy_bool *up, *corner;
+    const int n = status == SF_OK ? folds->n : 0;
+    PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &up),
+                         new_array(n, NPY_BOOL, &corner)};
+    if (items[0] && items[1] && items[2] && items[3])
+        for (int i = 0; i < n; i++) {
+            Omega[i] = folds->at[i].Omega, A[i] = folds->at[i].A;
+            up[i] = (npy_bool)folds->at[i].up, corner[i] = (npy_bool)folds->at[i].corner;
+        }
+    return answer(status, items, 4);
+}
+
+static PyObject *saddle_nodes(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    double F_0;
+    sf_model model;
+    sf_work *work;
+    sf_status status;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL || (work = new_work()) == NULL)
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = solver->saddle_nodes(&model, F_0, work, &work->folds);
+    Py_END_ALLOW_THREADS
+    PyObject *result = fold_arrays(status, &work->folds);
+    free(work);
+    return result;
+}
+
+static PyObject *onset(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    sf_model model;
+    sf_work *work;
+    sf_onset found;
+    sf_status status;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "O", &given))
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL || (work = new_work()) == NULL)
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = solver->onset(&model, work, &found);
+    Py_END_ALLOW_THREADS
+    free(work);
+    return Py_BuildValue("idddid", (int)status, found.F_SN, found.Omega, found.A, (int)found.kind, found.rest);
+}
+
+static PyObject *peak(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    double F_0, A, Omega;
+    sf_model model;
+    sf_work *work;
+    sf_status status;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL || (work = new_work()) == NULL)
+        return NULL;
+    Py_BEGIN_ALLOW_THREADS
+    status = solver->peak(&model, F_0, work, &A, &Omega);
+    Py_END_ALLOW_THREADS
+    free(work);
+    return Py_BuildValue("idd", (int)status, A, Omega);
+}
+
+static PyObject *amplitude_bound(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    double F_0, A_max;
+    sf_model model;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL)
+        return NULL;
+    const sf_status status = solver->range(&model, F_0, &A_max);
+    return Py_BuildValue("id", (int)status, A_max);
+}
+
+static PyObject *extrema_list(const sf_solver *solver, const sf_model *model, const sf_zeros *extrema)
+{
+    PyObject *list = PyList_New(0);
+    for (int i = 0; list != NULL && i < extrema->n; i++) {
+        const sf_zero *zero = &extrema->at[i];
+        if (zero->question == SF_UNDAMPED && zero->channel == 1)
+            continue; /* there the locus only touches the backbone */
+        const sf_extremum found = solver->extremum(model, zero);
+        PyObject *item = Py_BuildValue("dddii", found.F_0, found.Omega, found.A, zero->question != SF_ISOLA,
+                                       found.minimum);
+        if (item == NULL || PyList_Append(list, item) < 0)
+            Py_CLEAR(list);
+        Py_XDECREF(item);
+    }
+    return list;
+}
+
+/* (model, A_max, samples) -> status, Omega, A, F_0, branch, [(F_0, Omega, A, whether a cusp, whether a minimum)] */
+static PyObject *fold_locus(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    long samples, n = 0;
+    sf_model model;
+    sf_work *work;
+    sf_status status;
+    double A_max, *Omega, *A, *F_0;
+    npy_int64 *branch;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Odl", &given, &A_max, &samples))
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL || (work = new_work()) == NULL)
+        return NULL;
+    work->A_max = A_max;
+    Py_BEGIN_ALLOW_THREADS
+    status = solver->fold_locus(&model, A_max, work);
+    if (status == SF_OK && samples > 0)
+        n = solver->draw_locus(&model, samples, work, NULL, NULL, NULL, NULL);
+    Py_END_ALLOW_THREADS
+    PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_DOUBLE, &F_0),
+                         new_array(n, NPY_INT64, &branch),
+                         extrema_list(solver, &model, &work->extrema)};
+    if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
+        Py_BEGIN_ALLOW_THREADS
+        solver->draw_locus(&model, samples, work, Omega, A, F_0, (long long *)branch);
+        Py_END_ALLOW_THREADS
+    }
+    free(work);
+    return answer(status, items, 5);
+}
+
+static PyObject *closed_flags(const sf_skeleton *shown)
+{
+    PyObject *tuple = PyTuple_New(shown->curves);
+    for (int i = 0; tuple != NULL && i < shown->curves; i++)
+        PyTuple_SetItem(tuple, i, PyBool_FromLong(shown->closed[i]));
+    return tuple;
+}
+
+/* (model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed */
+static PyObject *frequency_response(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    double F_0, samples, low, high, total = 0, *Omega, *A;
+    long n = 0;
+    npy_bool *stable;
+    npy_int64 *branch;
+    sf_model model;
+    sf_work *work;
+    sf_status status;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Odddd", &given, &F_0, &samples, &low, &high))
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL || (work = new_work()) == NULL)
+        return NULL;
+    work->shown.curves = 0;
+    Py_BEGIN_ALLOW_THREADS
+    status = solver->skeleton(&model, F_0, work);
+    if (status == SF_OK)
+        n = solver->show(&model, F_0, low, high, samples, work, &total);
+    Py_END_ALLOW_THREADS
+    PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable),
+                         new_array(n, NPY_INT64, &branch), closed_flags(&work->shown)};
+    if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
+        Py_BEGIN_ALLOW_THREADS
+        solver->draw(&model, F_0, samples, total, &work->shown, Omega, A, stable, (long long *)branch);
+        Py_END_ALLOW_THREADS
+    }
+    free(work);
+    return answer(status, items, 5);
+}
+
+/* (model, F_0, Omega: contiguous doubles) -> status, Omega, A, stable: every state, by the order of Omega */
+static PyObject *steady_states(PyObject *self, PyObject *args)
+{
+    PyObject *given, *frequencies;
+    double F_0, *Omega = NULL, *A = NULL;
+    npy_bool *stable = NULL;
+    npy_intp n = 0, at = 0;
+    sf_model model;
+    sf_work *work;
+    sf_status status;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "OdO", &given, &F_0, &frequencies))
+        return NULL;
+    PyArrayObject *asked = (PyArrayObject *)PyArray_FROMANY(frequencies, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
+    if (asked == NULL)
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL || (work = new_work()) == NULL) {
+        Py_DECREF(asked);
+        return NULL;
+    }
+    const double *at_Omega = PyArray_DATA(asked);
+    const npy_intp asked_n = PyArray_DIM(asked, 0);
+    Py_BEGIN_ALLOW_THREADS
+    status = solver->skeleton(&model, F_0, work);
+    for (npy_intp i = 0; status == SF_OK && i < asked_n; i++)
+        n += solver->state_count(work, at_Omega[i]);
+    Py_END_ALLOW_THREADS
+    PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable)};
+    if (items[0] && items[1] && items[2]) {
+        Py_BEGIN_ALLOW_THREADS
+        for (npy_intp i = 0; n > 0 && i < asked_n; i++) {
+            const int here = solver->state_count(work, at_Omega[i]);
+            solver->states(&model, F_0, work, at_Omega[i], A + at, stable + at);
+            for (int j = 0; j < here; j++)
+                Omega[at++] = at_Omega[i];
+        }
+        Py_END_ALLOW_THREADS
+    }
+    free(work);
+    Py_DECREF(asked);
+    return answer(status, items, 3);
+}
+
+static PyMethodDef functions[] = {
+    {"saddle_nodes", saddle_nodes, METH_VARARGS, "(model, F_0) -> status, Omega, A, up, corner"},
+    {"onset", onset, METH_VARARGS, "(model,) -> status, F_SN, Omega, A, kind, lowest level at rest"},
+    {"peak", peak, METH_VARARGS, "(model, F_0) -> status, A, Omega"},
+    {"amplitude_bound", amplitude_bound, METH_VARARGS, "(model, F_0) -> status, A_max"},
+    {"fold_locus", fold_locus, METH_VARARGS, "(model, A_max, samples) -> status, Omega, A, F_0, branch, extrema"},
+    {"frequency_response", frequency_response, METH_VARARGS,
+     "(model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed"},
+    {"steady_states", steady_states, METH_VARARGS, "(model, F_0, Omega) -> status, Omega, A, stable"},
+    {NULL, NULL, 0, NULL},
+};
+
+/* ==== Many oscillators ============================================================================================= */
+
+#define D NPY_DOUBLE
+#define B NPY_INT8
+
+/* outputs behind the design, mu, zeta and, where `forced`, F_0 */
+static const struct {
+    const char *name, *out, *doc;
+    int loop, forced, outputs;
+    char types[5];
+} batches[] = {
+    {"detachment", "(),(),(),()", "design, mu, zeta -> F_cr, Omega_cr, u_cr, status", SF_MANY_DETACHMENT, 0, 4,
+     {D, D, D, B}},
+    {"onset", "(),(),(),(),()", "design, mu, zeta -> F_SN, Omega, A, kind, status", SF_MANY_ONSETS, 0, 5,
+     {D, D, D, B, B}},
+    {"saddle_nodes", "(k),(k),(k),(),()", "design, mu, zeta, F_0 -> Omega, A, kind, count, status", SF_MANY_FOLDS, 1, 5,
+     {D, D, B, B, B}},
+    {"peak", "(),(),()", "design, mu, zeta, F_0 -> A, Omega, status", SF_MANY_PEAKS, 1, 3, {D, D, B}},
+};
+
+enum { BATCHES = sizeof batches / sizeof batches[0], MOST_OPERANDS = 16 };
+
+static struct {
+    PyUFuncGenericFunction loop;
+    void *data;
+    char name[64], signature[96], types[MOST_OPERANDS];
+} made[SF_MECHANISMS][BATCHES];
+
+/* The ufunc many_<question>_<mechanism>. */
+static int add_batch(PyObject *module, int mechanism, int k)
+{
+    const sf_solver *solver = solvers[mechanism];
+    const int inputs = solver->design_size + 2 + batches[k].forced;
+    made[mechanism][k].loop = (PyUFuncGenericFunction)solver->many[batches[k].loop];
+    PyOS_snprintf(made[mechanism][k].name, sizeof made[mechanism][k].name, "many_%s_%s", batches[k].name, solver->name);
+    strcpy(made[mechanism][k].signature, "()");
+    for (int i = 1; i < inputs; i++)
+        strcat(made[mechanism][k].signature, ",()");
+    strcat(made[mechanism][k].signature, "->");
+    strcat(made[mechanism][k].signature, batches[k].out);
+    for (int i = 0; i < inputs; i++)
+        made[mechanism][k].types[i] = D;
+    memcpy(made[mechanism][k].types + inputs, batches[k].types, (size_t)batches[k].outputs);
+    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
+        &made[mechanism][k].loop, &made[mechanism][k].data, made[mechanism][k].types, 1, inputs, batches[k].outputs,
+        PyUFunc_None, made[mechanism][k].name, batches[k].doc, 0, made[mechanism][k].signature);
+    if (ufunc == NULL)
+        return -1;
+    const int failed = PyModule_AddObjectRef(module, made[mechanism][k].name, ufunc);
+    Py_DECREF(ufunc);
+    return failed;
+}
+
+int sf_add_answers(PyObject *module)
+{
+    if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
+        return -1;
+    choose_solvers();
+    if (PyModule_AddFunctions(module, functions) < 0)
+        return -1;
+    for (int i = 0; i < SF_MECHANISMS; i++)
+        for (int k = 0; k < BATCHES; k++)
+            if (add_batch(module, i, k) < 0)
+                return -1;
+    return 0;
+}

@@ -1,0 +1,3 @@
+/* The solvers for any processor. */
+#define SF_TABLE sf_solvers_baseline
+#include "instances.h"

@@ -1,0 +1,59 @@
+/* Records that the solvers fill, and the workspace that they share: allocated once, used for any number of designs. */
+#ifndef SF_WORK_H
+#define SF_WORK_H
+
+#include "arcs.h"
+
+enum { SF_MOST_FOLDS = 48, SF_RAISES = 30, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS, SF_RUNGS = 42, SF_FINE_RUNGS = 16 };
+
+#define SF_RAISE 4.0                     /* the forcing is raised by this factor until the onset lies below it */
+#define SF_COARSE_STEP 1.6487212707001282 /* exp(1/2): spacing of e where only the force's course is looked at */
+
+/* up: whether a sweep leaves the fold for a larger amplitude */
+typedef struct {
+    double Omega, A;
+    int up, corner;
+} sf_fold;
+
+typedef struct {
+    int n;
+    sf_status status;
+    sf_fold at[SF_MOST_FOLDS];
+} sf_folds;
+
+typedef struct {
+    double F_SN, Omega, A;
+    sf_onset_kind kind;
+    double rest; /* lowest level at which the fold locus ends at Omega = 0, or infinite */
+} sf_onset;
+
+/* A stretch of curve monotone in A and in Omega, with one stability. Ends 0 and 1 by rising A; upward: whether A rises
+ * along the curve; root `index` of `count` */
+typedef struct {
+    double A[2], Omega[2];
+    int index, count, curve, upward, stable;
+} sf_piece;
+
+/* Pieces in order along each curve; piece start[c] is the first of curve c. */
+typedef struct {
+    int pieces, curves;
+    int start[SF_MOST_PIECES + 1], closed[SF_MOST_PIECES];
+    sf_piece piece[SF_MOST_PIECES];
+} sf_skeleton;
+
+/* extrema: cusps and isola points of the locus */
+typedef struct {
+    double A_max;
+    int charts;
+    sf_nodes chart[SF_MOST_BREAKS + 1];
+    sf_zeros zeros, extrema;
+    sf_graph locus, response;
+    sf_tour tour;
+    sf_folds folds;
+    sf_skeleton skeleton, shown;
+} sf_work;
+
+static inline double sf_first_of(const sf_piece *piece, const double ends[2]) { return ends[1 - piece->upward]; }
+static inline double sf_last_of(const sf_piece *piece, const double ends[2]) { return ends[piece->upward]; }
+
+#endif
