@@ -1,0 +1,302 @@
+"""Seeds in; tests/data/*.json out: certified reference values for random oscillators and for the paper's Table 1.
+
+    python tests/make_random_isolators.py [--out DIR] [--processes N]
+
+writes table_1.json, random_isolators.json (200 isolators), random_duffing.json (20 Duffing oscillators, hardening and
+softening) and negative_stiffness.json (10 isolators with alpha < 0). The same seeds give the same bytes. Every number
+comes from `oracle`; at each forcing the number of folds is found twice, by isolating the folds and by the extrema of
+the fold locus, and a disagreement stops the run. data/README.md says what the fields mean.
+"""
+
+import argparse
+import json
+import math
+import random
+from collections.abc import Callable
+from fractions import Fraction
+from multiprocessing import Pool
+from pathlib import Path
+from typing import Any
+
+from certified_roots import precision
+from conditioning import Condition, Conditioning
+from flint import arb
+from oracle import BITS, CORNER, Duffing, Number, Oscillator, Point, RodSpring, digits
+
+SEED = "slowflow 2025"
+ISOLATORS, DUFFINGS, NEGATIVE = 200, 20, 10
+MECHANISMS: dict[str, type[Oscillator]] = {"rod_spring": RodSpring, "duffing": Duffing}
+
+
+# ---- the draws -----------------------------------------------------------------------------------------------------
+
+
+def draw_isolator(rng: random.Random, share_of_qzs: Callable[[], float]) -> dict[str, float]:
+    """lam 1-4 (half of them integer), r 0.4-4, delta_h a share of its quasi-zero-stiffness value and below 0.9."""
+    lam = float(rng.randint(1, 4)) if rng.random() < 0.5 else rng.uniform(1, 4)
+    r = delta_h = math.inf
+    while not delta_h < 0.9:
+        r = rng.uniform(0.4, 4)
+        delta_h = share_of_qzs() / (lam * r)
+    return {"lam": lam, "r": r, "delta_h": delta_h, **draw_damping(rng, 0.15)}
+
+
+def draw_damping(rng: random.Random, frictionless: float) -> dict[str, float]:
+    """mu 0-0.03, exactly 0 with the given probability, and zeta 0.004-0.1, log-uniform."""
+    mu = 0.0 if rng.random() < frictionless else rng.uniform(0, 0.03)
+    return {"mu": mu, "zeta": log_uniform(rng, 0.004, 0.1)}
+
+
+def draw_duffing(rng: random.Random, index: int) -> dict[str, float]:
+    """alpha 0.2-2, |beta| 0.1-10, softening at every second index."""
+    beta = log_uniform(rng, 0.1, 10)
+    return {"alpha": rng.uniform(0.2, 2), "beta": -beta if index % 2 else beta, **draw_damping(rng, 0.35)}
+
+
+def log_uniform(rng: random.Random, low: float, high: float) -> float:
+    """A number whose logarithm is uniform."""
+    return math.exp(rng.uniform(math.log(low), math.log(high)))
+
+
+def draw_forcing(rng: random.Random, oscillator: Oscillator) -> tuple[float, str]:
+    """A forcing above 4 mu/pi and the reason it was chosen."""
+    m = _float(oscillator.m)
+    onset = oscillator.onset()
+    if onset is None:
+        return m + log_uniform(rng, 0.01, 1), "any"
+    levels = [_float(p.F_0) for p in oscillator.extrema]
+    F_SN = _float(onset.F_0)
+    choice = rng.random()
+    if choice < 0.1 and 0.98 * F_SN > 1.001 * m:
+        return 0.98 * F_SN, "just below the onset"
+    if choice < 0.2:
+        return 1.02 * F_SN, "just above the onset"
+    if choice < 0.35 and oscillator.u_cr is not None:
+        F_cr = _float(oscillator.detachment().F_0)
+        return F_cr * rng.uniform(0.98, 1.05), "around F_cr"
+    if choice < 0.5 and len(levels) > 1:
+        k = rng.randrange(len(levels) - 1)
+        share = rng.uniform(0.05, 0.95)
+        return levels[k] + share * (levels[k + 1] - levels[k]), "between two extrema of the fold locus"
+    return log_uniform(rng, max(1.05 * m, 0.6 * F_SN), 6 * F_SN), "any"
+
+
+def draw_frequencies(rng: random.Random, folds: list[Point], peaks: list[Point]) -> list[float]:
+    """One frequency anywhere, one in the range of the folds, one between two neighbouring folds or near the peak."""
+    at = [_float(p.Omega) for p in folds]
+    tops = [_float(p.Omega) for p in peaks if p.sense == "max"]
+    chosen = [rng.uniform(0.2, 1.9)]
+    if len(at) > 1:
+        chosen.append(rng.uniform(at[0], at[-1]))
+        k = rng.randrange(len(at) - 1)
+        chosen.append(rng.uniform(at[k], at[k + 1]))
+    else:
+        centre = at[0] if at else tops[-1] if tops else 1.0
+        chosen += [centre * rng.uniform(0.9, 1.1), centre * rng.uniform(0.98, 1.02)]
+    return chosen
+
+
+# ---- the records ---------------------------------------------------------------------------------------------------
+
+
+def _float(x: arb) -> float:
+    return float(x.mid())
+
+
+def given(x: Number) -> list[Any] | str:
+    """A float as [hex, number]; an exact fraction as text."""
+    return f"{x.numerator}/{x.denominator}" if isinstance(x, Fraction) else [float(x).hex(), float(x)]
+
+
+def conditions(c: Condition | None) -> dict[str, Any]:
+    """The condition numbers of a point, to three digits."""
+    if c is None:
+        return {"condition": None, "condition_kernel": None}
+    return {
+        "condition": {k: float(f"{v:.3g}") for k, v in c.inputs.items()},
+        "condition_kernel": {k: float(f"{v:.3g}") for k, v in c.kernel.items()},
+    }
+
+
+def steady_records(oscillator: Oscillator, conditioning: Conditioning, Omega: Number, F_0: Number) -> list[dict]:
+    """Every steady state at one frequency."""
+    return [
+        {
+            "A": digits(a.A),
+            "phi": digits(a.phi),
+            "stable": a.stable,
+            "regime": a.regime,
+            **conditions(conditioning.amplitude(a, Omega, F_0)),
+        }
+        for a in oscillator.amplitudes(Omega, F_0)
+    ]
+
+
+def forcing_record(
+    oscillator: Oscillator,
+    conditioning: Conditioning,
+    F_0: Number,
+    why: str,
+    rng: random.Random,
+) -> dict:
+    """All that is recorded at one forcing."""
+    folds = oscillator.folds(F_0)
+    if len(folds) != oscillator.fold_count(F_0):
+        raise AssertionError(f"{len(folds)} folds found, {oscillator.fold_count(F_0)} counted: {oscillator.parameters}")
+    response, unlimited = oscillator.response(F_0), oscillator.response(F_0, None)
+    top = max((_float(p.A) for p in response.peaks), default=1.0)
+    amplitudes = [top * rng.uniform(0.02, 1.1) for _ in range(5)]
+    rows = []
+    for A in amplitudes:
+        Omega = oscillator.frequencies(A, F_0)
+        rows.append({"A": given(A), "count": len(Omega), "Omega": [digits(x) for x in Omega]})
+    return {
+        "F_0": given(F_0),
+        "chosen": why,
+        "folds": [
+            {
+                "Omega": digits(p.Omega),
+                "A": digits(p.A),
+                "kind": p.kind,
+                "corner": p.regime == CORNER,
+                "regime": p.regime,
+                **conditions(conditioning.fold(p)),
+            }
+            for p in folds
+        ],
+        "components": response.components,
+        "components_unlimited": unlimited.components,
+        "peaks": [
+            {"Omega": digits(p.Omega), "A": digits(p.A), "sense": p.sense, "regime": p.regime} for p in response.peaks
+        ],
+        "frequencies": rows,
+        "amplitudes": [
+            {"Omega": given(Omega), "steady": steady_records(oscillator, conditioning, Omega, F_0)}
+            for Omega in draw_frequencies(rng, folds, response.peaks)
+        ],
+    }
+
+
+def extremum_record(oscillator: Oscillator, conditioning: Conditioning, p: Point) -> dict:
+    """A minimum or maximum of the forcing on the fold locus."""
+    return {
+        "F_0": digits(p.F_0),
+        "Omega": digits(p.Omega),
+        "A": digits(p.A),
+        "kind": p.kind,
+        "sense": p.sense,
+        "regime": p.regime,
+        **conditions(conditioning.extremum(p)),
+    }
+
+
+def case_record(
+    mechanism: str, parameters: dict[str, Number], forcings: list[tuple[Number, str]] | None, rng: random.Random
+) -> dict:
+    """One oscillator with everything about it; three drawn forcings unless they are given."""
+    oscillator = MECHANISMS[mechanism](**parameters)
+    conditioning = Conditioning(oscillator)
+    with precision(BITS):
+        onset, ends = oscillator.onset(), oscillator.ends
+        record: dict[str, Any] = {
+            "mechanism": mechanism,
+            "parameters": {k: given(v) for k, v in parameters.items()},
+            **{k: digits(arb(getattr(oscillator, k))) for k in ("alpha", "beta", "gamma")},
+            "m": digits(oscillator.m),
+        }
+        if oscillator.u_cr is not None:
+            d = oscillator.detachment()
+            record["u_cr"] = digits(oscillator.u_cr)
+            record["detachment"] = {
+                "F_cr": digits(d.F_0),
+                "Omega_cr": digits(d.Omega),
+                "attained": d.sense == "min",
+                **conditions(conditioning.detachment(d)),
+            }
+        extrema = [extremum_record(oscillator, conditioning, p) for p in oscillator.extrema]
+        record["onset"] = None
+        if onset is not None:
+            lowest = extrema[oscillator.extrema.index(onset)]
+            record["onset"] = {
+                "F_SN": lowest["F_0"],
+                "global": all(onset.F_0 < level for level, trend, _ in ends if trend > 0),
+                **{k: v for k, v in lowest.items() if k not in ("F_0", "sense")},
+            }
+        record["fold_locus"] = {
+            "extrema": extrema,
+            "ends": [{"F_0": digits(level), "A": digits(A), "trend": trend} for level, trend, A in ends],
+        }
+        if forcings is None:
+            forcings = [draw_forcing(rng, oscillator) for _ in range(3)]
+    record["forcings"] = [forcing_record(oscillator, conditioning, F_0, why, rng) for F_0, why in forcings]
+    return record
+
+
+# ---- the files -------------------------------------------------------------------------------------------------------
+
+
+def isolator_case(index: int) -> dict:
+    """Random isolator number `index`."""
+    rng = random.Random(f"{SEED} isolator {index}")
+    parameters = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97))
+    return case_record("rod_spring", parameters, None, rng)
+
+
+def duffing_case(index: int) -> dict:
+    """Random Duffing oscillator number `index`."""
+    rng = random.Random(f"{SEED} duffing {index}")
+    return case_record("duffing", draw_duffing(rng, index), None, rng)
+
+
+def negative_case(index: int) -> dict:
+    """Random isolator with delta_h between 1 and 1.5 times its quasi-zero-stiffness value."""
+    rng = random.Random(f"{SEED} negative {index}")
+    parameters = draw_isolator(rng, lambda: rng.uniform(1.01, 1.5))
+    return case_record("rod_spring", parameters, None, rng)
+
+
+def table_1_cases() -> list[dict]:
+    """The paper's isolator: as exact rationals with exact decimal forcings, and as the nearest doubles."""
+    fractions = {
+        "lam": Fraction(3),
+        "r": Fraction(3747, 1848),
+        "delta_h": Fraction(1848, 6 * 3747),
+        "mu": Fraction(12, 1000),
+        "zeta": Fraction(2, 100),
+    }
+    cases = []
+    for convert in (Fraction, float):
+        parameters: dict[str, Number] = {k: convert(v) for k, v in fractions.items()}
+        F_cr = _float(RodSpring(**parameters).detachment().F_0)
+        chosen: list[tuple[Number, str]] = [
+            (convert(Fraction(text)), "given") for text in ("0.025", "0.03", "0.03005", "0.0301", "0.04", "0.05")
+        ]
+        chosen.append((F_cr, "the double nearest to F_cr"))
+        cases.append(case_record("rod_spring", parameters, chosen, random.Random(f"{SEED} table 1")))
+    return cases
+
+
+def write(path: Path, cases: list[dict]) -> None:
+    """One case to a line."""
+    lines = ",\n".join(json.dumps(case, separators=(",", ":")) for case in cases)
+    path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--out", type=Path, default=Path(__file__).parent / "data")
+    parser.add_argument("--processes", type=int, default=2)
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    write(arguments.out / "table_1.json", table_1_cases())
+    with Pool(arguments.processes) as pool:
+        for name, make, count in (
+            ("random_duffing", duffing_case, DUFFINGS),
+            ("negative_stiffness", negative_case, NEGATIVE),
+            ("random_isolators", isolator_case, ISOLATORS),
+        ):
+            write(arguments.out / f"{name}.json", pool.map(make, range(count), chunksize=1))
+
+
+if __name__ == "__main__":
+    main()

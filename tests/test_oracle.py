@@ -1,0 +1,338 @@
+"""The oracle against routes that share nothing with it: quadrature of the force, scans, contours, other resultants."""
+
+import json
+import random
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import contourpy
+import make_random_isolators as generator
+import numpy as np
+import pytest
+from certified_roots import isolate, polynomial_roots, precision
+from flint import arb, fmpq, fmpq_poly
+from mpmath import mp, mpf
+from oracle import BITS, CORNER, DETACHED, Duffing, Oscillator, RodSpring, _res_quadratic_cubic, _res_quadratic_quartic
+
+DATA = Path(__file__).parent / "data"
+FILES = ("table_1", "random_isolators", "random_duffing", "negative_stiffness")
+
+
+@cache
+def cases(name: str) -> list[dict]:
+    return json.loads((DATA / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def value(x: list | str) -> float | Fraction:
+    return Fraction(x) if isinstance(x, str) else float.fromhex(x[0])
+
+
+def oscillator(case: dict) -> Oscillator:
+    return generator.MECHANISMS[case["mechanism"]](**{k: value(v) for k, v in case["parameters"].items()})
+
+
+# ---- the model once more, from the force, by quadrature --------------------------------------------------------------
+
+
+class Quadrature:
+    """h and the balance of forces by mpmath's quadrature of the piecewise force over the cycle."""
+
+    def __init__(self, mechanism: str, parameters: dict) -> None:
+        p = {k: mpf(v.numerator) / v.denominator for k, v in ((k, Fraction(v)) for k, v in parameters.items())}
+        self.zeta, self.m = p["zeta"], 4 * p["mu"] / mp.pi
+        self.u_cr = None
+        if mechanism == "duffing":
+            self.coefficients = (p["alpha"], p["beta"], mpf(0))
+        else:
+            left, stiffness = 1 - p["delta_h"], p["lam"] * p["r"]
+            self.u_cr = mp.sqrt(1 - left**2)
+            exact = mp.taylor(lambda u: u + stiffness * (left / mp.sqrt(1 - u * u) - 1) * u, 0, 5)
+            self.coefficients = tuple(exact[1::2])
+
+    def attached(self, u: mpf) -> mpf:
+        a, b, c = self.coefficients
+        return a * u + b * u**3 + c * u**5
+
+    def h(self, A: mpf) -> mpf:
+        """-(4/pi) times the quarter cycle, split where the springs come back to the rod."""
+        split = mp.acos(self.u_cr / A) if self.u_cr is not None and A > self.u_cr else mpf(0)
+        total = mp.quad(lambda x: self.attached(A * mp.cos(x)) * mp.cos(x), [split, mp.pi / 2])
+        if split:
+            total += mp.quad(lambda x: A * mp.cos(x) ** 2, [0, split])
+        return -4 * total / mp.pi
+
+    def F(self, Omega: mpf, A: mpf, F_0: mpf) -> mpf:
+        R, damping = A * Omega**2 + self.h(A), 2 * self.zeta * A * Omega + self.m
+        return R**2 + damping**2 - F_0**2
+
+
+ISOLATOR = {"lam": 2.5, "r": 1.75, "delta_h": 0.17, "mu": 0.01, "zeta": 0.03}
+DUFFING = {"alpha": 0.75, "beta": -1.3, "mu": 0.01, "zeta": 0.03}
+
+
+@pytest.mark.parametrize("ratio", ["0.3", "0.999", "1.0000001", "1.01", "1.7", "20"])
+def test_h_and_its_derivatives_are_those_of_the_force(ratio: str) -> None:
+    with mp.workdps(60), precision(BITS):
+        model, reference = RodSpring(**ISOLATOR), Quadrature("rod_spring", ISOLATOR)
+        A = reference.u_cr * mpf(ratio)
+        ball = arb(mp.nstr(A, 60))
+        found = [mpf(x.mid().str(50, radius=False)) for x in model.h(ball, model.regime(ball))]
+        assert abs(found[0] / reference.h(A) - 1) < mpf(10) ** -48
+        step = abs(A - reference.u_cr) * mpf(10) ** -9
+        for k, derivative in enumerate(found[1:], start=1):
+            # central differences of order four, from nodes on the same side of the corner
+            nodes = [mp.mpf(j) for j in (-3, -2, -1, 1, 2, 3)] + [mpf(0)]
+            matrix = mp.matrix([[j**i for j in nodes] for i in range(7)])
+            weights = mp.lu_solve(matrix, mp.matrix([mp.factorial(i) if i == k else 0 for i in range(7)]))
+            numeric = mp.fsum(w * reference.h(A + j * step) for w, j in zip(weights, nodes, strict=True)) / step**k
+            assert abs(numeric / derivative - 1) < mpf(10) ** -16
+
+
+def test_h_of_duffing_is_that_of_the_force() -> None:
+    with mp.workdps(60), precision(BITS):
+        model, reference = Duffing(**DUFFING), Quadrature("duffing", DUFFING)
+        for A in ("0.2", "3"):
+            found = mpf(model.h(arb(A), "attached")[0].mid().str(50, radius=False))
+            assert abs(found / reference.h(mpf(A)) - 1) < mpf(10) ** -48
+
+
+# ---- the parts -------------------------------------------------------------------------------------------------------
+
+
+def test_resultant_formulas() -> None:
+    rng = random.Random(1)
+    for _ in range(20):
+        a, b, c, d, e, f, g = (fmpq(rng.randint(-9, 9), rng.randint(1, 9)) for _ in range(7))
+        a, d = a or fmpq(1), d or fmpq(1)
+        quadratic = fmpq_poly([c, b, a])
+        assert quadratic.resultant(fmpq_poly([g, f, e, 0, d])) == _res_quadratic_quartic(a, b, c, d, e, f, g)
+        assert quadratic.resultant(fmpq_poly([g, f, 0, d])) == _res_quadratic_cubic(a, b, c, d, f, g)
+
+
+def test_isolation_of_known_roots() -> None:
+    roots = isolate(lambda t: (20 * (1 + t)).sin(), arb(0), arb(3))
+    expected = [k * float(np.pi) / 20 - 1 for k in range(7, 26)]
+    assert [float(r.mid()) for r in roots] == pytest.approx(expected)
+    close = arb(10) ** -12
+    assert len(isolate(lambda t: ((t - arb(1) / 3) ** 2 - close**2) * (1 + t * t), arb(0), arb(2))) == 2
+    assert isolate(lambda t: (t - arb(1) / 3) ** 2 + close**2, arb(0), arb(2)) == []
+    with pytest.raises(ArithmeticError):
+        isolate(lambda t: (t - arb(1) / 3) ** 2, arb(0), arb(2))
+    polynomial = fmpq_poly([0, -2, 0, 1]) * fmpq_poly([1, 0, 1]) * fmpq_poly([-1, 3])
+    assert [float(r.mid()) for r in polynomial_roots(polynomial)] == pytest.approx([1 / 3, 2**0.5])
+
+
+# ---- the recorded values --------------------------------------------------------------------------------------------
+
+
+def some_folds() -> list[tuple]:
+    """Folds of Table 1 (both ways), and one forcing each of some random oscillators, with every kind among them."""
+    rows = []
+    for name, indices, forcings in (
+        ("table_1", (0, 1), (2, 4)),
+        ("random_isolators", range(0, 200, 29), (0,)),
+        ("random_duffing", range(0, 20, 5), (1,)),
+    ):
+        for index in indices:
+            rows += [(name, index, k) for k in forcings]
+    return rows
+
+
+@pytest.mark.parametrize(("name", "index", "forcing"), some_folds())
+def test_recorded_folds_satisfy_the_system_by_quadrature(name: str, index: int, forcing: int) -> None:
+    """F and F_A with h from quadrature of the force, F_A by differences of F: what is left is rounding at 40 digits."""
+    case = cases(name)[index]
+    record = case["forcings"][forcing]
+    parameters = {k: value(v) for k, v in case["parameters"].items()}
+    model = oscillator(case)
+    with mp.workdps(75), precision(BITS):
+        reference = Quadrature(case["mechanism"], parameters)
+        F_0 = Fraction(value(record["F_0"]))
+        F_0 = mpf(F_0.numerator) / F_0.denominator
+        for fold in record["folds"]:
+            Omega, A = mpf(fold["Omega"]), mpf(fold["A"])
+            d = model.derivatives(arb(fold["Omega"]), arb(fold["A"]), fold["regime"], arb(mp.nstr(F_0, 60)))
+            rounding = mpf(10) ** -39
+            size = {k: abs(mpf(d[k].mid().str(20, radius=False))) for k in ("A", "O", "AA", "AO")}
+            if fold["corner"]:
+                A = reference.u_cr
+                assert abs(A - mpf(fold["A"])) <= rounding * A
+                below, above = mpf(10) ** -30, mpf(10) ** -12
+                at = reference.F(Omega, A, F_0)
+                slopes = [(at - reference.F(Omega, A - below, F_0)), (reference.F(Omega, A + above, F_0) - at)]
+                assert [mp.sign(s) for s in slopes] == ([1, -1] if fold["kind"] == "jump-up" else [-1, 1])
+                assert abs(at) <= size["O"] * Omega * rounding
+                continue
+            step = mpf(10) ** -24 * (abs(A - reference.u_cr) if reference.u_cr else A)
+            up, down = reference.F(Omega, A + step, F_0), reference.F(Omega, A - step, F_0)
+            at = reference.F(Omega, A, F_0)
+            assert abs(at) <= size["O"] * Omega * rounding + mpf(10) ** -60
+            curvature = size["AA"] * A + size["AO"] * Omega
+            assert abs((up - down) / (2 * step)) <= curvature * rounding + mpf(10) ** -42 * curvature
+            assert (up + down < 2 * at) == (fold["kind"] == "jump-up")
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_fold_counts_agree_with_the_extrema_of_the_locus(name: str) -> None:
+    """Folds are recorded one by one; the extrema and ends of their locus give the number another way."""
+    for case in cases(name):
+        locus = case["fold_locus"]
+        for record in case["forcings"]:
+            F_0 = float(value(record["F_0"]))
+            count = sum({"min": 2, "max": -2}[e["sense"]] for e in locus["extrema"] if float(e["F_0"]) < F_0)
+            count += sum(e["trend"] for e in locus["ends"] if float(e["F_0"]) < F_0)
+            assert count == len(record["folds"])
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_folds_and_amplitudes_tell_one_story(name: str) -> None:
+    """For large Omega one steady state is left; going down, each fold adds or takes a pair. Stability alternates."""
+    for case in cases(name):
+        model = oscillator(case)
+        for record in case["forcings"]:
+            with precision(120):
+                signed = []
+                for fold in record["folds"]:
+                    d = model.derivatives(
+                        arb(fold["Omega"]), arb(fold["A"]), fold["regime"], arb(fmpq(*ratio(record["F_0"])))
+                    )
+                    curvature = -1 if fold["kind"] == "jump-up" else 1
+                    signed.append((float(fold["Omega"]), 2 if (d["O"] * curvature) > 0 else -2))
+            for row in record["amplitudes"]:
+                Omega = float(value(row["Omega"]))
+                assert len(row["steady"]) == 1 + sum(pair for at, pair in signed if at > Omega)
+                assert [s["stable"] for s in row["steady"]] == [k % 2 == 0 for k in range(len(row["steady"]))]
+
+
+def ratio(x: list | str) -> tuple[int, int]:
+    q = Fraction(value(x))
+    return q.numerator, q.denominator
+
+
+def average(case: dict) -> tuple:
+    """h in double precision by Gauss-Legendre on the pieces, for arrays of A; u_cr or infinity."""
+    a, b, c = (float(case[k]) for k in ("alpha", "beta", "gamma"))
+    u_cr = float(case.get("u_cr", "inf"))
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+
+    def h(A: np.ndarray) -> np.ndarray:
+        edge = np.arccos(np.minimum(1, u_cr / A))[:, None]
+        total = np.zeros_like(A)
+        for low, high, attached in ((0 * edge, edge, False), (edge, np.full_like(edge, np.pi / 2), True)):
+            x = low + (high - low) * (nodes + 1) / 2
+            u = A[:, None] * np.cos(x)
+            force = u * (a + u**2 * (b + u**2 * c)) if attached else u
+            total += ((high - low) / 2 * force * np.cos(x)) @ weights
+        return -4 / np.pi * total
+
+    return h, u_cr
+
+
+def positive_frequencies(case: dict, A: np.ndarray, h: np.ndarray, F_0: float) -> list[np.ndarray]:
+    """All positive Omega at each A, from companion matrices."""
+    zeta, m = float(value(case["parameters"]["zeta"])), float(case["m"])
+    matrices = np.zeros((len(A), 4, 4))
+    matrices[:, [1, 2, 3], [0, 1, 2]] = 1
+    matrices[:, 0, 3] = -(h**2 + m**2 - F_0**2) / A**2
+    matrices[:, 1, 3] = -4 * zeta * m / A
+    matrices[:, 2, 3] = -(2 * h / A + 4 * zeta**2)
+    roots = np.linalg.eigvals(matrices)
+    return [np.sort(r.real[(abs(r.imag) < 1e-9) & (r.real > 1e-9)]) for r in roots]
+
+
+@pytest.mark.parametrize(
+    ("name", "index", "forcing"),
+    [("table_1", 1, k) for k in range(6)] + [("random_isolators", i, 0) for i in range(0, 200, 40)],
+)
+def test_fold_count_by_a_dense_scan(name: str, index: int, forcing: int) -> None:
+    """Folds are the local extrema of Omega along the response curve, branch by branch over a dense grid in A."""
+    case = cases(name)[index]
+    record = case["forcings"][forcing]
+    h, u_cr = average(case)
+    F_0 = float(value(record["F_0"]))
+    top = max(float(p["A"]) for p in record["peaks"])
+    A = np.union1d(np.linspace(0.02 * u_cr, u_cr, 3001), u_cr * np.sqrt(1 + np.geomspace(1e-3, 1e3, 5000) ** 2))
+    A = A[A < 1.01 * top]
+    rows = positive_frequencies(case, A, h(A), F_0)
+    count = 0
+    for before, here, after in zip(rows, rows[1:], rows[2:], strict=False):
+        if len(before) == len(here) == len(after):
+            count += int(np.sum((here - before) * (after - here) < 0))
+    assert count == len(record["folds"])
+
+
+def contour_cases() -> list[tuple]:
+    return [
+        ("table_1", 1, 4),
+        ("random_isolators", 0, 0),
+        ("random_duffing", 1, 0),
+        ("random_duffing", 7, 0),
+        ("random_duffing", 7, 1),
+        ("random_duffing", 16, 1),
+    ]
+
+
+@pytest.mark.parametrize(("name", "index", "forcing"), contour_cases())
+def test_components_by_contours(name: str, index: int, forcing: int) -> None:
+    case = cases(name)[index]
+    record = case["forcings"][forcing]
+    h, _ = average(case)
+    F_0 = float(value(record["F_0"]))
+    zeta, m = float(value(case["parameters"]["zeta"])), float(case["m"])
+    tops = [float(p["A"]) for p in record["peaks"]] + [float(s["A"]) for r in record["amplitudes"] for s in r["steady"]]
+    top = 3 * max(tops)
+    # over (R, A) instead of (Omega, A): one to one at each A, and the thin resonance curve becomes a wide one
+    R, A = np.meshgrid(np.linspace(-1.02, 1.02, 1200) * F_0, np.linspace(1e-4 * top, top, 1201))
+    W = (R - h(A[:, 0])[:, None]) / A
+    outside = (W <= 0) | (W > 4)
+    F = R**2 + (2 * zeta * A * np.sqrt(np.where(outside, 0, W)) + m) ** 2 - F_0**2
+    F = np.ma.array(F, mask=outside)
+    assert len(contourpy.contour_generator(R, A, F).lines(0.0)) == record["components"]
+
+
+def test_detachment_is_the_least_forcing_at_u_cr() -> None:
+    for case in cases("random_isolators")[::10]:
+        with mp.workdps(50):
+            reference = Quadrature(case["mechanism"], {k: value(v) for k, v in case["parameters"].items()})
+            h, A = reference.h(reference.u_cr), reference.u_cr
+            found = case["detachment"]
+            Omega = mpf(found["Omega_cr"])
+
+            def forcing(x: mpf, A: mpf = A, h: mpf = h, reference: Quadrature = reference) -> mpf:
+                return mp.hypot(A * x**2 + h, 2 * reference.zeta * A * x + reference.m)
+
+            assert abs(forcing(Omega) / mpf(found["F_cr"]) - 1) < mpf(10) ** -38
+            assert abs(mp.diff(forcing, Omega)) < mpf(10) ** -35
+            assert all(forcing(mpf(k) / 200) >= forcing(Omega) for k in range(600))
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_onset_and_recorded_folds_agree(name: str) -> None:
+    """No folds below a global onset, folds above it; inputs are recorded both ways without loss."""
+    for case in cases(name):
+        onset = case["onset"]
+        assert onset is not None
+        for record in case["forcings"]:
+            if not isinstance(record["F_0"], str):
+                assert float.fromhex(record["F_0"][0]) == record["F_0"][1]
+            if onset["global"] and float(value(record["F_0"])) < float(onset["F_SN"]):
+                assert record["folds"] == []
+
+
+@pytest.mark.parametrize("index", [8, 17])
+def test_one_case_again(index: int) -> None:
+    """The committed file is what the generator writes."""
+    assert json.loads(json.dumps(generator.isolator_case(index))) == cases("random_isolators")[index]
+
+
+def test_all_kinds_are_among_the_data() -> None:
+    folds = [f for c in cases("random_isolators") for r in c["forcings"] for f in r["folds"]]
+    assert len(cases("random_isolators")) == 200
+    assert {(f["kind"], f["regime"]) for f in folds} >= {
+        ("jump-up", "attached"),
+        ("jump-up", CORNER),
+        ("jump-down", "attached"),
+        ("jump-down", DETACHED),
+    }
+    assert {c["onset"]["regime"] for c in cases("random_isolators")} >= {"attached", CORNER}
