@@ -27,7 +27,7 @@ static inline double den_hartog_V(double Omega)
 static inline double den_hartog_U(double Omega)
 {
     const double t0 = 1.0 / Omega;
-    return t0 / (tan(1.5707963267948966 * t0 * (Omega - 1.0)));
+    return t0 / tan(1.5707963267948966 * t0 * (Omega - 1.0));
 }
 
 /* S is the maximum of this over 0 < tau < pi/Omega.
@@ -38,10 +38,10 @@ static inline double den_hartog_S_ratio(double tau, double Omega)
 {
     const double t0 = 1.0 / Omega;
     const double t1 = Omega - 1.0;
-    const double U = t0 / (tan(1.5707963267948966 * t0 * t1));
+    const double U = t0 / tan(1.5707963267948966 * t0 * t1);
     const double t2 = 0.5 * tau;
-    return (-2.0 * Omega * Omega * U * sin(t1 * t2) * sin(t2 * (Omega + 1.0)) + Omega * sin(tau)) / (sin(Omega *
-        tau));
+    return (-2.0 * Omega * Omega * U * sin(t1 * t2) * sin(t2 * (Omega + 1.0)) + Omega * sin(tau)) / sin(Omega *
+        tau);
 }
 
 /* Amplitude of the motion.
@@ -53,7 +53,7 @@ static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
     const double t0 = Omega - 1.0;
     const double V = -1.0 / (t0 * (Omega + 1.0));
     const double t1 = 1.0 / Omega;
-    const double U = t1 / (tan(1.5707963267948966 * t0 * t1));
+    const double U = t1 / tan(1.5707963267948966 * t0 * t1);
     const double t2 = F_0 * V;
     const double t3 = U * mu;
     return sqrt((t2 - t3) * (t2 + t3));
@@ -68,10 +68,10 @@ static inline double den_hartog_bound(double Omega, double F_0, double S)
     const double t0 = Omega - 1.0;
     const double V = -1.0 / (t0 * (Omega + 1.0));
     const double t1 = 1.0 / Omega;
-    const double U = t1 / (tan(1.5707963267948966 * t0 * t1));
+    const double U = t1 / tan(1.5707963267948966 * t0 * t1);
     const double Omega2 = Omega * Omega;
     const double Omega4 = Omega2 * Omega2;
-    return F_0 * fabs(S) * fabs(V) / (sqrt(Omega4 * U * U + S * S));
+    return F_0 * fabs(S) * fabs(V) / sqrt(Omega4 * U * U + S * S);
 }
 
 /* Displacement tau after a maximum.
@@ -82,7 +82,7 @@ static inline double den_hartog_motion(double tau, double Omega, double A, doubl
 {
     const double t0 = 1.0 / Omega;
     const double t1 = Omega - 1.0;
-    const double U = t0 / (tan(1.5707963267948966 * t0 * t1));
+    const double U = t0 / tan(1.5707963267948966 * t0 * t1);
     const double t2 = Omega * tau;
     const double t3 = 0.5 * tau;
     return A * cos(t2) + U * mu * (-t1 * sin(tau) + 2.0 * sin(t1 * t3) * cos(0.5 * t2 + t3)) - mu * cos(tau) +

@@ -104,7 +104,7 @@ static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p,
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -244,7 +244,7 @@ static inline void rod_spring_averaged_3_passed_1_far_1(double A, const double *
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -361,7 +361,7 @@ static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -446,7 +446,7 @@ static inline double rod_spring_h_passed_1_far_1(double A, double alpha, double 
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -522,7 +522,7 @@ static inline double rod_spring_h_A_passed_1_far_1(double A, double alpha, doubl
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -602,7 +602,7 @@ static inline double rod_spring_h_AA_passed_1_far_1(double A, double alpha, doub
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -693,7 +693,7 @@ static inline double rod_spring_h_AAA_passed_1_far_1(double A, double alpha, dou
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -776,7 +776,7 @@ static inline double rod_spring_H_passed_1_far_1(double A, double alpha, double 
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -848,7 +848,7 @@ static inline double rod_spring_H_A_passed_1_far_1(double A, double alpha, doubl
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
@@ -928,7 +928,7 @@ static inline double rod_spring_H_AA_passed_1_far_1(double A, double alpha, doub
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double s = x / (sqrt(2.0 * y + 2.0));
+    const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s3 = s * s2;
     const double s6 = s3 * s3;

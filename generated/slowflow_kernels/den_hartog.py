@@ -41,7 +41,7 @@ def U(Omega):
     """
     (Omega,) = floats(Omega)
     t0 = 1.0 / Omega
-    return t0 / (np.tan(1.5707963267948966 * t0 * (Omega - 1.0)))
+    return t0 / np.tan(1.5707963267948966 * t0 * (Omega - 1.0))
 
 
 def S_ratio(tau, Omega):
@@ -53,11 +53,11 @@ def S_ratio(tau, Omega):
     tau, Omega = floats(tau, Omega)
     t0 = 1.0 / Omega
     t1 = Omega - 1.0
-    U = t0 / (np.tan(1.5707963267948966 * t0 * t1))
+    U = t0 / np.tan(1.5707963267948966 * t0 * t1)
     t2 = 0.5 * tau
     return (
         (-2.0 * Omega * Omega * U * np.sin(t1 * t2) * np.sin(t2 * (Omega + 1.0)) + Omega * np.sin(tau)) /
-        (np.sin(Omega * tau))
+        np.sin(Omega * tau)
     )
 
 
@@ -71,7 +71,7 @@ def amplitude(Omega, F_0, mu):
     t0 = Omega - 1.0
     V = -1.0 / (t0 * (Omega + 1.0))
     t1 = 1.0 / Omega
-    U = t1 / (np.tan(1.5707963267948966 * t0 * t1))
+    U = t1 / np.tan(1.5707963267948966 * t0 * t1)
     t2 = F_0 * V
     t3 = U * mu
     return np.sqrt((t2 - t3) * (t2 + t3))
@@ -87,10 +87,10 @@ def bound(Omega, F_0, S):
     t0 = Omega - 1.0
     V = -1.0 / (t0 * (Omega + 1.0))
     t1 = 1.0 / Omega
-    U = t1 / (np.tan(1.5707963267948966 * t0 * t1))
+    U = t1 / np.tan(1.5707963267948966 * t0 * t1)
     Omega2 = Omega * Omega
     Omega4 = Omega2 * Omega2
-    return F_0 * np.abs(S) * np.abs(V) / (np.sqrt(Omega4 * U * U + S * S))
+    return F_0 * np.abs(S) * np.abs(V) / np.sqrt(Omega4 * U * U + S * S)
 
 
 def motion(tau, Omega, A, mu):
@@ -102,7 +102,7 @@ def motion(tau, Omega, A, mu):
     tau, Omega, A, mu = floats(tau, Omega, A, mu)
     t0 = 1.0 / Omega
     t1 = Omega - 1.0
-    U = t0 / (np.tan(1.5707963267948966 * t0 * t1))
+    U = t0 / np.tan(1.5707963267948966 * t0 * t1)
     t2 = Omega * tau
     t3 = 0.5 * tau
     return (

@@ -131,7 +131,7 @@ def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -259,7 +259,7 @@ def _averaged_3_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -364,7 +364,7 @@ def _averaged_2_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -447,7 +447,7 @@ def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -526,7 +526,7 @@ def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     x = t0 * u_cr
     y = root * t0
     psi_0 = np.arctan2(root, u_cr)
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -608,7 +608,7 @@ def _h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -701,7 +701,7 @@ def _h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -787,7 +787,7 @@ def _H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -862,7 +862,7 @@ def _H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3
@@ -944,7 +944,7 @@ def _H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    s = x / (np.sqrt(2.0 * y + 2.0))
+    s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s3 = s * s2
     s6 = s3 * s3

@@ -4,6 +4,8 @@
 #include <fenv.h>
 #include <math.h>
 
+enum { WIDEST = 8 }; /* numbers in a vector; divides the block */
+
 typedef double row[SF_BLOCK];
 
 /* Whether an output's memory meets an input's. NumPy then gives the same array twice; the loops expect two. */
@@ -33,15 +35,21 @@ static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const 
         }
         if (count == 0)
             continue;
+        /* the last element again and again, until only whole vectors are left */
+        ptrdiff_t padded = count;
+        while (padded % WIDEST != 0) {
+            where[padded] = where[count - 1];
+            padded++;
+        }
         for (int j = 0; j < kernel->inputs; j++) {
             packed_in[j] = in[j];
             if (steps[j] != 0) {
-                for (ptrdiff_t i = 0; i < count; i++)
+                for (ptrdiff_t i = 0; i < padded; i++)
                     rows[j][i] = in[j][where[i]];
                 packed_in[j] = rows[j];
             }
         }
-        kernel->loops[r](count, packed_in, packed_out);
+        kernel->loops[r](padded, packed_in, packed_out);
         for (int j = 0; j < kernel->outputs; j++)
             for (ptrdiff_t i = 0; i < count; i++)
                 out[j][where[i]] = packed_out[j][i];
@@ -85,7 +93,7 @@ void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps
                 in_place[j] = 0;
     for (int j = 0; j < inputs; j++)
         if (steps[j] == 0)
-            for (int i = 0; i < (n < SF_BLOCK ? n : SF_BLOCK); i++)
+            for (int i = 0; i < (n < SF_BLOCK - WIDEST ? n + WIDEST : SF_BLOCK); i++)
                 rows[j][i] = *(const double *)operands[j];
 
     for (ptrdiff_t start = 0; start < n; start += SF_BLOCK) {

@@ -1,0 +1,410 @@
+"""Compiled kernels beside NumPy's: the same numbers, a ufunc's manners, one result on every processor.
+
+How right both are, `test_kernels.py` says; here they are compared with one another.
+"""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import math
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import threading
+import time
+import warnings
+from fractions import Fraction
+from pathlib import Path
+
+import generated_c
+import mpmath
+import native_clones
+import numpy as np
+import pytest
+from slowflow_kernels import MODULES, rod_spring, slow_flow
+
+from derivations.emit.arctangent import series
+from slowflow import roots
+from slowflow.backend import KERNELS, SOLVER
+
+native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
+U = 2.0**-53
+TABLE_1 = (3.0, 3747 / 1848, 1848 / (6 * 3747))
+RANGES = {
+    "Omega": (0.1, 3), "A": (0.01, 1.5), "F_0": (0.01, 1), "m": (0, 0.1), "mu": (0, 0.1), "zeta": (0, 0.1),
+    "h": (-2, 0.5), "h_A": (-2, 1), "h_AA": (-3, 3), "h_AAA": (-3, 3), "alpha": (-0.5, 1), "beta": (0, 3),
+    "gamma": (0, 3), "u_cr": (0.2, 0.6), "lam": (0.5, 5), "r": (0.5, 5), "delta_h": (0.02, 0.4), "u": (-0.95, 0.95),
+    "tau": (0, 3), "S": (0.1, 2),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def on_numpy():
+    """Every module of kernels, loaded once more without the compiled ones."""
+
+    def forget() -> dict:
+        return {name: sys.modules.pop(name) for name in list(sys.modules) if name.split(".")[0] == "slowflow_kernels"}
+
+    before, backend = forget(), os.environ.get("SLOWFLOW_BACKEND")
+    os.environ["SLOWFLOW_BACKEND"] = "numpy"
+    loaded = {module: importlib.import_module(f"slowflow_kernels.{module}") for module in MODULES}
+    forget()
+    sys.modules.update(before)
+    os.environ.pop("SLOWFLOW_BACKEND")
+    if backend is not None:
+        os.environ["SLOWFLOW_BACKEND"] = backend
+    return loaded
+
+
+def arguments(function, seed: int, size: int = 3001) -> dict[str, np.ndarray]:
+    """Random arguments of a kernel, by name; a third of the amplitudes at or beside a change of regime."""
+    rng = np.random.default_rng(seed)
+    given = {name: rng.uniform(*RANGES.get(name, (0.5, 2)), size) for name in inspect.signature(function).parameters}
+    if "A" in given and "u_cr" in given:
+        some = np.arange(0, size, 3)
+        given["A"][some] = given["u_cr"][some] * rng.choice([1, 1 + 2**-52, 1 - 2**-53, 1.25, 1.25 + 2**-52], some.size)
+    return given
+
+
+def kernels_of(module) -> list[str]:
+    """Names of a module's functions."""
+    return [name for name in module.__all__ if callable(getattr(module, name))]
+
+
+def outputs(result) -> list[np.ndarray]:
+    """One array for each output."""
+    return list(result) if isinstance(result, tuple) else [result]
+
+
+@native_only
+@pytest.mark.parametrize("name", MODULES)
+def test_same_numbers_as_numpy(on_numpy, name):
+    """Without an angle, a sine or a cosine in it, to the last bit; with one, as far as these may differ.
+
+    Both angles of the detached regimes have an error below 2^-52 each way, and every later rounding may differ once.
+    """
+    module, reference = importlib.import_module(f"slowflow_kernels.{name}"), on_numpy[name]
+    for seed, kernel in enumerate(kernels_of(reference)):
+        given = arguments(getattr(reference, kernel), seed)
+        values = tuple(given.values())
+        with np.errstate(all="ignore"):
+            new, old = (outputs(getattr(m, kernel)(*values)) for m in (module, reference))
+        assert len(new) == len(old)
+        exact = np.ones(values[0].shape, bool)
+        if name == "den_hartog" or kernel == "phase":
+            exact[:] = False
+        elif "A" in given and "u_cr" in given and name != "rod_spring_attached":
+            exact = given["A"] <= given["u_cr"]
+        for k, (x, y) in enumerate(zip(new, old, strict=True)):
+            assert x.shape == y.shape
+            assert np.array_equal(x[..., exact], y[..., exact], equal_nan=True), (kernel, k)
+            if kernel in ("averaged", "averaged_2", "averaged_3", "h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"):
+                order = k + kernel.count("A")
+                A, alpha, beta, gamma = (np.abs(given.get(n, 0.0)) for n in ("A", "alpha", "beta", "gamma"))
+                # what the moments multiply, over A^order; a moment is at most pi/2
+                terms = 2 * (1 + alpha + 20 * beta * A**2 + 60 * gamma * A**4) * A ** (1 - order)
+                terms = terms + np.abs(y)
+                assert np.all(np.abs(x - y) <= 8 * U * terms), (kernel, k, np.max(np.abs(x - y) / (U * terms)))
+            else:
+                assert np.allclose(x, y, rtol=1e-9, atol=1e-12, equal_nan=True), (kernel, k)
+
+
+@native_only
+def test_every_kernel_is_compiled(on_numpy):
+    """All but those without outputs: a ufunc, or a ufunc's outputs stacked or in a tuple."""
+    for name, reference in on_numpy.items():
+        module = importlib.import_module(f"slowflow_kernels.{name}")
+        for kernel in kernels_of(reference):
+            one_each = [0.5 for _ in inspect.signature(getattr(reference, kernel)).parameters]
+            with np.errstate(all="ignore"):
+                found = outputs(getattr(reference, kernel)(*one_each))
+            if len(found):
+                function = getattr(module, kernel)
+                assert isinstance(function, np.ufunc) or function.__module__ == "slowflow_kernels._backend"
+
+
+@pytest.mark.both_backends
+def test_compositions_are_the_slow_flow_of_h():
+    """The chain of loops equals the calls by hand, bit for bit, across the regimes."""
+    given = arguments(rod_spring_signature, 5)
+    Omega, A, F_0, mu, zeta = (given[name] for name in ("Omega", "A", "F_0", "mu", "zeta"))
+    p = tuple(given[name] for name in rod_spring.PARAMETERS)
+    h, h_A, h_AA = rod_spring.averaged_3(A, *p)
+    m = slow_flow.friction(mu)
+    by_hand = {
+        "F": (slow_flow.F(Omega, A, F_0, m, zeta, rod_spring.h(A, *p)), (Omega, A, F_0, mu, zeta)),
+        "F_AA": (slow_flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA), (Omega, A, mu, zeta)),
+    }
+    for name, (expected, before) in by_hand.items():
+        assert np.array_equal(getattr(rod_spring, name)(*before, *p), expected)
+    h, h_A = rod_spring.averaged_2(A, *p)
+    expected = slow_flow.jacobian(Omega, A, m, zeta, h, h_A)
+    for x, y in zip(rod_spring.jacobian(Omega, A, mu, zeta, *p), expected, strict=True):
+        assert np.array_equal(x, y)
+
+
+def rod_spring_signature(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
+    """Names of arguments only."""
+
+
+@pytest.mark.both_backends
+def test_broadcasting_scalars_and_empty_arrays():
+    p = rod_spring.coefficients(*TABLE_1)
+    assert isinstance(rod_spring.H(0.1, *p), float)
+    assert [type(value) for value in rod_spring.averaged_2(0.5, *p)] == [np.float64] * 2
+    assert rod_spring.H(np.zeros((0, 3)), *p).shape == (0, 3)
+    A, beta = np.linspace(0.05, 1, 7)[:, None], np.linspace(0.5, 2, 5)
+    table = rod_spring.h(A, p[0], beta, *p[2:])
+    assert table.shape == (7, 5)
+    assert all(table[i, j] == rod_spring.h(A[i, 0], p[0], beta[j], *p[2:]) for i in range(7) for j in range(5))
+    assert np.array_equal(rod_spring.h(A.astype(np.float32), *p), rod_spring.h(A.astype(np.float32).astype(float), *p))
+    assert rod_spring.h(1, *p) == rod_spring.h(1.0, *p)
+    assert (
+        rod_spring.saddle_nodes(0.04, A, 0.02, *p)[:, 3, 0].shape == rod_spring.saddle_nodes(0.04, 0.1, 0.02, *p).shape
+    )
+    assert isinstance(rod_spring.breakpoints(*p), tuple)
+    with pytest.raises(ValueError, match="broadcast"):
+        rod_spring.h(np.ones(3), np.ones(4), *p[1:])
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("size", [1, 2, 7, 255, 256, 257, 1000])
+def test_strides(size):
+    """Reversed, sliced and transposed arrays give what contiguous copies give."""
+    p = rod_spring.coefficients(*TABLE_1)
+    wide = np.random.default_rng(size).uniform(0.01, 1.2, (size, 3))
+    for view in (wide[:, 1], wide[::-1, 0], wide[:, ::2], wide.T, np.broadcast_to(wide[:, :1], (size, 4))):
+        for new, old in zip(rod_spring.averaged(view, *p), rod_spring.averaged(view.copy(), *p), strict=True):
+            assert np.array_equal(new, old)
+
+
+@native_only
+@pytest.mark.parametrize("size", [1, 100, 1000])
+def test_out_and_in_place(size):
+    p = rod_spring.coefficients(*TABLE_1)
+    A = np.random.default_rng(size).uniform(0.01, 1.2, size)
+    h, h_A = rod_spring.averaged_2(A, *p)
+    both = np.full((size, 2), np.nan)
+    rod_spring.averaged_2(A, *p, out=(both[:, 0], both[:, 1]))
+    assert np.array_equal(both, np.stack([h, h_A], axis=1))
+    for order in (1, -1):  # the result over its own argument, and over its neighbour's
+        place = A.copy()[::order].copy()
+        other = np.empty(size)
+        rod_spring.averaged_2(place, *p, out=(place, other))
+        assert np.array_equal(place, h[::order])
+        assert np.array_equal(other, h_A[::order])
+    shifted = np.concatenate([A, [0.0]])
+    alone = rod_spring.h(A, *p)
+    rod_spring.h(shifted[:-1], *p, out=shifted[1:])
+    assert np.array_equal(shifted[1:], alone)
+    where = A > 0.5
+    assert np.array_equal(rod_spring.h(A, *p, out=np.zeros(size), where=where), np.where(where, alone, 0))
+
+
+@pytest.mark.both_backends
+def test_nan_passes_in_silence_and_invalid_arguments_do_not():
+    """A NaN is no reason to warn, in any place of a block; the root of a negative number is."""
+    p = rod_spring.coefficients(*TABLE_1)
+    A = np.random.default_rng(1).uniform(0.01, 1.2, 600)
+    A[::7] = np.nan
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for values in (*rod_spring.averaged(A, *p), rod_spring.phase(0.9, A, 0.01, 0.02, *p)):
+            assert np.array_equal(np.isnan(values), np.isnan(A))
+        assert all(np.isnan(rod_spring.averaged(0.5, np.nan, *p[1:])))
+        assert np.isnan(rod_spring.h(np.nan, *p))
+        with pytest.raises(RuntimeWarning, match="invalid"):
+            slow_flow.backbone(np.array([0.1, np.nan]), np.array([1.0, np.nan]))
+        with pytest.raises(RuntimeWarning, match="divide"):
+            slow_flow.backbone(0.0, -1.0)
+
+
+@pytest.mark.both_backends
+def test_subnormal_numbers_stay():
+    """A library built with fast-math would flush them for the whole process, or for threads started later."""
+    seen = []
+
+    def compute() -> None:
+        tiny = np.full(4, 2.0**-1040)
+        seen.append(bool(np.all(tiny * 2.0**-20 > 0) and np.all(tiny / 4 * 4 == tiny)))
+        seen.append(float(slow_flow.R(1.0, 2.0**-1060, 0.0)) == 2.0**-1060)
+
+    compute()
+    thread = threading.Thread(target=compute)
+    thread.start()
+    thread.join()
+    assert seen == [True] * 4
+
+
+@native_only
+@pytest.mark.parametrize("call", ["kernels", "solver"])
+def test_others_run_meanwhile(call):
+    """The interpreter is free during a call: this thread goes on counting while another one computes."""
+    p = rod_spring.coefficients(*TABLE_1)
+    A = np.random.default_rng(0).uniform(0.01, 1.2, 2_000_000)
+    h, h_A = rod_spring.averaged_2(A, *p)
+
+    def compute() -> None:
+        if call == "kernels":
+            rod_spring.averaged(A, *p)
+        else:
+            roots.fold_roots(A, h, h_A, 0.01, 0.02)
+
+    start = time.perf_counter()
+    compute()
+    alone = time.perf_counter() - start
+    other = threading.Thread(target=compute)
+    other.start()
+    longest, last = 0.0, time.perf_counter()
+    while other.is_alive():
+        now = time.perf_counter()
+        longest, last = max(longest, now - last), now
+    assert longest < 0.7 * alone
+
+
+def targets() -> list[str]:
+    """Targets of gcc that this processor runs."""
+    if (platform.system(), platform.machine()) != ("Linux", "x86_64") or shutil.which("gcc") is None:
+        return []
+    flags = set(Path("/proc/cpuinfo").read_text().split())
+    wider = {"x86-64-v3": {"avx2", "fma", "bmi2"}, "x86-64-v4": {"avx512f", "avx512bw", "avx512vl", "avx512dq"}}
+    return ["x86-64", *(target for target, needs in wider.items() if needs <= flags)]
+
+
+@pytest.mark.skipif(len(targets()) < 2, reason="one target only")
+def test_every_clone_gives_the_same_bits(tmp_path):
+    """Each target alone: without contraction wide vectors round as narrow ones do."""
+    first, *others = (native_clones.build(tmp_path, target) for target in targets())
+    rng = np.random.default_rng(11)
+    for name in ("averaged", "averaged_2", "h", "H_A", "phase", "jacobian", "coefficients", "saddle_nodes"):
+        A = rng.uniform(0.01, 1.2, 1003)
+        A[::50] = np.nan
+        given = {
+            "coefficients": (A, 2.0, rng.uniform(0.01, 0.3, 1003)),
+            "saddle_nodes": (0.04, 0.01, A, 0.5, 2.8, 2.1, 0.4),
+        }.get(name, (A, 0.5, 2.8, rng.uniform(0, 2.1, 1003), 0.4))
+        if name in ("phase", "jacobian"):
+            given = (rng.uniform(0.1, 3, 1003), given[0], 0.01, 0.02, *given[1:])
+        expected = first(name, given)
+        for clone in others:
+            for x, y in zip(clone(name, given), expected, strict=True):
+                # a NaN's sign is nobody's
+                assert np.array_equal(np.isnan(x), np.isnan(y)), name
+                assert np.array_equal(x.view(np.int64)[~np.isnan(x)], y.view(np.int64)[~np.isnan(y)]), name
+
+
+@native_only
+def test_the_installed_clone_is_one_of_them(tmp_path):
+    """The extension module's choice gives the bits of the baseline, built here."""
+    if not targets():
+        pytest.skip("no gcc for x86-64 Linux")
+    baseline = native_clones.build(tmp_path, "x86-64")
+    p = (0.5, 2.8, 2.1, 0.4)
+    A = np.random.default_rng(12).uniform(0.01, 1.2, 1003)
+    for x, y in zip(rod_spring.averaged(A, *p), baseline("averaged", (A, *p)), strict=True):
+        assert np.array_equal(x, y)
+
+
+def test_the_arctangent_polynomial_is_as_good_as_derived():
+    """The derived bound against 50 digits, at 400 points."""
+    polynomial = series()
+    with mpmath.workdps(50):
+        coefficients = [mpmath.mpf(str(coefficient.evalf(60))) for coefficient in polynomial.coefficients]
+        worst = mpmath.mpf(0)
+        for k in range(1, 401):
+            t = mpmath.mpf(k) / 400
+            value = t + t * mpmath.polyval(coefficients[::-1], t * t - mpmath.mpf(1) / 2)
+            worst = max(worst, abs(value / mpmath.atan(t) - 1) * 2**53)
+    assert 0 < worst <= float(polynomial.bound)
+    assert polynomial.bound < Fraction(1, 16)
+
+
+@pytest.fixture(scope="module")
+def atan2(tmp_path_factory):
+    """The generated arctangent, by itself."""
+    if generated_c.COMPILER is None:
+        pytest.skip("no C compiler")
+    library = generated_c.build(tmp_path_factory.mktemp("angles"))
+    return lambda y, x: float(library("angles_atan2", [y, x], 1)[0])
+
+
+def error_in_ulps(value: float, y: float, x: float) -> float:
+    """Distance from the true angle in units of the value's last place."""
+    with mpmath.workdps(50):
+        return float(abs(mpmath.mpf(value) - mpmath.atan2(mpmath.mpf(y), mpmath.mpf(x))) / np.spacing(abs(value)))
+
+
+def test_the_arctangent_of_an_exact_quotient_is_right_to_one_unit(atan2):
+    """x = 1: the quotient is exact, and what is left is the polynomial's error and four roundings."""
+    rng = np.random.default_rng(3)
+    points = [*rng.uniform(0, 1, 1500), *(1 - 10.0 ** rng.uniform(-16, -1, 300)), *(10.0 ** rng.uniform(-300, 0, 300))]
+    assert max(error_in_ulps(atan2(t, 1.0), t, 1.0) for t in points) < 1
+
+
+def test_the_angle_is_right_to_one_and_a_half_units(atan2):
+    """Half a unit more, for the quotient; in all quadrants."""
+    rng = np.random.default_rng(4)
+    points = rng.normal(size=(3000, 2)) * 10.0 ** rng.uniform(-3, 3, (3000, 2))
+    assert max(error_in_ulps(atan2(y, x), y, x) for y, x in points) < 1.5
+
+
+def test_the_angle_of_zeros_infinities_and_nan(atan2):
+    """As C99 says, signs of zeros included."""
+    special = (0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, 5e-324, -5e-324, 1e308, np.nan)
+    for y in special:
+        for x in special:
+            new, old = atan2(y, x), math.atan2(y, x)
+            if math.isnan(old):
+                assert np.isnan(new)
+            else:
+                assert abs(new - old) <= np.spacing(abs(old))
+                assert np.signbit(new) == np.signbit(old)
+
+
+@pytest.mark.skipif(SOLVER is None, reason="the compiled solvers are not in use")
+def test_root_solvers_broadcast_as_gufuncs():
+    A = np.random.default_rng(6).uniform(0.1, 1, (4, 1))
+    Omega, count = roots.response_roots(A, -0.3, 0.01, 0.02, np.array([0.05, 0.3, 0.6]))
+    assert Omega.shape == (4, 3, 3)
+    assert count.shape == (4, 3)
+    assert count.dtype == np.int32
+    old, old_count = roots.numpy_roots("response_roots", A, -0.3, 0.01, 0.02, np.array([0.05, 0.3, 0.6]))
+    assert np.array_equal(count, old_count)
+    assert np.allclose(Omega, old, rtol=4 * U, atol=0, equal_nan=True)
+    assert roots.peak_roots(0.5, -0.3, 0.01, 0.02)[0].shape == (2,)
+    assert roots.fold_roots(np.zeros((0, 2)), -0.3, -0.2, 0.01, 0.02)[0].shape == (0, 2, 3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert roots.response_roots(np.nan, 1.0, 1.0, 1.0, 1.0)[1] == -1
+
+
+@pytest.mark.parametrize(
+    ("wanted", "says"), [("numpy", "backend       numpy"), ("native", "backend       native"), ("fast", "ValueError")]
+)
+def test_the_environment_chooses(wanted, says):
+    if wanted == "native" and SOLVER is None:
+        pytest.skip("the compiled code is not in use")
+    command = [sys.executable, "-W", "error", "-c", "from slowflow.cli import main; main(['info'])"]
+    done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "SLOWFLOW_BACKEND": wanted})
+    assert says in done.stdout + done.stderr
+
+
+def test_without_compiled_code_one_warning_says_so():
+    """Simulated: the extension modules are not found."""
+    hide = (
+        "import sys; sys.modules['slowflow_kernels._native'] = None\n"
+        "import warnings\n"
+        "with warnings.catch_warnings(record=True) as said:\n"
+        "    warnings.simplefilter('always')\n"
+        "    import slowflow\n"
+        "    from slowflow import backend\n"
+        "assert [w.category for w in said] == [backend.BackendWarning], said\n"
+        "assert 'C compiler' in str(said[0].message)\n"
+        "assert backend.NAME == 'numpy'\n"
+    )
+    without = {name: value for name, value in os.environ.items() if name != "SLOWFLOW_BACKEND"}
+    done = subprocess.run([sys.executable, "-c", hide], capture_output=True, text=True, env=without)
+    assert done.returncode == 0, done.stderr
