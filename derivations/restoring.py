@@ -158,7 +158,7 @@ class _End:
         elif powers:
             lets.append((s, x / sp.sqrt(2 * (1 + y))))
             top = max(powers)
-            lets.append((self.from_zero(top), s ** (top + 1) * _horner(moment_series(top), s**2)))
+            lets.append((self.from_zero(top), s ** (top + 1) * _halved(moment_series(top), s**2)))
             for power in range(top, min(powers), -2):
                 higher = power * self.from_zero(power) + x ** (power - 1) * y
                 lets.append((self.from_zero(power - 2), higher / (power - 1)))
@@ -177,6 +177,14 @@ class _End:
     def slope(self, expression: sp.Expr) -> sp.Expr:
         """d/dA of an expression in A and root."""
         return sp.diff(expression, A) + sp.diff(expression, self.root) * A / self.root
+
+
+def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
+    """A long polynomial at a point as two nested ones of its square: half as many operations wait for one another."""
+    coefficients = polynomial.all_coeffs()[::-1]
+    square = sp.Symbol("square")
+    even, odd = (sp.Poly(coefficients[start::2][::-1], square) for start in (0, 1))
+    return _horner(even, at**2) + at * _horner(odd, at**2)
 
 
 def _horner(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:

@@ -199,7 +199,8 @@ def _numbered(lets: Sequence[Let], outputs: Sequence[sp.Expr], named: set[str]) 
         if symbol.name in named:
             continue
         base, _, exponent = symbol.name.partition("^")
-        name = base + exponent
+        # F_0_2, because F_02 would read as another symbol
+        name = base + ("_" if base[-1].isdigit() else "") + exponent
         if base not in named or name in taken:
             name, number = f"t{number}", number + 1
         if name in taken:

@@ -87,7 +87,8 @@ class _Rules:
             above.insert(0, literal(abs(constant)))
         text = sign + " * ".join(above)
         if below:
-            text += " / " + (below[0] if len(below) == 1 and " * " not in below[0] else f"({' * '.join(below)})")
+            squared = any(factor.is_Pow and factor.exp == -2 for factor in factors)
+            text += " / " + (f"({' * '.join(below)})" if len(below) > 1 or squared else below[0])
         return text
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:

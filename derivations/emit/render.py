@@ -21,6 +21,7 @@ import sympy as sp
 from derivations.emit.kernels import AVERAGED, Branch, Composition, Kernel, Module
 from derivations.emit.passes import Program, straight_line
 from derivations.emit.printers import CPrinter, NumpyPrinter
+from derivations.restoring import FAR
 from derivations.slow_flow import m
 
 HERE = Path(__file__).parent
@@ -147,6 +148,8 @@ def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[st
                 kernels=views,
                 compositions=[composition_view(c, module, target) for c in module.compositions],
                 exported=exported(module),
+                includes=includes(module, views),
+                regimes=regimes(module),
                 imported=sorted(module.reexports[1], key=in_import),
                 inputs=inputs,
                 steps=steps,
@@ -168,6 +171,19 @@ def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [*module.constants, *(kernel.name for kernel in module.kernels), *(c.name for c in module.compositions)]
     return sorted({*module.reexports[1], *own}, key=in_import)
+
+
+def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
+    """Headers of ours that a C header needs."""
+    angles = "angles" if any(view.uses_angles for view in views) else ""
+    return [name for name in (angles, module.flow, module.reexports[0]) if name]
+
+
+def regimes(module: Module) -> str:
+    """What the names of the regimes mean, where there are any."""
+    if not any("far" in branch.name for kernel in module.kernels for branch in kernel.branches):
+        return ""
+    return f"Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them {FAR} times."
 
 
 def in_import(name: str) -> tuple[bool, bool, str]:
@@ -258,18 +274,12 @@ def branch_view(branch: Branch, program: Program, kernel: Kernel, used: set[sp.S
 
 
 def wrapped(value: str, used: int, target: Target) -> str:
-    """A long right-hand side over several lines, broken at spaces."""
+    """A long right-hand side over several lines, broken at spaces; `used` columns stand before it."""
+    if not target.wrap_in_parentheses:
+        return fill(value, 8, used + len("    const double "))
     if len(value) + used + 8 <= WIDTH:
         return value
-    body = textwrap.fill(
-        value,
-        WIDTH - 8,
-        initial_indent=" " * 8,
-        subsequent_indent=" " * 8,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
-    return f"(\n{body}\n    )" if target.wrap_in_parentheses else "\n" + body
+    return f"(\n        {fill(value, 8, 8)}\n    )"
 
 
 def composition_view(composition: Composition, module: Module, target: Target) -> dict[str, object]:

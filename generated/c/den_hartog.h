@@ -4,7 +4,8 @@
    Input: none but the equation of motion in derivations/den_hartog.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. */
 
 #ifndef DEN_HARTOG_H
 #define DEN_HARTOG_H

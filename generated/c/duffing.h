@@ -4,7 +4,8 @@
    Input: derivations/mechanisms/duffing.py, sha256 b5a3ce130e6ec4e9c140519ed8419765186863307baf7829506b145622786822
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. */
 
 #ifndef DUFFING_H
 #define DUFFING_H
@@ -225,28 +226,28 @@ static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const
 {
     const double alpha = p[0];
     const double beta = p[1];
-    const double F_02 = F_0 * F_0;
+    const double F_0_2 = F_0 * F_0;
     const double m2 = m * m;
     const double m3 = m * m2;
     const double m6 = m3 * m3;
-    const double F_04 = F_02 * F_02;
+    const double F_0_4 = F_0_2 * F_0_2;
     const double m4 = m2 * m2;
-    const double F_03 = F_0 * F_02;
-    const double F_06 = F_03 * F_03;
+    const double F_0_3 = F_0 * F_0_2;
+    const double F_0_6 = F_0_3 * F_0_3;
     const double zeta2 = zeta * zeta;
     const double t0 = m6 * zeta2;
     const double t1 = 128.0 * alpha;
     const double zeta4 = zeta2 * zeta2;
     const double t2 = 256.0 * zeta4;
-    const double t3 = F_02 * m4;
-    const double t4 = F_04 * m2;
+    const double t3 = F_0_2 * m4;
+    const double t4 = F_0_4 * m2;
     const double t5 = beta * zeta2;
     const double t6 = alpha * alpha;
     const double beta2 = beta * beta;
     const double t7 = 72.0 * beta2;
     const double t8 = alpha * zeta4;
     const double t9 = 216.0 * beta2;
-    const double t10 = F_02 * alpha * zeta4;
+    const double t10 = F_0_2 * alpha * zeta4;
     const double t11 = beta2 * zeta4;
     const double t12 = alpha * zeta2;
     const double t13 = beta2 * t12;
@@ -257,22 +258,22 @@ static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const
     const double t16 = 81.0 * beta4;
     const double t17 = beta4 * m2;
     const double t18 = 1728.0 * beta3;
-    const double t19 = F_02 * zeta2;
+    const double t19 = F_0_2 * zeta2;
     const double beta5 = beta * beta4;
     const double t20 = 486.0 * beta5;
     const double m8 = m4 * m4;
-    const double F_08 = F_04 * F_04;
+    const double F_0_8 = F_0_4 * F_0_4;
     const double beta6 = beta3 * beta3;
-    out[0] = -64.0 * F_02 * m6 + 96.0 * F_04 * m4 - 64.0 * F_06 * m2 + 16.0 * F_08 + 16.0 * m8;
-    out[1] = 256.0 * F_02 * alpha * m4 * zeta2 + 256.0 * F_04 * m2 * zeta4 - t0 * t1 - t1 * t4 * zeta2 - t2 * t3;
-    out[2] = 192.0 * F_06 * t5 - 96.0 * beta * t0 + m4 * t2 * t6 + 384.0 * t3 * t5 - 480.0 * t4 * t5;
-    out[3] = -F_06 * t7 + 768.0 * beta * m2 * t10 + 384.0 * beta * m4 * t8 + m6 * t7 - t3 * t9 + t4 * t9;
-    out[4] = 288.0 * F_02 * alpha * beta2 * t14 + 576.0 * F_04 * t11 + 288.0 * F_04 * t13 + 144.0 * m4 * t11 -
+    out[0] = -64.0 * F_0_2 * m6 + 96.0 * F_0_4 * m4 - 64.0 * F_0_6 * m2 + 16.0 * F_0_8 + 16.0 * m8;
+    out[1] = 256.0 * F_0_2 * alpha * m4 * zeta2 + 256.0 * F_0_4 * m2 * zeta4 - t0 * t1 - t1 * t4 * zeta2 - t2 * t3;
+    out[2] = 192.0 * F_0_6 * t5 - 96.0 * beta * t0 + m4 * t2 * t6 + 384.0 * t3 * t5 - 480.0 * t4 * t5;
+    out[3] = -F_0_6 * t7 + 768.0 * beta * m2 * t10 + 384.0 * beta * m4 * t8 + m6 * t7 - t3 * t9 + t4 * t9;
+    out[4] = 288.0 * F_0_2 * alpha * beta2 * t14 + 576.0 * F_0_4 * t11 + 288.0 * F_0_4 * t13 + 144.0 * m4 * t11 -
         576.0 * m4 * t13;
-    out[5] = 648.0 * F_02 * beta3 * m2 * zeta2 - 216.0 * F_04 * t15 + 1152.0 * beta2 * m2 * t6 * zeta4 - 432.0 *
+    out[5] = 648.0 * F_0_2 * beta3 * m2 * zeta2 - 216.0 * F_0_4 * t15 + 1152.0 * beta2 * m2 * t6 * zeta4 - 432.0 *
         m4 * t15;
-    out[6] = -162.0 * F_02 * t17 + F_04 * t16 + m2 * t18 * t8 + m4 * t16 + t10 * t18;
-    out[7] = 1296.0 * F_02 * beta4 * zeta4 - 648.0 * alpha * beta4 * t19 + 648.0 * beta4 * m2 * zeta4 - 648.0 *
+    out[6] = -162.0 * F_0_2 * t17 + F_0_4 * t16 + m2 * t18 * t8 + m4 * t16 + t10 * t18;
+    out[7] = 1296.0 * F_0_2 * beta4 * zeta4 - 648.0 * alpha * beta4 * t19 + 648.0 * beta4 * m2 * zeta4 - 648.0 *
         t12 * t17;
     out[8] = 1296.0 * beta4 * t6 * zeta4 - t14 * t20 - t19 * t20;
     out[9] = 1944.0 * beta5 * t8;

@@ -4,7 +4,8 @@
    Input: derivations/mechanisms/duffing.py, sha256 b5a3ce130e6ec4e9c140519ed8419765186863307baf7829506b145622786822
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. */
 
 #ifndef DUFFING_MU0_H
 #define DUFFING_MU0_H
@@ -40,15 +41,15 @@ static inline void duffing_mu0_saddle_nodes(double F_0, double m, double zeta, c
     const double alpha = p[0];
     const double beta = p[1];
     (void)(m);
-    const double F_02 = F_0 * F_0;
+    const double F_0_2 = F_0 * F_0;
     const double t0 = zeta * zeta;
     const double beta2 = beta * beta;
-    const double F_04 = F_02 * F_02;
+    const double F_0_4 = F_0_2 * F_0_2;
     const double beta3 = beta * beta2;
-    out[0] = 4.0 * F_04;
+    out[0] = 4.0 * F_0_4;
     out[1] = 0.0;
-    out[2] = 24.0 * F_02 * beta * t0;
-    out[3] = -9.0 * F_02 * beta2;
+    out[2] = 24.0 * F_0_2 * beta * t0;
+    out[3] = -9.0 * F_0_2 * beta2;
     out[4] = 36.0 * alpha * beta2 * t0;
     out[5] = 27.0 * beta3 * t0;
 }

@@ -4,7 +4,8 @@
    Input: derivations/mechanisms/duffing.py, sha256 b5a3ce130e6ec4e9c140519ed8419765186863307baf7829506b145622786822
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. */
 
 #ifndef DUFFING_MU0_ZETA0_H
 #define DUFFING_MU0_ZETA0_H

@@ -4,7 +4,9 @@
    Input: derivations/mechanisms/rod_spring.py, sha256 2bda92792c3738e00594db7329cbf7be2879fc514e0bd616da28c8a792b9a483
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
+   Operations are counted after each pass. */
 
 #ifndef ROD_SPRING_H
 #define ROD_SPRING_H
@@ -12,7 +14,6 @@
 #include <math.h>
 
 #include "angles.h"
-
 #include "slow_flow.h"
 
 /* alpha, beta, gamma, u_cr */
@@ -23,7 +24,7 @@
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
    Operations where passed_1: 249 structured, 119 common subexpressions, 112 power chains
-   Operations where passed_1_far_1: 306 structured, 165 common subexpressions, 153 power chains
+   Operations where passed_1_far_1: 340 structured, 168 common subexpressions, 154 power chains
  */
 static inline void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
@@ -106,16 +107,16 @@ static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p,
     const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -175,7 +176,7 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 23 structured, 17 common subexpressions, 17 power chains
    Operations where passed_1: 134 structured, 86 common subexpressions, 82 power chains
-   Operations where passed_1_far_1: 191 structured, 132 common subexpressions, 123 power chains
+   Operations where passed_1_far_1: 225 structured, 135 common subexpressions, 124 power chains
  */
 static inline void rod_spring_averaged_3_passed_0(double A, const double *p, double *out)
 {
@@ -246,16 +247,16 @@ static inline void rod_spring_averaged_3_passed_1_far_1(double A, const double *
     const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -305,7 +306,7 @@ static inline void rod_spring_averaged_3(double A, const double *p, double *out)
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
    Operations where passed_1: 76 structured, 58 common subexpressions, 55 power chains
-   Operations where passed_1_far_1: 133 structured, 104 common subexpressions, 96 power chains
+   Operations where passed_1_far_1: 167 structured, 107 common subexpressions, 97 power chains
  */
 static inline void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
@@ -363,16 +364,16 @@ static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *
     const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -410,7 +411,7 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
    Operations where passed_1: 47 structured, 41 common subexpressions, 39 power chains
-   Operations where passed_1_far_1: 104 structured, 87 common subexpressions, 80 power chains
+   Operations where passed_1_far_1: 138 structured, 90 common subexpressions, 81 power chains
  */
 static inline double rod_spring_h_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -448,16 +449,16 @@ static inline double rod_spring_h_passed_1_far_1(double A, double alpha, double 
     const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -483,7 +484,7 @@ static inline double rod_spring_h(double A, double alpha, double beta, double ga
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 8 structured, 7 common subexpressions, 7 power chains
    Operations where passed_1: 62 structured, 54 common subexpressions, 51 power chains
-   Operations where passed_1_far_1: 119 structured, 100 common subexpressions, 92 power chains
+   Operations where passed_1_far_1: 153 structured, 103 common subexpressions, 93 power chains
  */
 static inline double rod_spring_h_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -524,16 +525,16 @@ static inline double rod_spring_h_A_passed_1_far_1(double A, double alpha, doubl
     const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -562,7 +563,7 @@ static inline double rod_spring_h_A(double A, double alpha, double beta, double 
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
    Operations where passed_1: 82 structured, 57 common subexpressions, 56 power chains
-   Operations where passed_1_far_1: 137 structured, 98 common subexpressions, 93 power chains
+   Operations where passed_1_far_1: 171 structured, 101 common subexpressions, 94 power chains
  */
 static inline double rod_spring_h_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -604,16 +605,16 @@ static inline double rod_spring_h_AA_passed_1_far_1(double A, double alpha, doub
     const double y = root * t0;
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -645,7 +646,7 @@ static inline double rod_spring_h_AA(double A, double alpha, double beta, double
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 5 structured, 5 common subexpressions, 5 power chains
    Operations where passed_1: 139 structured, 78 common subexpressions, 72 power chains
-   Operations where passed_1_far_1: 194 structured, 119 common subexpressions, 109 power chains
+   Operations where passed_1_far_1: 228 structured, 122 common subexpressions, 110 power chains
  */
 static inline double rod_spring_h_AAA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -695,16 +696,16 @@ static inline double rod_spring_h_AAA_passed_1_far_1(double A, double alpha, dou
     const double y = root * t0;
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -744,7 +745,7 @@ static inline double rod_spring_h_AAA(double A, double alpha, double beta, doubl
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 10 structured, 9 common subexpressions, 9 power chains
    Operations where passed_1: 42 structured, 38 common subexpressions, 36 power chains
-   Operations where passed_1_far_1: 99 structured, 82 common subexpressions, 75 power chains
+   Operations where passed_1_far_1: 133 structured, 85 common subexpressions, 76 power chains
  */
 static inline double rod_spring_H_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -778,16 +779,16 @@ static inline double rod_spring_H_passed_1_far_1(double A, double alpha, double 
     const double y = root * t0;
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -812,7 +813,7 @@ static inline double rod_spring_H(double A, double alpha, double beta, double ga
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
    Operations where passed_1: 57 structured, 50 common subexpressions, 47 power chains
-   Operations where passed_1_far_1: 114 structured, 94 common subexpressions, 86 power chains
+   Operations where passed_1_far_1: 148 structured, 97 common subexpressions, 87 power chains
  */
 static inline double rod_spring_H_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -850,16 +851,16 @@ static inline double rod_spring_H_A_passed_1_far_1(double A, double alpha, doubl
     const double y = root * t0;
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -888,7 +889,7 @@ static inline double rod_spring_H_A(double A, double alpha, double beta, double 
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
    Operations where passed_1: 82 structured, 57 common subexpressions, 56 power chains
-   Operations where passed_1_far_1: 137 structured, 98 common subexpressions, 93 power chains
+   Operations where passed_1_far_1: 171 structured, 101 common subexpressions, 94 power chains
  */
 static inline double rod_spring_H_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -930,16 +931,16 @@ static inline double rod_spring_H_AA_passed_1_far_1(double A, double alpha, doub
     const double y = root * t0;
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
+    const double s4 = s2 * s2;
     const double s3 = s * s2;
     const double s6 = s3 * s3;
     const double s7 = s * s6;
-    const double M6 = 
-        s7 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 * (s2 *
-        (s2 * (-0.00016468815332235291 * s2 - 0.00021441317186122989) - 0.00028384801668998523) -
-        0.00038296467549092059) - 0.00052806309291294638) - 0.000746755888967803) - 0.0010878039944556453) -
-        0.0016416352370689656) - 0.0025860821759259261) - 0.0042968750000000003) - 0.007642663043478261) -
-        0.01488095238095238) - 0.032894736842105261) - 0.088235294117647065) - 0.33333333333333331) -
-        3.0769230769230771) + 21.818181818181817) - 35.555555555555557) + 18.285714285714285);
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
@@ -1156,23 +1157,23 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
-    const double F_02 = F_0 * F_0;
+    const double F_0_2 = F_0 * F_0;
     const double m2 = m * m;
     const double m3 = m * m2;
     const double m6 = m3 * m3;
-    const double F_04 = F_02 * F_02;
+    const double F_0_4 = F_0_2 * F_0_2;
     const double m4 = m2 * m2;
-    const double F_03 = F_0 * F_02;
-    const double F_06 = F_03 * F_03;
+    const double F_0_3 = F_0 * F_0_2;
+    const double F_0_6 = F_0_3 * F_0_3;
     const double zeta2 = zeta * zeta;
     const double t0 = m6 * zeta2;
     const double t1 = 512.0 * alpha;
     const double zeta4 = zeta2 * zeta2;
     const double t2 = 1024.0 * zeta4;
-    const double t3 = F_02 * m4;
-    const double t4 = F_04 * m2;
+    const double t3 = F_0_2 * m4;
+    const double t4 = F_0_4 * m2;
     const double t5 = t4 * zeta2;
-    const double t6 = F_06 * zeta2;
+    const double t6 = F_0_6 * zeta2;
     const double t7 = alpha * alpha;
     const double t8 = t3 * zeta2;
     const double t9 = 1536.0 * beta;
@@ -1182,19 +1183,19 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double t12 = m4 * zeta4;
     const double t13 = alpha * t12;
     const double t14 = 864.0 * beta2;
-    const double t15 = F_02 * zeta4;
+    const double t15 = F_0_2 * zeta4;
     const double t16 = m2 * t15;
     const double t17 = alpha * beta;
     const double t18 = beta * gamma;
     const double t19 = 960.0 * t18;
     const double t20 = 2880.0 * t18;
     const double t21 = beta2 * zeta4;
-    const double t22 = F_04 * beta2;
+    const double t22 = F_0_4 * beta2;
     const double t23 = alpha * zeta2;
     const double t24 = beta2 * m4;
     const double t25 = alpha * gamma;
     const double t26 = m2 * zeta2;
-    const double t27 = F_02 * t26;
+    const double t27 = F_0_2 * t26;
     const double t28 = alpha * t27;
     const double gamma2 = gamma * gamma;
     const double t29 = 800.0 * gamma2;
@@ -1203,7 +1204,7 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double beta3 = beta * beta2;
     const double t32 = beta3 * zeta2;
     const double t33 = 3840.0 * t18;
-    const double t34 = F_02 * m2;
+    const double t34 = F_0_2 * m2;
     const double t35 = m2 * t7;
     const double beta4 = beta2 * beta2;
     const double t36 = 324.0 * beta4;
@@ -1212,7 +1213,7 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double t39 = 6912.0 * alpha;
     const double t40 = beta3 * t15;
     const double t41 = gamma2 * t23;
-    const double t42 = F_04 * gamma;
+    const double t42 = F_0_4 * gamma;
     const double t43 = beta2 * zeta2;
     const double t44 = m2 * zeta4;
     const double t45 = beta3 * t44;
@@ -1221,7 +1222,7 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double t48 = 2160.0 * beta3;
     const double t49 = 5184.0 * beta4;
     const double t50 = 2592.0 * t37;
-    const double t51 = F_02 * zeta2;
+    const double t51 = F_0_2 * zeta2;
     const double t52 = beta4 * t51;
     const double t53 = beta3 * gamma;
     const double t54 = beta * gamma2;
@@ -1232,10 +1233,10 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double t58 = 5400.0 * gamma2;
     const double gamma3 = gamma * gamma2;
     const double t59 = gamma3 * zeta2;
-    const double t60 = 6000.0 * F_04;
+    const double t60 = 6000.0 * F_0_4;
     const double t61 = alpha * t38;
     const double t62 = beta * t61;
-    const double t63 = F_02 * t32;
+    const double t63 = F_0_2 * t32;
     const double t64 = 17280.0 * t25;
     const double t65 = m2 * t32;
     const double t66 = beta2 * gamma2;
@@ -1248,7 +1249,7 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double gamma4 = gamma2 * gamma2;
     const double t73 = 2500.0 * gamma4;
     const double t74 = 5000.0 * gamma4;
-    const double t75 = F_02 * t59;
+    const double t75 = F_0_2 * t59;
     const double t76 = 48000.0 * t17;
     const double t77 = m2 * t59;
     const double t78 = 43200.0 * gamma2;
@@ -1260,32 +1261,32 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double t83 = 12500.0 * gamma5;
     const double t84 = gamma5 * zeta4;
     const double m8 = m4 * m4;
-    const double F_08 = F_04 * F_04;
+    const double F_0_8 = F_0_4 * F_0_4;
     const double beta6 = beta3 * beta3;
     const double gamma6 = gamma3 * gamma3;
-    out[0] = -256.0 * F_02 * m6 + 384.0 * F_04 * m4 - 256.0 * F_06 * m2 + 64.0 * F_08 + 64.0 * m8;
-    out[1] = 1024.0 * F_02 * alpha * m4 * zeta2 + 1024.0 * F_04 * m2 * zeta4 - t0 * t1 - t1 * t5 - t2 * t3;
+    out[0] = -256.0 * F_0_2 * m6 + 384.0 * F_0_4 * m4 - 256.0 * F_0_6 * m2 + 64.0 * F_0_8 + 64.0 * m8;
+    out[1] = 1024.0 * F_0_2 * alpha * m4 * zeta2 + 1024.0 * F_0_4 * m2 * zeta4 - t0 * t1 - t1 * t5 - t2 * t3;
     out[2] = -384.0 * beta * t0 - 1920.0 * beta * t5 + 768.0 * beta * t6 + m4 * t2 * t7 + t8 * t9;
-    out[3] = -F_06 * t10 - 320.0 * gamma * t0 - 2880.0 * gamma * t5 + 1920.0 * gamma * t8 + m6 * t10 + t11 * t6 +
+    out[3] = -F_0_6 * t10 - 320.0 * gamma * t0 - 2880.0 * gamma * t5 + 1920.0 * gamma * t8 + m6 * t10 + t11 * t6 +
         t13 * t9 - t14 * t3 + t14 * t4 + 3072.0 * t16 * t17;
-    out[4] = 2304.0 * F_04 * t21 - F_06 * t19 + 1152.0 * beta2 * t28 + 576.0 * m4 * t21 + m6 * t19 + t11 * t13 +
+    out[4] = 2304.0 * F_0_4 * t21 - F_0_6 * t19 + 1152.0 * beta2 * t28 + 576.0 * m4 * t21 + m6 * t19 + t11 * t13 +
         5120.0 * t16 * t25 - t20 * t3 + t20 * t4 + 1152.0 * t22 * t23 - 2304.0 * t23 * t24;
-    out[5] = F_04 * t23 * t33 + F_04 * t30 * zeta4 - 864.0 * F_04 * t32 - F_06 * t29 - m4 * t23 * t30 - 1728.0 *
-        m4 * t32 + m6 * t29 + t12 * t19 - 1920.0 * t16 * t18 + 4608.0 * t21 * t35 + t28 * t33 - t3 * t31 + t31 * t4
-        + 2592.0 * t32 * t34;
-    out[6] = -648.0 * F_02 * t37 + F_04 * t36 + 6400.0 * F_04 * t38 + 3200.0 * F_04 * t41 + 12240.0 * beta2 *
+    out[5] = F_0_4 * t23 * t33 + F_0_4 * t30 * zeta4 - 864.0 * F_0_4 * t32 - F_0_6 * t29 - m4 * t23 * t30 - 1728.0
+        * m4 * t32 + m6 * t29 + t12 * t19 - 1920.0 * t16 * t18 + 4608.0 * t21 * t35 + t28 * t33 - t3 * t31 + t31 *
+        t4 + 2592.0 * t32 * t34;
+    out[6] = -648.0 * F_0_2 * t37 + F_0_4 * t36 + 6400.0 * F_0_4 * t38 + 3200.0 * F_0_4 * t41 + 12240.0 * beta2 *
         gamma * t27 + 3200.0 * gamma2 * t28 + 15360.0 * m2 * t18 * t47 + m4 * t36 + 400.0 * m4 * t38 - 6400.0 * m4 *
         t41 - 3200.0 * t34 * t38 + t39 * t40 + t39 * t45 - 5040.0 * t42 * t43 - 7200.0 * t43 * t46;
-    out[7] = 34560.0 * F_02 * t56 - F_04 * t55 - 2592.0 * alpha * t52 + 28800.0 * m2 * t56 - m4 * t55 + t15 * t49
-        - t23 * t50 + 19200.0 * t27 * t54 - 4320.0 * t34 * t53 + 12800.0 * t35 * t38 + t42 * t48 + t46 * t48 + t50 *
-        zeta4;
-    out[8] = 57600.0 * F_02 * t62 + 30240.0 * gamma * t40 + 12960.0 * gamma * t45 + 38400.0 * m2 * t62 - 4000.0 *
+    out[7] = 34560.0 * F_0_2 * t56 - F_0_4 * t55 - 2592.0 * alpha * t52 + 28800.0 * m2 * t56 - m4 * t55 + t15 *
+        t49 - t23 * t50 + 19200.0 * t27 * t54 - 4320.0 * t34 * t53 + 12800.0 * t35 * t38 + t42 * t48 + t46 * t48 +
+        t50 * zeta4;
+    out[8] = 57600.0 * F_0_2 * t62 + 30240.0 * gamma * t40 + 12960.0 * gamma * t45 + 38400.0 * m2 * t62 - 4000.0 *
         m4 * t59 + t22 * t58 + t24 * t58 - t26 * t57 + 10000.0 * t34 * t59 - 10800.0 * t34 * t66 + t47 * t49 - t51 *
         t57 - t59 * t60 - t63 * t64 - t64 * t65;
-    out[9] = 64800.0 * F_02 * t71 + 7776.0 * alpha * t68 + 23400.0 * m2 * t71 + 6000.0 * m4 * t67 + 32000.0 * t15
+    out[9] = 64800.0 * F_0_2 * t71 + 7776.0 * alpha * t68 + 23400.0 * m2 * t71 + 6000.0 * m4 * t67 + 32000.0 * t15
         * t69 - t26 * t72 - 12000.0 * t34 * t67 - t37 * t70 * zeta2 + 16000.0 * t44 * t69 + 34560.0 * t47 * t53 -
         t51 * t72 - t52 * t70 + t60 * t67;
-    out[10] = F_04 * t73 + 58320.0 * alpha * beta4 * gamma * zeta4 + 2916.0 * beta6 * zeta4 + m4 * t73 + 60000.0 *
+    out[10] = F_0_4 * t73 + 58320.0 * alpha * beta4 * gamma * zeta4 + 2916.0 * beta6 * zeta4 + m4 * t73 + 60000.0 *
         t15 * t67 - t34 * t74 + 18000.0 * t44 * t67 - t63 * t78 - t65 * t78 + 86400.0 * t7 * t71 - t75 * t76 - t76 *
         t77;
     out[11] = 172800.0 * beta3 * t61 + 24300.0 * gamma * t68 + t15 * t79 - t26 * t80 + t44 * t74 + 96000.0 * t47 *

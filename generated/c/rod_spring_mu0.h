@@ -4,7 +4,8 @@
    Input: derivations/mechanisms/rod_spring.py, sha256 2bda92792c3738e00594db7329cbf7be2879fc514e0bd616da28c8a792b9a483
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. */
 
 #ifndef ROD_SPRING_MU0_H
 #define ROD_SPRING_MU0_H
@@ -54,21 +55,21 @@ static inline void rod_spring_mu0_saddle_nodes(double F_0, double m, double zeta
     const double beta = p[1];
     const double gamma = p[2];
     (void)(m);
-    const double F_02 = F_0 * F_0;
+    const double F_0_2 = F_0 * F_0;
     const double t0 = zeta * zeta;
     const double beta2 = beta * beta;
     const double t1 = beta * gamma;
     const double gamma2 = gamma * gamma;
     const double t2 = alpha * t0;
-    const double F_04 = F_02 * F_02;
+    const double F_0_4 = F_0_2 * F_0_2;
     const double beta3 = beta * beta2;
     const double gamma3 = gamma * gamma2;
-    out[0] = 8.0 * F_04;
+    out[0] = 8.0 * F_0_4;
     out[1] = 0.0;
-    out[2] = 48.0 * F_02 * beta * t0;
-    out[3] = -18.0 * F_02 * beta2 + 80.0 * F_02 * gamma * t0;
-    out[4] = -60.0 * F_02 * t1 + 72.0 * alpha * beta2 * t0;
-    out[5] = -50.0 * F_02 * gamma2 + 54.0 * beta3 * t0 + 240.0 * t1 * t2;
+    out[2] = 48.0 * F_0_2 * beta * t0;
+    out[3] = -18.0 * F_0_2 * beta2 + 80.0 * F_0_2 * gamma * t0;
+    out[4] = -60.0 * F_0_2 * t1 + 72.0 * alpha * beta2 * t0;
+    out[5] = -50.0 * F_0_2 * gamma2 + 54.0 * beta3 * t0 + 240.0 * t1 * t2;
     out[6] = 225.0 * beta2 * gamma * t0 + 200.0 * gamma2 * t2;
     out[7] = 300.0 * beta * gamma2 * t0;
     out[8] = 125.0 * gamma3 * t0;

@@ -4,7 +4,8 @@
    Input: derivations/mechanisms/rod_spring.py, sha256 2bda92792c3738e00594db7329cbf7be2879fc514e0bd616da28c8a792b9a483
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs. */
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. */
 
 #ifndef ROD_SPRING_MU0_ZETA0_H
 #define ROD_SPRING_MU0_ZETA0_H

@@ -278,28 +278,28 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
     Operations: 432 structured, 196 common subexpressions, 162 power chains.
     """
     F_0, m, zeta, alpha, beta = floats(F_0, m, zeta, alpha, beta)
-    F_02 = F_0 * F_0
+    F_0_2 = F_0 * F_0
     m2 = m * m
     m3 = m * m2
     m6 = m3 * m3
-    F_04 = F_02 * F_02
+    F_0_4 = F_0_2 * F_0_2
     m4 = m2 * m2
-    F_03 = F_0 * F_02
-    F_06 = F_03 * F_03
+    F_0_3 = F_0 * F_0_2
+    F_0_6 = F_0_3 * F_0_3
     zeta2 = zeta * zeta
     t0 = m6 * zeta2
     t1 = 128.0 * alpha
     zeta4 = zeta2 * zeta2
     t2 = 256.0 * zeta4
-    t3 = F_02 * m4
-    t4 = F_04 * m2
+    t3 = F_0_2 * m4
+    t4 = F_0_4 * m2
     t5 = beta * zeta2
     t6 = alpha * alpha
     beta2 = beta * beta
     t7 = 72.0 * beta2
     t8 = alpha * zeta4
     t9 = 216.0 * beta2
-    t10 = F_02 * alpha * zeta4
+    t10 = F_0_2 * alpha * zeta4
     t11 = beta2 * zeta4
     t12 = alpha * zeta2
     t13 = beta2 * t12
@@ -310,25 +310,25 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
     t16 = 81.0 * beta4
     t17 = beta4 * m2
     t18 = 1728.0 * beta3
-    t19 = F_02 * zeta2
+    t19 = F_0_2 * zeta2
     beta5 = beta * beta4
     t20 = 486.0 * beta5
     m8 = m4 * m4
-    F_08 = F_04 * F_04
+    F_0_8 = F_0_4 * F_0_4
     beta6 = beta3 * beta3
     return stacked(
         (
-            -64.0 * F_02 * m6 + 96.0 * F_04 * m4 - 64.0 * F_06 * m2 + 16.0 * F_08 + 16.0 * m8,
-            256.0 * F_02 * alpha * m4 * zeta2 + 256.0 * F_04 * m2 * zeta4 - t0 * t1 - t1 * t4 * zeta2 - t2 * t3,
-            192.0 * F_06 * t5 - 96.0 * beta * t0 + m4 * t2 * t6 + 384.0 * t3 * t5 - 480.0 * t4 * t5,
-            -F_06 * t7 + 768.0 * beta * m2 * t10 + 384.0 * beta * m4 * t8 + m6 * t7 - t3 * t9 + t4 * t9,
-            288.0 * F_02 * alpha * beta2 * t14 + 576.0 * F_04 * t11 + 288.0 * F_04 * t13 + 144.0 * m4 * t11 - 576.0
-            * m4 * t13,
-            648.0 * F_02 * beta3 * m2 * zeta2 - 216.0 * F_04 * t15 + 1152.0 * beta2 * m2 * t6 * zeta4 - 432.0 * m4 *
-            t15,
-            -162.0 * F_02 * t17 + F_04 * t16 + m2 * t18 * t8 + m4 * t16 + t10 * t18,
-            1296.0 * F_02 * beta4 * zeta4 - 648.0 * alpha * beta4 * t19 + 648.0 * beta4 * m2 * zeta4 - 648.0 * t12 *
-            t17,
+            -64.0 * F_0_2 * m6 + 96.0 * F_0_4 * m4 - 64.0 * F_0_6 * m2 + 16.0 * F_0_8 + 16.0 * m8,
+            256.0 * F_0_2 * alpha * m4 * zeta2 + 256.0 * F_0_4 * m2 * zeta4 - t0 * t1 - t1 * t4 * zeta2 - t2 * t3,
+            192.0 * F_0_6 * t5 - 96.0 * beta * t0 + m4 * t2 * t6 + 384.0 * t3 * t5 - 480.0 * t4 * t5,
+            -F_0_6 * t7 + 768.0 * beta * m2 * t10 + 384.0 * beta * m4 * t8 + m6 * t7 - t3 * t9 + t4 * t9,
+            288.0 * F_0_2 * alpha * beta2 * t14 + 576.0 * F_0_4 * t11 + 288.0 * F_0_4 * t13 + 144.0 * m4 * t11 -
+            576.0 * m4 * t13,
+            648.0 * F_0_2 * beta3 * m2 * zeta2 - 216.0 * F_0_4 * t15 + 1152.0 * beta2 * m2 * t6 * zeta4 - 432.0 * m4
+            * t15,
+            -162.0 * F_0_2 * t17 + F_0_4 * t16 + m2 * t18 * t8 + m4 * t16 + t10 * t18,
+            1296.0 * F_0_2 * beta4 * zeta4 - 648.0 * alpha * beta4 * t19 + 648.0 * beta4 * m2 * zeta4 - 648.0 * t12
+            * t17,
             1296.0 * beta4 * t6 * zeta4 - t14 * t20 - t19 * t20,
             1944.0 * beta5 * t8,
             729.0 * beta6 * zeta4,

@@ -98,17 +98,17 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
     Operations: 23 structured, 19 common subexpressions, 16 power chains.
     """
     F_0, m, zeta, alpha, beta = floats(F_0, m, zeta, alpha, beta)
-    F_02 = F_0 * F_0
+    F_0_2 = F_0 * F_0
     t0 = zeta * zeta
     beta2 = beta * beta
-    F_04 = F_02 * F_02
+    F_0_4 = F_0_2 * F_0_2
     beta3 = beta * beta2
     return stacked(
         (
-            4.0 * F_04,
+            4.0 * F_0_4,
             0.0,
-            24.0 * F_02 * beta * t0,
-            -9.0 * F_02 * beta2,
+            24.0 * F_0_2 * beta * t0,
+            -9.0 * F_0_2 * beta2,
             36.0 * alpha * beta2 * t0,
             27.0 * beta3 * t0,
         ),

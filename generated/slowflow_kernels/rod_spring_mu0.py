@@ -111,23 +111,23 @@ def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
     Operations: 66 structured, 48 common subexpressions, 44 power chains.
     """
     F_0, m, zeta, alpha, beta, gamma, u_cr = floats(F_0, m, zeta, alpha, beta, gamma, u_cr)
-    F_02 = F_0 * F_0
+    F_0_2 = F_0 * F_0
     t0 = zeta * zeta
     beta2 = beta * beta
     t1 = beta * gamma
     gamma2 = gamma * gamma
     t2 = alpha * t0
-    F_04 = F_02 * F_02
+    F_0_4 = F_0_2 * F_0_2
     beta3 = beta * beta2
     gamma3 = gamma * gamma2
     return stacked(
         (
-            8.0 * F_04,
+            8.0 * F_0_4,
             0.0,
-            48.0 * F_02 * beta * t0,
-            -18.0 * F_02 * beta2 + 80.0 * F_02 * gamma * t0,
-            -60.0 * F_02 * t1 + 72.0 * alpha * beta2 * t0,
-            -50.0 * F_02 * gamma2 + 54.0 * beta3 * t0 + 240.0 * t1 * t2,
+            48.0 * F_0_2 * beta * t0,
+            -18.0 * F_0_2 * beta2 + 80.0 * F_0_2 * gamma * t0,
+            -60.0 * F_0_2 * t1 + 72.0 * alpha * beta2 * t0,
+            -50.0 * F_0_2 * gamma2 + 54.0 * beta3 * t0 + 240.0 * t1 * t2,
             225.0 * beta2 * gamma * t0 + 200.0 * gamma2 * t2,
             300.0 * beta * gamma2 * t0,
             125.0 * gamma3 * t0,
