@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from exact_cases import isolator, table_1
+from exact_cases import isolator, random_cases, table_1
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
@@ -69,8 +69,8 @@ def test_points_are_motions_and_stability_is_theirs(curves):
         for index in (*range(0, curve.Omega.size, 40), *special):
             state, point = curve.steady_state(index), curve.states[index]
             assert np.max(np.abs(point.equations.residual)) <= 1e-13
-            # Just touching a jump of the force, the motion followed is not Lipschitz in its start: a rounding of u grows
-            # to its square root at every touch. There only the equations can be checked.
+            # Just touching a jump of the force, the motion followed is not Lipschitz in its start: a rounding of u
+            # grows to its square root at every touch. There only the equations can be checked.
             touching = point.role in ("border", "corner") and not exact
             assert touching or state.residual <= 1e-12
             assert state.A == pytest.approx(curve.A[index], abs=1e-12)
@@ -217,3 +217,47 @@ def test_errors_in_words():
         sweep(system, 0.04, [])
     with pytest.raises(ValueError, match="tolerance"):
         sweep(system, 0.04, [0.9], tolerance=0.0)
+
+
+@heyoka
+def test_random_curves_go_through():
+    """Whole curves of random isolators, with stops, detachment and superharmonic loops: folds come in pairs."""
+    borders = 0
+    for case in random_cases(15, seed=100):
+        curve = exact_response(case.system, case.F_0, (0.2, 2.0))
+        assert curve.Omega[0] == pytest.approx(0.2, abs=1e-12) and curve.Omega[-1] == pytest.approx(2.0, abs=1e-12)
+        assert len(curve.folds) % 2 == 0
+        assert np.max(np.abs(np.diff(np.log(curve.A)))) <= 0.1
+        for index in range(0, curve.Omega.size, 60):
+            assert np.max(np.abs(curve.states[index].equations.residual)) <= 1e-12
+        borders += len(curve.borders)
+    assert borders >= 20
+
+
+@heyoka
+def test_corner_fold_of_the_truncated_force():
+    """Just above the forcing that detaches the springs, the jump of the force (6) adds a corner and two folds.
+
+    The same count and frequencies when solved amplitude by amplitude, independently.
+    """
+    F_0, mu, zeta = 0.03006, 0.012, 0.02
+    by_hand, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), mu, zeta, False)[1]
+    curve = exact_response(table_1(exact=False), F_0, (0.8, 1.0), step=0.002)
+    assert [fold.corner for fold in curve.folds] == [False, True, False, False]
+    corner = curve.folds[1]
+    assert abs(corner.A - u_cr) <= 1e-14
+    near = [p for p in curve.states if p.z[-1] > 0.9258 and 0.3955 < p.equations.A < 0.3975]
+    past = [p for p in near if p.z[1] > near[int(np.argmax([q.equations.A for q in near]))].z[1] + 1e-3]
+    frequencies = []
+    for point in past:
+        A = float(point.z[0])
+
+        def mirrored(x, A=A):
+            u, v = _half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
+            return u + A, v
+
+        frequencies.append(root(mirrored, (point.z[1] + 1e-6, point.z[-1] + 1e-6), tol=1e-13).x[1])
+        # touching the jump, a rounding of u is worth its square root
+        assert abs(frequencies[-1] - point.z[-1]) <= (1e-6 if abs(A - u_cr) < 1e-9 else 1e-9)
+    turns = np.flatnonzero(np.diff(np.sign(np.diff(frequencies))))
+    assert turns.size == 3

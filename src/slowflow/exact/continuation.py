@@ -27,6 +27,9 @@ from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9
 STRAIGHT = 0.98  # cosine of the largest angle between neighbouring tangents
+NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
+SAME = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
+LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
 MOST_POINTS = 20_000
 
 
@@ -264,6 +267,20 @@ class _Path:
                 break
         return middle._replace(role="fold")
 
+    def _fold_behind(self, new: _Point) -> _Point | None:
+        """A fold between a border and the first point beyond it, found going back."""
+        back = new._replace(tangent=-new.tangent)
+        size = SMALLEST_STEP
+        while size < self.step:
+            there = self._corrected(back, size)
+            if there is None or not there.cycle.holds(there.z, self.F_0):
+                return None
+            if there.tangent[-1] * back.tangent[-1] < 0:
+                fold = self._fold(back, there, size)
+                return fold._replace(tangent=-fold.tangent)
+            size *= 1.5
+        return None
+
     def _meets(self, a: _Point, b: _Point, first: _Point) -> bool:
         """Whether the curve passes its first point between two neighbours."""
         if not (a.cycle.signature == b.cycle.signature == first.cycle.signature):
@@ -292,32 +309,67 @@ class _Path:
                 continue
             new = self._other_side(last, trial)
             if new is not None:
-                found = [self._border(last, new), new]
-                if last.tangent[-1] * point.tangent[-1] < 0:
-                    found.insert(0, self._fold(point, last, held))
-                return found
+                sense = point.tangent[-1]
+                found = []
+                if sense * last.tangent[-1] < 0 and abs(last.tangent[-1]) > LEVEL:
+                    found.append(self._fold(point, last, held))
+                    sense = last.tangent[-1]
+                border, after = self._border(last, new), [new]
+                leaving = new.tangent[-1]
+                if (new.z[-1] - border.z[-1]) * leaving < 0 and abs(new.z[-1] - border.z[-1]) > SAME:
+                    fold = self._fold_behind(new)
+                    if fold is not None:
+                        after, leaving = [fold, new], -leaving
+                found.append(border._replace(role="corner") if sense * leaving < 0 else border)
+                return found + after
         return None
 
     def _other_side(self, last: _Point, trial: _Point) -> _Point | None:
-        """A point near the border with the new order of switches.
+        """A point near the border with the new order of switches."""
+        start = last.cycle.highest(last.z, self.F_0)
+        last, trial = (self._started_at(point, start) for point in (last, trial))
+        nearest, best = None, NEAR
+        for cycle, z in self._orders(trial):
+            if cycle.order == last.cycle.order:
+                continue
+            for index in (0, -1):
+                row = np.zeros(z.size)
+                row[index] = 1.0
+                for offset in (0.0, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4):
+                    at = z.copy()
+                    at[index] = z[index] * (1.0 + offset)
+                    new = self._with_fixed(cycle, at, row, last)
+                    if new is None:
+                        continue
+                    distance = max(abs(new.z[0] / last.z[0] - 1.0), abs(float(new.z[-1] - last.z[-1])))
+                    if distance < best:
+                        nearest, best = new, distance
+        return nearest
 
-        Where a span of the trial is negative, its phase vanishes there: the order is the one without it. Elsewhere the
-        order is the one that the trial's motion shows.
-        """
-        guess = _without_vanished(trial) if np.any(trial.z[2:-1] < 0.0) else self._as_followed(trial)
-        if guess is None or guess[0].signature == last.cycle.signature:
-            return None
-        cycle, z = guess
-        for index in (0, -1):
-            row = np.zeros(z.size)
-            row[index] = 1.0
-            for offset in (0.0, 1e-5, -1e-5, 1e-4, -1e-4, 1e-3, -1e-3):
-                at = z.copy()
-                at[index] = z[index] * (1.0 + offset)
-                new = self._with_fixed(cycle, at, row, last)
-                if new is not None:
-                    return new
-        return None
+    def _started_at(self, point: _Point, phase: int) -> _Point:
+        if phase == 0:
+            return point
+        cycle, z = point.cycle.started_at(point.z, self.F_0, phase)
+        return point._replace(cycle=cycle, z=z, equations=cycle.equations(z, self.F_0))
+
+    def _orders(self, trial: _Point) -> Iterator[tuple[Cycle, Array]]:
+        """Orders of switches that may hold beyond a border, with trial unknowns; `trial` has the order that is lost."""
+        cycle, z = trial.cycle, trial.z
+        if np.any(z[2:-1] < 0.0):
+            # phases that come to nothing together need not do so at the same rate
+            for short in (0.0, 1e-3, 1e-2, 5e-2):
+                found = _without_short(trial, short)
+                if found is not None:
+                    yield found
+        for border in trial.equations.borders:
+            if border.margin < 0.0:
+                put_in = cycle.with_rest if border.rest else cycle.with_excursion
+                found = put_in(z, self.F_0, border.phase)
+                if found is not None:
+                    yield found
+        found = self._as_followed(trial)
+        if found is not None:
+            yield found
 
     def _as_followed(self, trial: _Point) -> tuple[Cycle, Array] | None:
         cycle, z = trial.cycle, trial.z
@@ -340,19 +392,26 @@ class _Path:
         found = cycle.newton(z, self.F_0, keep)
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
-        offset = found[0][[0, -1]] - last.z[[0, -1]]
-        if abs(offset[0]) > 0.05 * last.z[0] or abs(offset[1]) > 0.05:
-            return None
         tangent = self._tangent(found[0], found[1], None)
-        weights = self._weights(found[0])[[0, -1]]
-        if float(tangent[[0, -1]] @ (weights * offset)) < 0:
+        if self._away(cycle, found[0], found[1], last) @ tangent < 0:
             tangent = -tangent
         return _Point(cycle, *found, tangent, "")
+
+    def _away(self, cycle: Cycle, z: Array, equations: Equations, last: _Point) -> Array:
+        """A direction away from the border: the new phases last longer, or the margin that was none grows."""
+        direction = np.zeros(z.size)
+        margins = [border for border in equations.borders if abs(border.margin) < 1e-3]
+        if len(cycle.signature) > len(last.cycle.signature):
+            direction[2 + int(np.argmin(z[2:-1]))] = 1.0
+        elif margins:
+            direction = min(margins, key=lambda border: abs(border.margin)).gradient[:-1]
+        else:
+            direction[[0, -1]] = self._weights(z)[[0, -1]] * (z[[0, -1]] - last.z[[0, -1]])
+        return direction
 
     def _border(self, last: _Point, new: _Point) -> _Point:
         """The border between two orders of switches, solved for on the side with fewer phases."""
         simple = min((last, new), key=lambda p: len(p.cycle.signature))
-        role = "corner" if last.tangent[-1] * new.tangent[-1] < 0 else "border"
         if simple.equations.borders:
             margins = [abs(border.margin) for border in simple.equations.borders]
             index = margins.index(min(margins))
@@ -363,22 +422,29 @@ class _Path:
 
             # to rounding: beyond a touching point everything grows like the square root of its error
             found = simple.cycle.newton(simple.z, self.F_0, at_border, tolerance=1e-16)
-            if found is not None and abs(found[0][0] - last.z[0]) < 1e-2 * last.z[0]:
-                return _Point(simple.cycle, *found, simple.tangent, role)
-        return last._replace(role=role)
+            # the border may also be a stop in mid-slip, of which no margin tells: then `last` is as good as it gets
+            if (
+                found is not None
+                and abs(found[0][-1] - last.z[-1]) < 1e-5
+                and abs(found[1].A / last.equations.A - 1) < 1e-5
+            ):
+                return _Point(simple.cycle, *found, simple.tangent, "border")
+        return last._replace(role="border")
 
 
-def _without_vanished(trial: _Point) -> tuple[Cycle, Array] | None:
-    """The cycle without the phases whose span is negative; a slip that a vanished rest cut in two is one again."""
+def _without_short(trial: _Point, short: float) -> tuple[Cycle, Array] | None:
+    """The cycle without the phases of at most that span; a slip that one of them cut in two is one again."""
     phases: list[tuple[int, int]] = []
     spans: list[float] = []
-    for i, (phase, span) in enumerate(zip(trial.cycle.signature, trial.z[2:-1], strict=True)):
-        if span < 0.0:
+    for (slip, region), span in zip(trial.cycle.signature, trial.z[2:-1], strict=True):
+        if span <= short:
             continue
-        if phases and phases[-1] == phase and trial.cycle.signature[i - 1][0] == 0:
+        if slip == 0 and phases:  # at rest where the slip before it ended
+            region = phases[-1][1]
+        if phases and phases[-1] == (slip, region):
             spans[-1] += span
         else:
-            phases.append(phase)
+            phases.append((slip, region))
             spans.append(float(span))
     if not phases or phases[0][0] != -1:
         return None
@@ -392,12 +458,15 @@ def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
     at_fold = np.array([point.role in ("fold", "corner") for point in points])
     stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
     A = np.array([point.equations.A for point in points])
-    folds = []
+    folds: list[Fold] = []
     for i, point in enumerate(points):
         if point.role in ("fold", "corner") and 0 < i < len(points) - 1:
             # a sweep leaves the stable side, for a larger amplitude if that is the lower one
             up = A[i - 1] < A[i + 1] if stable[i - 1] else A[i + 1] < A[i - 1]
             corner = point.role == "corner"
+            if folds and abs(folds[-1].Omega - point.z[-1]) < SAME and abs(folds[-1].A - A[i]) < SAME:
+                folds.pop()  # there and back within the accuracy of a fold: none
+                continue
             folds.append(Fold(float(point.z[-1]), float(A[i]), "jump-up" if up else "jump-down", corner))
     return Response(
         F_0=F_0,

@@ -12,9 +12,10 @@ phase appears or vanishes: its span passes through zero there, while the monodro
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +23,7 @@ from numpy.typing import NDArray
 
 from slowflow.exact.force import Oscillator
 from slowflow.exact.integrate import FAR, Drive, Integrator
-from slowflow.exact.motion import Forced, Phase, edge_ahead, follow, signature
+from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 
 Array = NDArray[np.float64]
 Signature = tuple[tuple[int, int], ...]
@@ -31,9 +32,12 @@ Signature = tuple[tuple[int, int], ...]
 class Border(NamedTuple):
     """A margin that is positive while no phase has to be put in at a turning point, and its gradient, as a row.
 
-    It is the distance of the turning point from a breakpoint, or the excess of the push there over friction.
+    phase   -- index of the phase that ends there
+    rest    -- False: distance of the turning point from the breakpoint ahead; True: excess of the push over friction
     """
 
+    phase: int
+    rest: bool
     margin: float
     gradient: Array
 
@@ -137,7 +141,7 @@ class Cycle:
                 else:
                     if acceleration != 0.0:
                         monodromy[1] *= forced.acceleration(next_slip, region, end, u, v) / acceleration
-                    borders += self._borders(forced, slip, next_slip, region, end, u, of_state[0], of_theta)
+                    borders += self._borders(forced, i, next_slip, end, u, of_state[0], of_theta)
         residual[k] = u - self.sign * float(z[0])
         jacobian[k] = of_state[0]
         jacobian[k, 0] -= self.sign
@@ -146,24 +150,108 @@ class Cycle:
         return Equations(residual, jacobian, self.sign * monodromy, max(A, abs(u)), tuple(borders))
 
     def _borders(
-        self,
-        forced: Forced,
-        slip: int,
-        next_slip: int,
-        region: int,
-        theta: float,
-        u: float,
-        of_u: Array,
-        of_theta: Array,
+        self, forced: Forced, phase: int, next_slip: int, theta: float, u: float, of_u: Array, of_theta: Array
     ) -> list[Border]:
+        slip, region = self.signature[phase]
         edge = edge_ahead(self.system, slip, region)
-        found = [] if abs(edge) == FAR else [Border(slip * (edge - u), -slip * of_u)]
+        found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
         if self.system.mu > 0:
             slope = -forced.F_0 * math.sin(theta) * of_theta - forced.piece(region).slope(u) * of_u
             slope[-1] += math.cos(theta)
             margin = next_slip * forced.push(region, theta, u) - self.system.mu
-            found.append(Border(margin, next_slip * slope))
+            found.append(Border(phase, True, margin, next_slip * slope))
         return found
+
+    @functools.cached_property
+    def order(self) -> Signature:
+        """The signature over a period, turned so that it does not depend on where the cycle starts."""
+        phases = list(self.signature)
+        if self.sign == -1:
+            phases += [(-slip, -region) for slip, region in self.signature]
+        return tuple(min(phases[i:] + phases[:i] for i in range(len(phases))))
+
+    def highest(self, z: Array, F_0: float) -> int:
+        """Index of the phase that starts from the farthest turning point or rest at which a cycle can start."""
+        best, found = abs(float(z[0])), 0
+        for i in range(1, len(self.signature)):
+            slip, region = self.signature[i]
+            before = self.signature[i - 1]
+            if slip == 0 or before == (slip, region) or before[1] != region or (slip == 1 and self.sign == 1):
+                continue
+            u = abs(self._end(z, F_0, i - 1)[1])
+            if u > best * (1.0 + 1e-9):
+                best, found = u, i
+        return found
+
+    def started_at(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array]:
+        """The same motion as a cycle that starts with that phase, mirrored if the phase slips upwards."""
+        if phase == 0:
+            return self, z
+        theta, u = self._end(z, F_0, phase - 1)
+        image = [(self.sign * slip, self.sign * region) for slip, region in self.signature[:phase]]
+        phases = [*self.signature[phase:], *image]
+        spans = np.roll(z[2:-1], -phase)
+        if phases[0][0] == 1:
+            phases = [(-slip, -region) for slip, region in phases]
+            theta, u = theta + math.pi * self.half_turns, -u
+        return replace(self, signature=tuple(phases)), np.array([u, theta, *spans, z[-1]])
+
+    def with_rest(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
+        """The cycle with a rest put in at the end of a phase, and trial unknowns; None if friction cannot hold it."""
+        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        _, region = self.signature[phase]
+        theta, u = self._end(z, F_0, phase)
+        until, following = break_away(forced, region, theta, u)
+        if following == 0 or until - theta > 0.5:
+            return None
+        return self._with(z, phase, [(0, region)], [until - theta], [], [])
+
+    def with_excursion(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
+        """The cycle with a way beyond the breakpoint and back put in at the end of a phase, and trial unknowns."""
+        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        slip, region = self.signature[phase]
+        theta, u = self._end(z, F_0, phase)
+        beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
+        # constant deceleration on the way out, constant acceleration on the way back
+        pulls = [-slip * forced.acceleration(s, region + slip, theta, u, 0.0) for s in (slip, -slip)]
+        if min(pulls) <= 0.0:
+            return None
+        out, back = (math.sqrt(2.0 * beyond / pull) for pull in pulls)
+        out, back = out * forced.Omega, back * forced.Omega
+        return self._with(z, phase, [(slip, region + slip)], [out], [(-slip, region + slip)], [back])
+
+    def _end(self, z: Array, F_0: float, phase: int) -> tuple[float, float]:
+        """theta and u at the end of a phase, integrated over the spans."""
+        theta, u, v = float(z[1]), float(z[0]), 0.0
+        for i, (slip, region) in enumerate(self.signature[: phase + 1]):
+            end = theta + float(z[2 + i])
+            if slip != 0:
+                drive = Drive(float(z[-1]), F_0, self.system.zeta, slip * self.system.mu)
+                u, v, _ = self.integrator.advance(self.system.force.pieces[abs(region)], drive, theta, u, v, end)
+            theta = end
+        return theta, u
+
+    def _with(
+        self,
+        z: Array,
+        phase: int,
+        before: list[tuple[int, int]],
+        before_spans: list[float],
+        after: list[tuple[int, int]],
+        after_spans: list[float],
+    ) -> tuple[Cycle, Array]:
+        """Phases put in before and after the switch at the end of `phase`; their spans come from the neighbours."""
+        signature, spans = list(self.signature), [float(span) for span in z[2:-1]]
+        last = phase == len(signature) - 1
+        spans[phase] -= sum(before_spans)
+        spans[0 if last else phase + 1] -= sum(after_spans)
+        if last:
+            after = [(self.sign * slip, self.sign * region) for slip, region in after]
+            signature, spans = after + signature + before, after_spans + spans + before_spans
+        else:
+            at = phase + 1
+            signature[at:at], spans[at:at] = before + after, before_spans + after_spans
+        return replace(self, signature=tuple(signature)), np.array([z[0], z[1], *spans, z[-1]])
 
     def phases(self, z: Array, F_0: float) -> list[Phase]:
         """The motion that really starts at z's (theta_0, u_0), one phase beyond what the signature lists."""
@@ -192,7 +280,9 @@ class Cycle:
         last = math.inf
         for _ in range(most):
             try:
-                found = self.equations(z, F_0)
+                # a trial may overshoot to where the force is not defined; it is then given up below
+                with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+                    found = self.equations(z, F_0)
                 if extra is None:
                     residual, jacobian = found.residual, found.jacobian[:, :-2]
                 else:

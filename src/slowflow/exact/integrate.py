@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+from scipy.integrate import solve_ivp
 
 from slowflow.exact.force import Expression, Piece
 
@@ -51,7 +51,7 @@ class Integrator(Protocol):
         ...
 
     def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
-        """States at the rising `grid` (theta <= grid): shape (grid.size, 2)."""
+        """States on the grid, which lies at or after theta and does not fall: shape (grid.size, 2)."""
         ...
 
 
@@ -74,7 +74,7 @@ class _Traced(np.lib.mixins.NDArrayOperatorsMixin):
 
 
 def _square_root(expression: Any) -> Any:
-    import heyoka  # type: ignore[import-untyped]
+    import heyoka
 
     return heyoka.sqrt(expression)
 
@@ -258,12 +258,14 @@ class ScipyIntegrator:
 
     def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
         """See `Integrator`."""
-        if grid.size == 0:
-            return np.empty((0, 2))
-        if grid[-1] <= theta:
-            return np.tile(np.array([u, v]), (grid.size, 1))
-        y: Array = self._solve(self._field(piece, drive), (theta, float(grid[-1])), np.array([u, v]), t_eval=grid).y.T
-        return y
+        times, where = np.unique(np.maximum(grid, theta), return_inverse=True)
+        states = np.empty((times.size, 2))
+        y = np.array([u, v])
+        for i, at in enumerate(times):  # step by step: the dense output is too coarse
+            if at > theta:
+                y = self._solve(self._field(piece, drive), (theta, float(at)), y).y[:, -1]
+            theta, states[i] = float(at), y
+        return states[where]
 
     def _solve(self, field: Any, span: tuple[float, float], start: Array, **options: Any) -> Any:
         solution = solve_ivp(field, span, start, **self._tolerances, **options)

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
-from scipy.special import expit  # type: ignore[import-untyped]
+from scipy.integrate import solve_ivp
+from scipy.special import expit
 
 from slowflow.exact.force import Oscillator
 from slowflow.exact.shooting import check_forcing
