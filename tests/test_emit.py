@@ -174,6 +174,27 @@ def test_literals_are_the_nearest_doubles(number):
         assert abs(printed - value) <= min(abs(math.nextafter(printed, end) - value) for end in (math.inf, -math.inf))
 
 
+@pytest.mark.parametrize(
+    ("expression", "count"),
+    [
+        (x, 0),
+        (-x, 0),
+        (4 * x / sp.pi, 1),
+        (1 / x, 1),
+        (1 / (x + y), 2),
+        (x / (y * z), 2),
+        (-x * y**3, 3),
+        (x / y**2 - 1, 3),
+        (sp.sqrt(x + y), 2),
+        (1 / sp.sqrt(x), 2),
+        (sp.sin(x * y) ** 2, 3),
+    ],
+    ids=str,
+)
+def test_count_of_operations(expression, count):
+    assert operations(expression) == count
+
+
 def test_numbers_are_not_multiplied_out():
     held = straight_line([], [2 * x * (y + z), sp.Mul(3, y + z, evaluate=False)], (x, y, z))
     assert not any(operations(output) > 2 for output in held.outputs)

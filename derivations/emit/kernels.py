@@ -296,7 +296,7 @@ def den_hartog_module(results: Results) -> Module:
     """The linear oscillator with dry friction."""
     exact = dh.without_cancellation(results.den_hartog)
     named = [(dh.V, exact.response), (dh.U, exact.damping)]
-    away = "Omega > 0, Omega != 1, 1/3, 1/5, ..."
+    away = "Omega > 0, Omega not 1, 1/3, 1/5 and so on"
     return Module(
         name="den_hartog",
         title="Den Hartog's exact solution of the linear oscillator with dry friction, without stops",

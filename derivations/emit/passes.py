@@ -31,25 +31,22 @@ class Program:
     counts: dict[str, int]
 
 
-def operations(expression: sp.Expr) -> int:
+def operations(expression: sp.Expr, within_product: bool = False) -> int:
     """Additions, multiplications, divisions, roots and function calls in evaluating the expression as written."""
-    total = 0
-    for node in sp.preorder_traversal(expression):
-        if is_constant(node):
-            continue
-        if node.is_Add:
-            total += len(node.args) - 1
-        elif node.is_Mul:
-            constants = [arg for arg in node.args if is_constant(arg)]
-            has_factor = sp.Mul(*constants).doit() not in (1, -1)
-            total += len(node.args) - len(constants) + has_factor - 1
-        elif node.is_Pow:
-            exponent = node.exp
-            total += int(abs(exponent)) - 1 if exponent.is_Integer else 1
-            # a reciprocal within a product is the division that the product counts
-        elif node.is_Function:
-            total += 1
-    return total
+    if is_constant(expression) or expression.is_Symbol:
+        return 0
+    inner = sum(operations(arg, expression.is_Mul) for arg in expression.args)
+    if expression.is_Add:
+        return inner + len(expression.args) - 1
+    if expression.is_Mul:
+        constants = [arg for arg in expression.args if is_constant(arg)]
+        has_factor = sp.Mul(*constants).doit() not in (1, -1)
+        return inner + len(expression.args) - len(constants) + has_factor - 1
+    if expression.is_Pow:
+        # the division by a factor of a product is the operation that joins it to the others
+        divides = expression.exp.is_negative and not within_product
+        return inner + divides + (abs(int(expression.exp)) - 1 if expression.exp.is_Integer else 1)
+    return inner + 1
 
 
 def is_constant(expression: sp.Basic) -> bool:
@@ -83,34 +80,15 @@ def _held(expression: sp.Expr) -> sp.Expr:
     return expression.func(*args)
 
 
-def _symbols(expression: sp.Expr) -> list[sp.Symbol]:
-    return sorted(expression.free_symbols, key=lambda symbol: symbol.name)
-
-
 def _needed(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> list[Let]:
-    """The lets that the outputs need, each after those that it needs itself."""
-    values = dict(lets)
-    order: dict[sp.Symbol, sp.Expr] = {}
-
-    def visit(expression: sp.Expr) -> None:
-        for symbol in _symbols(expression):
-            if symbol in values and symbol not in order:
-                visit(values[symbol])
-                order[symbol] = values[symbol]
-
-    # the lets' own order first, so that the code reads like the derivation
-    wanted: set[sp.Symbol] = set()
-    stack = [symbol for output in outputs for symbol in _symbols(output)]
-    while stack:
-        symbol = stack.pop()
-        if symbol in values and symbol not in wanted:
-            wanted.add(symbol)
-            stack.extend(_symbols(values[symbol]))
-    for symbol, value in lets:
-        if symbol in wanted and symbol not in order:
-            visit(value)
-            order[symbol] = value
-    return list(order.items())
+    """The lets that the outputs need, directly or through one another."""
+    wanted = set().union(*(output.free_symbols for output in outputs))
+    kept = []
+    for symbol, value in reversed(lets):
+        if symbol in wanted:
+            wanted |= value.free_symbols
+            kept.append((symbol, value))
+    return kept[::-1]
 
 
 def _common_subexpressions(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list[Let], list[sp.Expr]]:

@@ -22,8 +22,8 @@ static inline double den_hartog_V(double Omega)
 }
 
 /* Damping function.
-   Equation (37). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 5 structured, 5 common subexpressions, 5 power chains
+   Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+   Operations: 5 structured, 6 common subexpressions, 6 power chains
  */
 static inline double den_hartog_U(double Omega)
 {
@@ -32,8 +32,8 @@ static inline double den_hartog_U(double Omega)
 }
 
 /* S is the maximum of this over 0 < tau < pi/Omega.
-   Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 24 structured, 22 common subexpressions, 22 power chains
+   Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+   Operations: 24 structured, 23 common subexpressions, 23 power chains
  */
 static inline double den_hartog_S_ratio(double tau, double Omega)
 {
@@ -46,8 +46,8 @@ static inline double den_hartog_S_ratio(double tau, double Omega)
 }
 
 /* Amplitude of the motion.
-   Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 16 structured, 13 common subexpressions, 13 power chains
+   Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+   Operations: 16 structured, 14 common subexpressions, 14 power chains
  */
 static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
 {
@@ -61,8 +61,8 @@ static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
 }
 
 /* The motion has no stops while its amplitude exceeds this.
-   Equation (36). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 21 structured, 20 common subexpressions, 19 power chains
+   Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+   Operations: 21 structured, 21 common subexpressions, 20 power chains
  */
 static inline double den_hartog_bound(double Omega, double F_0, double S)
 {
@@ -76,8 +76,8 @@ static inline double den_hartog_bound(double Omega, double F_0, double S)
 }
 
 /* Displacement tau after a maximum.
-   Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-   Operations: 30 structured, 26 common subexpressions, 26 power chains
+   Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+   Operations: 30 structured, 27 common subexpressions, 27 power chains
  */
 static inline double den_hartog_motion(double tau, double Omega, double A, double mu)
 {

@@ -23,8 +23,8 @@
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
-   Operations where passed_1: 249 structured, 119 common subexpressions, 112 power chains
-   Operations where passed_1_far_1: 340 structured, 168 common subexpressions, 154 power chains
+   Operations where passed_1: 249 structured, 123 common subexpressions, 116 power chains
+   Operations where passed_1_far_1: 340 structured, 172 common subexpressions, 158 power chains
  */
 static inline void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
@@ -175,8 +175,8 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
 /* h, h_A, h_AA together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 23 structured, 17 common subexpressions, 17 power chains
-   Operations where passed_1: 134 structured, 86 common subexpressions, 82 power chains
-   Operations where passed_1_far_1: 225 structured, 135 common subexpressions, 124 power chains
+   Operations where passed_1: 134 structured, 89 common subexpressions, 85 power chains
+   Operations where passed_1_far_1: 225 structured, 138 common subexpressions, 127 power chains
  */
 static inline void rod_spring_averaged_3_passed_0(double A, const double *p, double *out)
 {
@@ -305,8 +305,8 @@ static inline void rod_spring_averaged_3(double A, const double *p, double *out)
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
-   Operations where passed_1: 76 structured, 58 common subexpressions, 55 power chains
-   Operations where passed_1_far_1: 167 structured, 107 common subexpressions, 97 power chains
+   Operations where passed_1: 76 structured, 59 common subexpressions, 56 power chains
+   Operations where passed_1_far_1: 167 structured, 108 common subexpressions, 98 power chains
  */
 static inline void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
@@ -410,8 +410,8 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
-   Operations where passed_1: 47 structured, 41 common subexpressions, 39 power chains
-   Operations where passed_1_far_1: 138 structured, 90 common subexpressions, 81 power chains
+   Operations where passed_1: 47 structured, 42 common subexpressions, 40 power chains
+   Operations where passed_1_far_1: 138 structured, 91 common subexpressions, 82 power chains
  */
 static inline double rod_spring_h_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -483,8 +483,8 @@ static inline double rod_spring_h(double A, double alpha, double beta, double ga
 /* d/dA of the averaged restoring force h = H - A.
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 8 structured, 7 common subexpressions, 7 power chains
-   Operations where passed_1: 62 structured, 54 common subexpressions, 51 power chains
-   Operations where passed_1_far_1: 153 structured, 103 common subexpressions, 93 power chains
+   Operations where passed_1: 62 structured, 55 common subexpressions, 52 power chains
+   Operations where passed_1_far_1: 153 structured, 104 common subexpressions, 94 power chains
  */
 static inline double rod_spring_h_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -562,8 +562,8 @@ static inline double rod_spring_h_A(double A, double alpha, double beta, double 
 /* d2/dA2 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
-   Operations where passed_1: 82 structured, 57 common subexpressions, 56 power chains
-   Operations where passed_1_far_1: 171 structured, 101 common subexpressions, 94 power chains
+   Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
+   Operations where passed_1_far_1: 171 structured, 102 common subexpressions, 95 power chains
  */
 static inline double rod_spring_h_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -645,8 +645,8 @@ static inline double rod_spring_h_AA(double A, double alpha, double beta, double
 /* d3/dA3 of the averaged restoring force h = H - A.
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 5 structured, 5 common subexpressions, 5 power chains
-   Operations where passed_1: 139 structured, 78 common subexpressions, 72 power chains
-   Operations where passed_1_far_1: 228 structured, 122 common subexpressions, 110 power chains
+   Operations where passed_1: 139 structured, 80 common subexpressions, 74 power chains
+   Operations where passed_1_far_1: 228 structured, 124 common subexpressions, 112 power chains
  */
 static inline double rod_spring_h_AAA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -744,8 +744,8 @@ static inline double rod_spring_h_AAA(double A, double alpha, double beta, doubl
 /* The averaged force H beside the vertical spring.
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 10 structured, 9 common subexpressions, 9 power chains
-   Operations where passed_1: 42 structured, 38 common subexpressions, 36 power chains
-   Operations where passed_1_far_1: 133 structured, 85 common subexpressions, 76 power chains
+   Operations where passed_1: 42 structured, 39 common subexpressions, 37 power chains
+   Operations where passed_1_far_1: 133 structured, 86 common subexpressions, 77 power chains
  */
 static inline double rod_spring_H_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -812,8 +812,8 @@ static inline double rod_spring_H(double A, double alpha, double beta, double ga
 /* d/dA of the averaged force H beside the vertical spring.
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
-   Operations where passed_1: 57 structured, 50 common subexpressions, 47 power chains
-   Operations where passed_1_far_1: 148 structured, 97 common subexpressions, 87 power chains
+   Operations where passed_1: 57 structured, 51 common subexpressions, 48 power chains
+   Operations where passed_1_far_1: 148 structured, 98 common subexpressions, 88 power chains
  */
 static inline double rod_spring_H_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -888,8 +888,8 @@ static inline double rod_spring_H_A(double A, double alpha, double beta, double 
 /* d2/dA2 of the averaged force H beside the vertical spring.
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
-   Operations where passed_1: 82 structured, 57 common subexpressions, 56 power chains
-   Operations where passed_1_far_1: 171 structured, 101 common subexpressions, 94 power chains
+   Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
+   Operations where passed_1_far_1: 171 structured, 102 common subexpressions, 95 power chains
  */
 static inline double rod_spring_H_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {

@@ -36,8 +36,8 @@ def V(Omega):
 def U(Omega):
     """Damping function.
 
-    Equation (37). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Operations: 5 structured, 6 common subexpressions, 6 power chains.
     """
     (Omega,) = floats(Omega)
     t0 = 1.0 / Omega
@@ -47,8 +47,8 @@ def U(Omega):
 def S_ratio(tau, Omega):
     """S is the maximum of this over 0 < tau < pi/Omega.
 
-    Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 24 structured, 22 common subexpressions, 22 power chains.
+    Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Operations: 24 structured, 23 common subexpressions, 23 power chains.
     """
     tau, Omega = floats(tau, Omega)
     t0 = 1.0 / Omega
@@ -64,8 +64,8 @@ def S_ratio(tau, Omega):
 def amplitude(Omega, F_0, mu):
     """Amplitude of the motion.
 
-    Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 16 structured, 13 common subexpressions, 13 power chains.
+    Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Operations: 16 structured, 14 common subexpressions, 14 power chains.
     """
     Omega, F_0, mu = floats(Omega, F_0, mu)
     t0 = Omega - 1.0
@@ -80,8 +80,8 @@ def amplitude(Omega, F_0, mu):
 def bound(Omega, F_0, S):
     """The motion has no stops while its amplitude exceeds this.
 
-    Equation (36). Domain: Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 21 structured, 20 common subexpressions, 19 power chains.
+    Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Operations: 21 structured, 21 common subexpressions, 20 power chains.
     """
     Omega, F_0, S = floats(Omega, F_0, S)
     t0 = Omega - 1.0
@@ -96,8 +96,8 @@ def bound(Omega, F_0, S):
 def motion(tau, Omega, A, mu):
     """Displacement tau after a maximum.
 
-    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega != 1, 1/3, 1/5, ....
-    Operations: 30 structured, 26 common subexpressions, 26 power chains.
+    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Operations: 30 structured, 27 common subexpressions, 27 power chains.
     """
     tau, Omega, A, mu = floats(tau, Omega, A, mu)
     t0 = 1.0 / Omega

@@ -75,7 +75,7 @@ def _averaged_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 249 structured, 119 common subexpressions, 112 power chains
+    # operations: 249 structured, 123 common subexpressions, 116 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -126,7 +126,7 @@ def _averaged_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 340 structured, 168 common subexpressions, 154 power chains
+    # operations: 340 structured, 172 common subexpressions, 158 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -214,7 +214,7 @@ def _averaged_3_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_3_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 134 structured, 86 common subexpressions, 82 power chains
+    # operations: 134 structured, 89 common subexpressions, 85 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -255,7 +255,7 @@ def _averaged_3_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_3_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 225 structured, 135 common subexpressions, 124 power chains
+    # operations: 225 structured, 138 common subexpressions, 127 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -332,7 +332,7 @@ def _averaged_2_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_2_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 76 structured, 58 common subexpressions, 55 power chains
+    # operations: 76 structured, 59 common subexpressions, 56 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -361,7 +361,7 @@ def _averaged_2_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_2_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 167 structured, 107 common subexpressions, 97 power chains
+    # operations: 167 structured, 108 common subexpressions, 98 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -423,7 +423,7 @@ def _h_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 47 structured, 41 common subexpressions, 39 power chains
+    # operations: 47 structured, 42 common subexpressions, 40 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -445,7 +445,7 @@ def _h_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 138 structured, 90 common subexpressions, 81 power chains
+    # operations: 138 structured, 91 common subexpressions, 82 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -500,7 +500,7 @@ def _h_A_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 62 structured, 54 common subexpressions, 51 power chains
+    # operations: 62 structured, 55 common subexpressions, 52 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -525,7 +525,7 @@ def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 153 structured, 103 common subexpressions, 93 power chains
+    # operations: 153 structured, 104 common subexpressions, 94 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -582,7 +582,7 @@ def _h_AA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 82 structured, 57 common subexpressions, 56 power chains
+    # operations: 82 structured, 58 common subexpressions, 57 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -609,7 +609,7 @@ def _h_AA_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 171 structured, 101 common subexpressions, 94 power chains
+    # operations: 171 structured, 102 common subexpressions, 95 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -668,7 +668,7 @@ def _h_AAA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AAA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 139 structured, 78 common subexpressions, 72 power chains
+    # operations: 139 structured, 80 common subexpressions, 74 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -703,7 +703,7 @@ def _h_AAA_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 228 structured, 122 common subexpressions, 110 power chains
+    # operations: 228 structured, 124 common subexpressions, 112 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -771,7 +771,7 @@ def _H_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 42 structured, 38 common subexpressions, 36 power chains
+    # operations: 42 structured, 39 common subexpressions, 37 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -790,7 +790,7 @@ def _H_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 133 structured, 85 common subexpressions, 76 power chains
+    # operations: 133 structured, 86 common subexpressions, 77 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -843,7 +843,7 @@ def _H_A_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 57 structured, 50 common subexpressions, 47 power chains
+    # operations: 57 structured, 51 common subexpressions, 48 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -866,7 +866,7 @@ def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 148 structured, 97 common subexpressions, 87 power chains
+    # operations: 148 structured, 98 common subexpressions, 88 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -922,7 +922,7 @@ def _H_AA_passed_0(A, alpha, beta, gamma, u_cr):
 
 
 def _H_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 82 structured, 57 common subexpressions, 56 power chains
+    # operations: 82 structured, 58 common subexpressions, 57 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -949,7 +949,7 @@ def _H_AA_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 171 structured, 101 common subexpressions, 94 power chains
+    # operations: 171 structured, 102 common subexpressions, 95 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
