@@ -145,6 +145,13 @@ class CPrinter(_Rules, C99CodePrinter):
         sp.atan2: "angles_atan2",
     }
 
+    def _print_Function(self, expr: sp.Expr) -> str:
+        if expr.func is sp.atan2:
+            # an angle and its complement from the same arguments in the same order: they share their arctangent
+            y, x = (self._print(arg) for arg in expr.args)
+            return f"angles_atan2({y}, {x})" if y <= x else f"angles_atan2_swapped({x}, {y})"
+        return super()._print_Function(expr)
+
     def _print_Symbol(self, expr: sp.Symbol) -> str:
         # complex.h makes a macro of I
         return "I_" if expr.name == "I" else expr.name

@@ -24,7 +24,7 @@
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
    Operations where passed_1: 249 structured, 123 common subexpressions, 116 power chains
-   Operations where passed_1_far_1: 340 structured, 172 common subexpressions, 158 power chains
+   Operations where passed_1_far_1: 336 structured, 168 common subexpressions, 154 power chains
  */
 static inline void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
@@ -52,7 +52,7 @@ static inline void rod_spring_averaged_passed_1(double A, const double *p, doubl
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * y;
     const double t2 = 0.5 * t1;
     const double M2 = -t2 + 0.5 * theta;
@@ -104,7 +104,6 @@ static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p,
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
@@ -123,7 +122,7 @@ static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p,
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
     const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = 0.5 * psi_0 + 0.5 * x * y;
+    const double S2_2 = -M2 + 0.78539816339744828;
     const double A2 = A * A;
     const double t1 = M4 * beta;
     const double A4 = A2 * A2;
@@ -176,7 +175,7 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 23 structured, 17 common subexpressions, 17 power chains
    Operations where passed_1: 134 structured, 89 common subexpressions, 85 power chains
-   Operations where passed_1_far_1: 225 structured, 138 common subexpressions, 127 power chains
+   Operations where passed_1_far_1: 221 structured, 134 common subexpressions, 123 power chains
  */
 static inline void rod_spring_averaged_3_passed_0(double A, const double *p, double *out)
 {
@@ -202,7 +201,7 @@ static inline void rod_spring_averaged_3_passed_1(double A, const double *p, dou
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * y;
     const double t2 = 0.5 * t1;
     const double M2 = -t2 + 0.5 * theta;
@@ -244,7 +243,6 @@ static inline void rod_spring_averaged_3_passed_1_far_1(double A, const double *
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
@@ -263,7 +261,7 @@ static inline void rod_spring_averaged_3_passed_1_far_1(double A, const double *
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
     const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = 0.5 * psi_0 + 0.5 * x * y;
+    const double S2_2 = -M2 + 0.78539816339744828;
     const double A2 = A * A;
     const double t1 = A2 * M4;
     const double t2 = M6 * gamma;
@@ -306,7 +304,7 @@ static inline void rod_spring_averaged_3(double A, const double *p, double *out)
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
    Operations where passed_1: 76 structured, 59 common subexpressions, 56 power chains
-   Operations where passed_1_far_1: 167 structured, 108 common subexpressions, 98 power chains
+   Operations where passed_1_far_1: 163 structured, 104 common subexpressions, 94 power chains
  */
 static inline void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
@@ -331,7 +329,7 @@ static inline void rod_spring_averaged_2_passed_1(double A, const double *p, dou
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * y;
     const double t2 = 0.5 * t1;
     const double M2 = -t2 + 0.5 * theta;
@@ -361,7 +359,6 @@ static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
@@ -380,7 +377,7 @@ static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
     const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = 0.5 * psi_0 + 0.5 * x * y;
+    const double S2_2 = -M2 + 0.78539816339744828;
     const double A2 = A * A;
     const double t1 = A2 * M4 * beta;
     const double A4 = A2 * A2;
@@ -411,7 +408,7 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
    Operations where passed_1: 47 structured, 42 common subexpressions, 40 power chains
-   Operations where passed_1_far_1: 138 structured, 91 common subexpressions, 82 power chains
+   Operations where passed_1_far_1: 134 structured, 87 common subexpressions, 78 power chains
  */
 static inline double rod_spring_h_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -427,7 +424,7 @@ static inline double rod_spring_h_passed_1(double A, double alpha, double beta, 
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * y;
     const double t2 = 0.5 * t1;
     const double M2 = -t2 + 0.5 * theta;
@@ -446,7 +443,6 @@ static inline double rod_spring_h_passed_1_far_1(double A, double alpha, double 
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
@@ -465,7 +461,7 @@ static inline double rod_spring_h_passed_1_far_1(double A, double alpha, double 
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
     const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = 0.5 * psi_0 + 0.5 * x * y;
+    const double S2_2 = -M2 + 0.78539816339744828;
     const double A2 = A * A;
     const double A4 = A2 * A2;
     return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2);
@@ -484,7 +480,7 @@ static inline double rod_spring_h(double A, double alpha, double beta, double ga
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 8 structured, 7 common subexpressions, 7 power chains
    Operations where passed_1: 62 structured, 55 common subexpressions, 52 power chains
-   Operations where passed_1_far_1: 153 structured, 104 common subexpressions, 94 power chains
+   Operations where passed_1_far_1: 149 structured, 100 common subexpressions, 90 power chains
  */
 static inline double rod_spring_h_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -500,7 +496,7 @@ static inline double rod_spring_h_A_passed_1(double A, double alpha, double beta
     const double x = t0 * u_cr;
     const double y = root * t0;
     const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * y;
     const double t2 = 0.5 * t1;
     const double M2 = -t2 + 0.5 * theta;
@@ -522,7 +518,6 @@ static inline double rod_spring_h_A_passed_1_far_1(double A, double alpha, doubl
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
@@ -541,7 +536,7 @@ static inline double rod_spring_h_A_passed_1_far_1(double A, double alpha, doubl
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
     const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = 0.5 * psi_0 + 0.5 * x * y;
+    const double S2_2 = -M2 + 0.78539816339744828;
     const double A2 = A * A;
     const double u_cr2 = u_cr * u_cr;
     const double A4 = A2 * A2;
@@ -578,7 +573,7 @@ static inline double rod_spring_h_AA_passed_1(double A, double alpha, double bet
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * x;
     const double t2 = x * y;
     const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
@@ -661,7 +656,7 @@ static inline double rod_spring_h_AAA_passed_1(double A, double alpha, double be
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * x;
     const double t2 = x * y;
     const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
@@ -760,7 +755,7 @@ static inline double rod_spring_H_passed_1(double A, double alpha, double beta, 
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * y;
     const double M2 = -0.5 * t1 + 0.5 * theta;
     const double t2 = x * x;
@@ -828,7 +823,7 @@ static inline double rod_spring_H_A_passed_1(double A, double alpha, double beta
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * y;
     const double M2 = -0.5 * t1 + 0.5 * theta;
     const double t2 = x * x;
@@ -904,7 +899,7 @@ static inline double rod_spring_H_AA_passed_1(double A, double alpha, double bet
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
-    const double theta = angles_atan2(u_cr, root);
+    const double theta = angles_atan2_swapped(root, u_cr);
     const double t1 = x * x;
     const double t2 = x * y;
     const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;

@@ -128,7 +128,7 @@ static inline double slow_flow_zeta0_phase(double Omega, double A, double m, dou
 {
     (void)(zeta);
     const double R = A * Omega * Omega + h;
-    return angles_atan2(-m, -R);
+    return angles_atan2_swapped(-R, -m);
 }
 
 /* Frequency on the backbone.

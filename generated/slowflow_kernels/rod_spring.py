@@ -9,6 +9,9 @@ docstring gives equation number, domain and the operations after each pass.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
 """
 
+# a formatter would spread each polynomial over a page
+# fmt: off
+
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
@@ -126,12 +129,11 @@ def _averaged_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 340 structured, 172 common subexpressions, 158 power chains
+    # operations: 336 structured, 168 common subexpressions, 154 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
     s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s4 = s2 * s2
@@ -152,7 +154,7 @@ def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
     x3 = x * x2
     M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    S2_2 = -M2 + 0.78539816339744828
     A2 = A * A
     t1 = M4 * beta
     A4 = A2 * A2
@@ -255,12 +257,11 @@ def _averaged_3_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_3_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 225 structured, 138 common subexpressions, 127 power chains
+    # operations: 221 structured, 134 common subexpressions, 123 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
     s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s4 = s2 * s2
@@ -281,7 +282,7 @@ def _averaged_3_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
     x3 = x * x2
     M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    S2_2 = -M2 + 0.78539816339744828
     A2 = A * A
     t1 = A2 * M4
     t2 = M6 * gamma
@@ -361,12 +362,11 @@ def _averaged_2_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _averaged_2_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 167 structured, 108 common subexpressions, 98 power chains
+    # operations: 163 structured, 104 common subexpressions, 94 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
     s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s4 = s2 * s2
@@ -387,7 +387,7 @@ def _averaged_2_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
     x3 = x * x2
     M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    S2_2 = -M2 + 0.78539816339744828
     A2 = A * A
     t1 = A2 * M4 * beta
     A4 = A2 * A2
@@ -445,12 +445,11 @@ def _h_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 138 structured, 91 common subexpressions, 82 power chains
+    # operations: 134 structured, 87 common subexpressions, 78 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
     s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s4 = s2 * s2
@@ -471,7 +470,7 @@ def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
     x3 = x * x2
     M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    S2_2 = -M2 + 0.78539816339744828
     A2 = A * A
     A4 = A2 * A2
     return (
@@ -525,12 +524,11 @@ def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
 
 
 def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 153 structured, 104 common subexpressions, 94 power chains
+    # operations: 149 structured, 100 common subexpressions, 90 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
     y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
     s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s4 = s2 * s2
@@ -551,7 +549,7 @@ def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
     x3 = x * x2
     M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = 0.5 * psi_0 + 0.5 * x * y
+    S2_2 = -M2 + 0.78539816339744828
     A2 = A * A
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2

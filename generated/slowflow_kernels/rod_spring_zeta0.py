@@ -9,6 +9,9 @@ Everything is dimensionless. Arguments broadcast; outputs have their common shap
 docstring gives equation number, domain and the operations after each pass.
 """
 
+# a formatter would spread each polynomial over a page
+# fmt: off
+
 from slowflow_kernels import slow_flow_zeta0 as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked

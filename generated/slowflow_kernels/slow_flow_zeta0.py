@@ -8,6 +8,9 @@ Everything is dimensionless. Arguments broadcast; outputs have their common shap
 docstring gives equation number, domain and the operations after each pass.
 """
 
+# a formatter would spread each polynomial over a page
+# fmt: off
+
 import numpy as np
 
 from slowflow_kernels._backend import compiled
