@@ -1,0 +1,45 @@
+"""The ledger: every published formula, table entry, number and sentence held against the derivation.
+
+In:  the derivation's `Results`, and published.py, loaded by path.
+Out: LEDGER.md and ledger.json.
+
+    source     published.py as a module of its own, with an exact namespace
+    proofs     an expression as a quotient of polynomials over the rationals: zero or not
+    formulas   which derived expression stands against which published function
+    judging    the verdict on one published function
+    balls      enclosures of values, certified roots, certified digits
+    example    folds, onset and detachment of an isolator
+    facts      every number that the ledger quotes
+    entries    rows of formulas, tables and numbers
+    claims     rows of sentences
+    findings   what differs, with its proof
+    render     text
+"""
+
+from __future__ import annotations
+
+from derivations.ledger import balls, claims, entries, render, source
+from derivations.ledger.facts import Facts
+from derivations.ledger.findings import findings
+from derivations.ledger.rows import Row
+from derivations.results import Results
+
+__all__ = ["all_rows", "files"]
+
+
+def all_rows(facts: Facts) -> list[Row]:
+    """Every row, in the paper's order within its kind. Call it at the ledger's precision."""
+    return entries.formula_rows(facts) + entries.number_rows(facts) + claims.claim_rows(facts)
+
+
+def files(results: Results) -> dict[str, str]:
+    """LEDGER.md and ledger.json, by name."""
+    with balls.precision():
+        facts = Facts(results, source.load())
+        rows = all_rows(facts)
+        table_2 = entries.table_2(rows, facts)
+        found = findings(facts, rows)
+    return {
+        "LEDGER.md": render.markdown(rows, found, table_2),
+        "ledger.json": render.machine_readable(rows, found, table_2),
+    }

@@ -1,6 +1,6 @@
 """Exact expressions in; numbers that enclose their values, and certified roots, out.
 
-A ball (python-flint's `arb`) holds the true value. What is decided from it (a sign, a count, a rounded digit) is decided.
+A ball (python-flint's `arb`) holds the true value. A sign, a count or a rounded digit decided from it is decided.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from decimal import ROUND_HALF_EVEN, Decimal, localcontext
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -60,6 +61,8 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
         return _power(parts[0], expression.exp)
     if expression.func in (sp.sin, sp.cos, sp.exp, sp.tan):
         return getattr(parts[0], expression.func.__name__)()
+    if expression.func is sp.sign:
+        return parts[0].sgn()
     raise ArithmeticError(f"{expression.func} is not evaluated")
 
 
@@ -87,12 +90,12 @@ def sign(x: arb) -> int:
 def isolate(function: Callable[[Any], Any], left: arb, right: arb, pieces: int = 32) -> list[arb]:
     """Every zero on [left, right], each in a ball with no other.
 
-    The function takes balls and Taylor series; it may return None where it knows that there is no zero, and a ball for a
-    series where it cannot tell the slope. An interval is dropped when its mean-value form excludes zero, kept when the
-    slope has one sign on it, else halved.
+    The function takes balls and Taylor series; it may return None where it knows that there is no zero, and a ball
+    for a series where it cannot tell the slope. An interval is dropped when its mean-value form excludes zero, kept
+    when the slope has one sign on it, else halved.
     """
     cuts = [left + (right - left) * k / pieces for k in range(pieces + 1)]
-    return [zero for a, b in zip(cuts, cuts[1:], strict=False) for zero in _isolate(function, a, b, 60)]
+    return [zero for a, b in pairwise(cuts) for zero in _isolate(function, a, b, 60)]
 
 
 def _isolate(function: Callable[[Any], Any], left: arb, right: arb, depth: int) -> list[arb]:
@@ -182,4 +185,3 @@ def significant(x: arb, digits: int = 12) -> str:
     if low.adjusted() != high.adjusted():
         raise ArithmeticError(f"{x} is not known to one digit")
     return rounded(x, digits - 1 - low.adjusted())
-

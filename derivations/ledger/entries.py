@@ -31,7 +31,8 @@ def formula_rows(facts: Facts) -> list[Row]:
         for formula in readings:
             name = formula.function.__name__
             judgement, subject = facts.judgements[name], against[name]
-            verdict, evidence = judgement.verdict, [judgement.rewriting, subject.remark]
+            by = f"By {judgement.rewriting}" if judgement.rewriting else ""
+            verdict, evidence = judgement.verdict, [by, subject.remark]
             if verdict == DIFFERS and agreeing and not subject.literal:
                 verdict = AMBIGUOUS
                 evidence.append(f"The reading that holds: {agreeing[0].reading}.")
@@ -47,15 +48,10 @@ def formula_rows(facts: Facts) -> list[Row]:
                     derived=judgement.derived,
                     verdict=verdict,
                     difference=judgement.difference,
-                    evidence=" ".join(_sentence(part) for part in evidence if part),
+                    evidence=" ".join(part.rstrip(".") + "." for part in evidence if part),
                 )
             )
     return rows
-
-
-def _sentence(text: str) -> str:
-    text = text[:1].upper() + text[1:] if text[:1].isascii() and text[:2].isalpha() else text
-    return text if text.endswith(".") else text + "."
 
 
 # ---- Table 2 ------------------------------------------------------------------------------------------------------
@@ -80,6 +76,11 @@ def decimals(printed: str) -> int:
 
 def _truncated(value: arb, places: int) -> str:
     return rounded(value - arb(10) ** -places / 2, places)
+
+
+def _halfway(value: arb, places: int) -> str:
+    """The middle between the two printable values around a value."""
+    return _truncated(value, places) + "5"
 
 
 def table_2_entry(facts: Facts, row: int, column: str) -> Entry:
@@ -107,8 +108,11 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
     """What the printed value would be the value of."""
     if printed == "u_cr":
         peak = facts.example.detachment
+        if not facts.example.stability(peak.Omega, peak.A) > 0:
+            raise ArithmeticError("the peak at u_cr is a fold")
         return (
-            f"At F_cr the fold lies below u_cr = {significant(facts.example.u_cr)}. The point of the response at u_cr is its "
+            f"At F_cr the fold lies below u_cr = {significant(facts.example.u_cr)}. The point of the response at "
+            f"u_cr is its "
             f"peak, at Ω = {significant(peak.Omega)}, where F_Ω = 0 and F_A > 0: stable, no saddle node."
         )
     places = decimals(printed)
@@ -116,26 +120,33 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
         other = facts.fold("0.0300", kind)
         if rounded(getattr(other, quantity), places) == printed:
             return (
-                f"It is the value at F_0 = 0.0300, the rounded F_cr: there the fold is at Ω = {significant(other.Omega)}, "
+                f"It is the value at F_0 = 0.0300, the rounded F_cr: there the fold is at Ω = "
+                f"{significant(other.Omega)}, "
                 f"A = {significant(other.A)}."
             )
     mesh = facts.mesh_point(label, kind)
     if quantity == "A" and rounded(mesh.A, places) == printed:
         return (
-            f"It is {mesh.k}/{MESH}: of the response read off at A = k/{MESH} (1000 points on [0, 1]), the point with the "
-            f"extremal Ω, {significant(mesh.Omega)}. Near a fold Ω depends on A by its square only, so the printed Ω is right "
+            f"It is {mesh.k}/{MESH}: of the response read off at A = k/{MESH} (1000 points on [0, 1]), the point "
+            f"with the "
+            f"extremal Ω, {significant(mesh.Omega)}. Near a fold Ω depends on A by its square only, so the printed "
+            f"Ω is right "
             "and the printed A is off by up to half a step of the mesh."
         )
     if _truncated(value, places) == printed:
         return (
-            f"Cut off, not rounded, or read off a mesh: linear interpolation of F between frequencies 1/{MESH} apart lowers "
-            f"this Ω by up to {significant(facts.chord_shortfall, 2)}, and {significant(value - arb(rounded(value, 5)), 2)} "
-            "decides the fourth digit."
+            f"The derived value is {significant(value - arb(_halfway(value, places)), 2)} above the middle between "
+            f"two printed "
+            "values. The printed one is it cut off, or read off a mesh as the amplitudes are: linear interpolation "
+            "of F between "
+            f"frequencies 1/{MESH} apart lowers this Ω by up to {significant(facts.chord_shortfall, 2)}."
         )
     tried = "; ".join(f"{name}: {rounded(p.Omega, 6)}" for name, p in facts.variants.items())
     return (
-        f"No parameter or formula tried gives it, while A = {rounded(facts.fold(label, kind).A, 4)} is as printed and the response "
-        f"has Ω = {rounded(mesh.Omega, 6)} there. Tried: {tried}; peak: {rounded(facts.peaks[label].Omega, 4)}. The digits "
+        f"No parameter or formula tried gives it, while A = {rounded(facts.fold(label, kind).A, 4)} is as printed "
+        f"and the response "
+        f"has Ω = {rounded(mesh.Omega, 6)} there. Tried: {tried}; peak: {rounded(facts.peaks[label].Omega, 4)}. "
+        f"The digits "
         f"suggest a misprint of {_truncated(value, places)}; that cannot be proved."
     )
 
@@ -172,8 +183,10 @@ def _omega_cr(facts: Facts) -> str:
     fold, at = facts.fold("0.0300", "jump-down"), facts.example.detachment
     other = facts.example.frequencies(facts.example.u_cr, arb("0.03003"))[-1]
     return (
-        f"At (Ω_cr, u_cr) the forcing is least, {significant(at.F_0)}. 0.9288 is the frequency of the jump-down fold at "
-        f"F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in Table 2. (24) with A = u_cr has no "
+        f"At (Ω_cr, u_cr) the forcing is least, {significant(at.F_0)}. 0.9288 is the frequency of the jump-down "
+        f"fold at "
+        f"F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in Table 2. (24) with A = "
+        f"u_cr has no "
         f"real Ω at F_0 = 0.0300; at 0.03003 it has {significant(other, 5)}."
     )
 
@@ -207,10 +220,13 @@ NUMBERS: dict[str, Callable] = {
     "envelope_threshold": _exact(_ratio),
     "resultant_A_s_degree": _exact(_degree("A_s")),
     "resultant_F_cr_degree": _exact(_degree("F_cr")),
-    "amplitude_limit": _exact(lambda facts: facts.rod.oscillator.mechanism.reach, "The push-rod stands vertical at u = 1."),
+    "amplitude_limit": _exact(
+        lambda facts: facts.rod.oscillator.mechanism.reach, "The push-rod stands vertical at u = 1."
+    ),
     "rod_angle_vertical": _exact(lambda facts: sp.asin(facts.rod.oscillator.mechanism.reach)),
     "S_threshold": _exact(
-        lambda facts: sp.Rational(1, 2) if facts.S_is_one else sp.nan, "S = 1 above it, proved; below it S > 1, see (37)."
+        lambda facts: sp.Rational(1, 2) if facts.S_is_one else sp.nan,
+        "S = 1 above it, proved; below it S > 1, see (37).",
     ),
     "S_value": _exact(lambda facts: sp.Integer(1) if facts.S_is_one else sp.nan, "For Ω > 1/2, Ω ≠ 1."),
     "sticking_threshold": _exact(lambda facts: 1 / _ratio(facts)),
@@ -221,15 +237,15 @@ NUMBERS: dict[str, Callable] = {
     "F_cr": _measured(lambda facts: facts.example.detachment.F_0),
     "Omega_cr": _measured(lambda facts: facts.example.detachment.Omega, _omega_cr),
     "delta_h_limit": _measured(
-        lambda facts: evaluate(
-            1 / (3 * sp.Rational(*facts.published.TABLE_1["r"].as_integer_ratio())), {}
-        ),
+        lambda facts: evaluate(1 / (3 * sp.Rational(*facts.published.TABLE_1["r"].as_integer_ratio())), {}),
         lambda facts: "(3 r)^-1 with Table 1's r.",
     ),
     "peak_shift": _measured(
         lambda facts: evaluate(sp.sqrt(1 - 2 * zeta**2), {zeta: facts.example.zeta}),
-        lambda facts: "√(1 − 2ζ²), the root of the peak cubic for h = −A, to which h tends as A grows. At 0.040 and 0.050 the "
-        "peaks are at Ω = " + ", ".join(rounded(p.Omega, 4) for p in facts.peaks.values()) + ".",
+        lambda facts: (
+            "√(1 − 2ζ²), the root of the peak cubic for h = −A, to which h tends as A grows. At 0.040 and 0.050 the "
+            "peaks are at Ω = " + ", ".join(rounded(p.Omega, 4) for p in facts.peaks.values()) + "."
+        ),
     ),
     "F_SN": _measured(lambda facts: facts.example.onset.F_0),
     "Omega_SN": _measured(lambda facts: facts.example.onset.Omega),

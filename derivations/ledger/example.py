@@ -1,9 +1,9 @@
 """In: the derivation's results and exact parameters of the isolator. Out: its folds, onset and detachment, certified.
 
 Folds: F = 0 and F_A = 0. Attached, FLINT isolates all roots in A of the derived Res_Omega(F, F_A). Detached, with
-A = u_cr sqrt(1 + t^2), Omega is eliminated through A F_A/2 - F, a quadratic in it; what is left is a smooth function of t
-down to the corner t = 0, and interval Newton steps find all its zeros up to A = 1, which no amplitude passes. An amplitude
-so found is a candidate: with an Omega of the quadratic, F must vanish, and with the other one it must not.
+A = u_cr sqrt(1 + t^2), Omega is eliminated through A F_A/2 - F, a quadratic in it; what is left is a smooth function of
+t down to the corner t = 0, and interval Newton steps find all its zeros up to A = 1, which no amplitude passes. An
+amplitude so found is a candidate: with an Omega of the quadratic, F must vanish, and with the other one it must not.
 """
 
 from __future__ import annotations
@@ -59,9 +59,7 @@ def system(results: Results) -> System:
     """The polynomials, and that A F_A/2 - F is quadratic."""
     flow = results.flows[""]
     whole = {R: flow.R, I: flow.I}
-    response, fold, bend = (
-        sp.expand(e.subs(whole)) for e in (flow.F, flow.F_A / 2, flow.F_AA / 2)
-    )
+    response, fold, bend = (sp.expand(e.subs(whole)) for e in (flow.F, flow.F_A / 2, flow.F_AA / 2))
 
     def by_power(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
         polynomial = sp.Poly(expression, Omega)
@@ -113,7 +111,9 @@ class Example:
     def attached(self, amplitude: Any) -> dict[sp.Symbol, Any]:
         """A, h, h_A, h_AA for A <= u_cr, with the damping."""
         values = {**self.coefficients, A: amplitude}
-        found = {symbol: evaluate(form, values) for symbol, form in zip((h, h_A, h_AA), self.attached_forms, strict=False)}
+        found = {
+            symbol: evaluate(form, values) for symbol, form in zip((h, h_A, h_AA), self.attached_forms, strict=False)
+        }
         return {A: amplitude, m: self.m, zeta: self.zeta, **found}
 
     def detached(self, t: Any) -> tuple[dict[sp.Symbol, Any], Any]:
@@ -166,8 +166,9 @@ class Example:
     def _on_both(self, at: dict[sp.Symbol, Any], root: Any, forcing: arb, branch: int) -> Any:
         """What is left of F = F_A = 0 at an amplitude when its Omega is put in; None where that is negative.
 
-        F = 0 is R = F_0 cos, I = F_0 sin of one angle, and A F_A/2 - F = R lag - m I + F_0^2 with lag = A h_A - h: linear
-        in cos and sin, so that the angle is explicit, then Omega from I; R is left. All times root, finite at the corner.
+        F = 0 is R = F_0 cos, I = F_0 sin of one angle, and A F_A/2 - F = R lag - m I + F_0^2 with lag = A h_A - h:
+        linear in cos and sin, so that the angle is explicit, then Omega from I; R is left. All times root: finite at
+        the corner.
         """
         highest = (forcing - self.m) / (2 * self.zeta * _value(at[A]))
         if _value(at[A]) * highest**2 + _value(at[h]) < -forcing:
@@ -234,12 +235,12 @@ class Example:
             return []
         # F_A > 0 is stable: a jump-down fold bounds the stable branch from below
         lower, upper = (
-            self._stability(hits[0], amplitude * factor) for factor in (1 - arb(2) ** -60, 1 + arb(2) ** -60)
+            self.stability(hits[0], amplitude * factor) for factor in (1 - arb(2) ** -60, 1 + arb(2) ** -60)
         )
         kind = {(-1, 1): "jump-down", (1, -1): "jump-up"}[sign(lower), sign(upper)]
         return [Point(hits[0], amplitude, forcing, regime, kind)]
 
-    def _stability(self, frequency: arb, amplitude: arb) -> arb:
+    def stability(self, frequency: arb, amplitude: arb) -> arb:
         """F_A/2."""
         coefficients = self.polynomial(self.polynomials.fold, self.at(amplitude))
         return sum((c * frequency**k for k, c in enumerate(coefficients)), arb(0))
@@ -271,7 +272,7 @@ class Example:
 
     @functools.cached_property
     def detachment(self) -> Point:
-        """The lowest forcing that reaches u_cr: a root of (34) with the root of the cubic F_Omega = 0 that belongs to it."""
+        """The lowest forcing that reaches u_cr: a root of (34) with the root of F_Omega = 0 that belongs to it."""
         at = self.attached(self.u_cr)
         points = [
             Point(frequency, self.u_cr, self.forcing(frequency, self.u_cr), ATTACHED)
@@ -299,4 +300,6 @@ class Example:
             else:
                 high = middle
         amplitude = low.union(high)
-        return Point(self.lowest_forcing(low)[1].union(self.lowest_forcing(high)[1]), amplitude, forcing, DETACHED, "peak")
+        return Point(
+            self.lowest_forcing(low)[1].union(self.lowest_forcing(high)[1]), amplitude, forcing, DETACHED, "peak"
+        )

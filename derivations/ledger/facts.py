@@ -1,4 +1,4 @@
-"""In: the derivation's results and published.py. Out: `Facts`, every number that rows and findings quote, computed once.
+"""In: the derivation's results and published.py. Out: `Facts`, every number that the ledger quotes, computed once.
 
 All are balls of exact or certified values; what is said of them in words is decided from the balls.
 """
@@ -9,19 +9,21 @@ import functools
 from dataclasses import dataclass
 from fractions import Fraction
 from types import ModuleType
+from typing import Any
 
 import sympy as sp
 from flint import arb
 
+from derivations.averaging import cycle_integral
 from derivations.den_hartog import U, V
-from derivations.ledger.balls import evaluate, polynomial_zeros, rational
+from derivations.ledger.balls import evaluate, isolate, polynomial_zeros, rational, rounded
 from derivations.ledger.example import Example, Point, system
-from derivations.ledger.formulas import MECHANISM, subjects
+from derivations.ledger.formulas import MECHANISM, detached_derivative, shared_symbols, subjects
 from derivations.ledger.judging import Judgement, judge
 from derivations.ledger.proofs import canonical
 from derivations.mechanisms.rod_spring import delta_h, lam, r
 from derivations.results import Results
-from derivations.symbols import F_0, A, Omega, h, mu, tau, zeta
+from derivations.symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
 
 #: the mesh of amplitudes that Table 2 turns out to have been read from: 1000 points on [0, 1]
 MESH = 999
@@ -55,6 +57,18 @@ class Facts:
         against = subjects(self.results)
         return {f.function.__name__: judge(f.function, against[f.function.__name__]) for f in self.published.FORMULAS}
 
+    @functools.cached_property
+    def integrals_agree(self) -> bool:
+        """Whether -(1/pi) int F_k(A cos psi) cos psi dpsi is H_1 over the cycle and H_2 over its attached parts."""
+        angle = shared_symbols()["psi_0"]
+        force = self.rod.oscillator.polynomials[0] - u
+        integrand = -force.subs(u, A * sp.cos(psi)) * sp.cos(psi) / sp.pi
+        attached = [(angle, sp.pi - angle), (sp.pi + angle, 2 * sp.pi - angle)]
+        cycle = cycle_integral(integrand, 0, 2 * sp.pi)
+        parts = sum(cycle_integral(integrand, *ends) for ends in attached)
+        H_1 = self.rod.beside_vertical.regimes[0].derivatives[0]
+        return canonical(cycle - H_1).is_zero and canonical(parts - detached_derivative(self.results, 0)).is_zero
+
     # ---- the example ----------------------------------------------------------------------------------------------
 
     def isolator(self, **changed: Fraction) -> Example:
@@ -78,7 +92,7 @@ class Facts:
         return point
 
     def mesh_point(self, label: str, kind: str) -> MeshPoint:
-        """Of the response at A = k/999, the point that stands for this fold: the extremal Omega among its neighbours."""
+        """Of the response at A = k/999, the point that stands for this fold: the extremal Omega thereabouts."""
         fold = self.fold(label, kind)
         nearest = round(float(fold.A.mid()) * MESH)
         # beyond the peak a mesh line has no response
@@ -97,7 +111,7 @@ class Facts:
 
     @functools.cached_property
     def chord_shortfall(self) -> arb:
-        """How much linear interpolation of F on a mesh of step 1/999 in Omega may lower the jump-down Omega at 0.040."""
+        """How much linear interpolation of F, 1/999 apart in Omega, may lower the jump-down Omega at 0.040."""
         point = self.mesh_point("0.040", "jump-down")
         values = {**self.example.at(point.A), F_0: self.forcing("0.040")}
         f = [evaluate(form, values) for form in self._system.response]
@@ -123,7 +137,9 @@ class Facts:
         near = self.fold("0.050", "jump-down").A
         found = {}
         for name, change in changes.items():
-            points = self.isolator(**change).detached_folds(self.forcing("0.050"), near - arb("0.01"), near + arb("0.01"))
+            points = self.isolator(**change).detached_folds(
+                self.forcing("0.050"), near - arb("0.01"), near + arb("0.01")
+            )
             (found[name],) = points
         return found
 
@@ -139,12 +155,30 @@ class Facts:
         bend = [evaluate(form, at) for form in self._system.bend]
         # F_AA is even in Omega: its positive zeros, mirrored
         for frequency in polynomial_zeros(dict(enumerate(bend))):
-            fold = sum(
-                (evaluate(form, at) * (-frequency) ** k for k, form in enumerate(self._system.fold)), arb(0)
-            )
+            fold = sum((evaluate(form, at) * (-frequency) ** k for k, form in enumerate(self._system.fold)), arb(0))
             if fold.contains(0):
                 return amplitude, -frequency
         raise ArithmeticError("no common root on the real axis")
+
+    @functools.cached_property
+    def bends_at_onset(self) -> list[arb]:
+        """Positive Omega with F_AA = 0 at A_s."""
+        at = self.example.attached(self.example.onset.A)
+        return polynomial_zeros(dict(enumerate(self.example.polynomial(self._system.bend, at))))
+
+    @functools.cached_property
+    def other_onsets(self) -> list[tuple[list[arb], arb]]:
+        """Positive roots of (33) and the valid one for isolators beside Table 1's."""
+        r = self.published.TABLE_1["r"]
+        changes: list[dict[str, Fraction]] = [
+            {"zeta": Fraction(1, 100)},
+            {"zeta": Fraction(1, 20)},
+            {"mu": Fraction(1, 1000)},
+            {"delta_h": 1 / (4 * r)},
+            {"r": Fraction(1), "delta_h": Fraction(1, 4)},
+            {"r": Fraction(3), "delta_h": Fraction(1, 15)},
+        ]
+        return [self.onset_roots(**change) for change in changes]
 
     @functools.cached_property
     def detachment_roots(self) -> list[arb]:
@@ -168,16 +202,21 @@ class Facts:
 
     @functools.cached_property
     def F_cr_curve(self) -> list[arb]:
-        """F_cr at every 5 % of the quasi-zero-stiffness preload, from 5 % on, with the caption's parameters of Figure 5."""
+        """F_cr at every 5 % of the quasi-zero-stiffness preload, from 5 % on, with Figure 5's parameters."""
         return [self.F_cr(Fraction(k, 20)) for k in range(1, 21)]
+
+    def F_cr_gain(self, percent: str) -> arb:
+        """Relative rise of F_cr from zeta = 0.01 to 0.05 at this percentage of the quasi-zero-stiffness preload."""
+        low, high = (self.F_cr(Fraction(percent) / 100, zeta=Fraction(value)) for value in ("0.01", "0.05"))
+        return high / low - 1
 
     @functools.cached_property
     def rises_with_preload(self) -> bool:
-        """Whether d F_cr/d delta_h > 0 on 0 < delta_h <= 1/(lam r) for lam r = 3 * 2.03, wherever Omega_cr^2 >= kappa/2.
+        """Whether dF_cr/d delta_h > 0 on 0 < delta_h <= 1/(lam r) for lam r = 3 * 2.03, where Omega_cr^2 >= kappa/2.
 
-        On the peak R = -zeta I/Omega, so dF_cr^2/d delta_h = 2 zeta I (u' (Omega^2 + kappa) + u kappa')/Omega with u = u_cr
-        and kappa = -h(u)/u. Times u this is positive if 3/2 (1 - delta_h) kappa + delta_h (2 - delta_h) kappa' is: a
-        polynomial, whose roots on the interval Sturm's theorem counts.
+        On the peak R = -zeta I/Omega, so dF_cr^2/d delta_h = 2 zeta I (u' (Omega^2 + kappa) + u kappa')/Omega with
+        u = u_cr and kappa = -h(u)/u. Times u this is positive if 3/2 (1 - delta_h) kappa + delta_h (2 - delta_h) kappa'
+        is: a polynomial, whose roots on the interval Sturm's theorem counts.
         """
         rod = self.rod
         (end,) = rod.whole.breakpoints
@@ -194,7 +233,7 @@ class Facts:
     def detachment_in_preload(self) -> bool:
         """Whether the coefficients of (34), u_cr^8 divided out, are polynomials in delta_h.
 
-        h(u_cr) is odd in u_cr, and u_cr^2, alpha, beta, gamma are polynomials in delta_h: only even powers must be left.
+        h(u_cr) is odd in u_cr, and u_cr^2, alpha, beta, gamma are polynomials in delta_h: only even powers may be left.
         """
         (end,) = self.rod.whole.breakpoints
         force = self.rod.whole.regimes[0].derivatives[0].subs(A, end)
@@ -247,6 +286,22 @@ class Facts:
         averaged = abs(response) * (1 - (4 * friction / arb.pi()) ** 2).sqrt()
         return averaged, evaluate(exact.amplitude, values)
 
+    # ---- Table 2 as a whole ---------------------------------------------------------------------------------------
+
+    @functools.cached_property
+    def table_2_differing(self) -> int:
+        """Printed frequencies and amplitudes of Table 2 that are not roundings of the folds'."""
+        wrong = 0
+        for row in self.published.TABLE_2[1:]:
+            for kind in ("jump-up", "jump-down"):
+                fold, name = self.fold(row.F_0, kind), kind.replace("-", "_")
+                for printed, value in (
+                    (getattr(row, f"{name}_Omega"), fold.Omega),
+                    (getattr(row, f"{name}_A"), fold.A),
+                ):
+                    wrong += printed == "u_cr" or rounded(value, 4) != printed
+        return wrong
+
     # ---- damping --------------------------------------------------------------------------------------------------
 
     def friction_share(self, frequency: arb, amplitude: arb) -> arb:
@@ -255,3 +310,16 @@ class Facts:
         values = {**self.example.attached(amplitude), Omega: frequency}
         return evaluate(flow.equivalent_damping - zeta, values) / self.example.zeta
 
+    def smallest_amplitude(self, frequency: str, label: str) -> arb:
+        """The least amplitude of the response at a frequency."""
+        w, forcing = arb(rational(Fraction(frequency))), self.forcing(label)
+
+        def response(amplitude: Any) -> Any:
+            at = {**self.example.attached(amplitude), F_0: forcing}
+            coefficients = (evaluate(form, at) * w**k for k, form in enumerate(self._system.response) if form != 0)
+            total = next(coefficients)
+            for term in coefficients:
+                total = total + term
+            return total
+
+        return isolate(response, arb("0.001"), arb(self.example.u_cr.lower()))[0]

@@ -1,16 +1,15 @@
 """Which derived expression stands against which published function.
 
 In:  the derivation's results.
-Out: `subjects`, one `Subject` for each function of published.py, by its name: what to put in for the function's arguments
-     and what must come out. `judging` does the comparison.
+Out: `subjects`, one `Subject` for each function of published.py, by its name: what to put in for the function's
+     arguments and what must come out. `judging` does the comparison.
 
-A published relation lhs - rhs is fed the derived quantities and must give zero. Where an argument is not given here, the
-shared symbol of the same name is put in.
+A published relation lhs - rhs is fed the derived quantities and must give zero. Where an argument is not given here,
+the shared symbol of the same name is put in.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -18,7 +17,7 @@ import sympy as sp
 
 from derivations import averaging, symbols
 from derivations import oscillator as osc
-from derivations.averaging import DISPLACEMENT, VELOCITY, A_dot, G, H, phi_dot
+from derivations.averaging import DISPLACEMENT, VELOCITY, G, H
 from derivations.den_hartog import S, U, V
 from derivations.mechanisms.rod_spring import Delta_h, delta_h, k_h, lam, r
 from derivations.resultants import Elimination
@@ -34,7 +33,7 @@ DIFFERENCE, SQUARES, COSINES, FIELDS = "difference", "squares", "cosines", "fiel
 
 @dataclass(frozen=True)
 class Reading:
-    """One form in which the derived quantity may stand: extra values for arguments, what must come out, and in which sense."""
+    """One form in which the derived quantity may stand: what must come out, in which sense, at which extra values."""
 
     derived: Any
     rewriting: str = ""
@@ -93,7 +92,9 @@ def same(derived: Any, rewriting: str = "", **subject: Any) -> Subject:
     return Subject((Reading(derived, rewriting),), **subject)
 
 
-def fields(elimination: Elimination, first: str, second: str, at: str, unknown: str, coefficients: str) -> dict[str, Any]:
+def fields(
+    elimination: Elimination, first: str, second: str, at: str, unknown: str, coefficients: str
+) -> dict[str, Any]:
     """What a published resultant states, as the derivation has it."""
     powers = sorted(elimination.coefficients)
     return {
@@ -247,7 +248,7 @@ def _atan(y: sp.Expr, x: sp.Expr) -> sp.Expr:
 def detached_derivative(results: Results, order: int) -> sp.Expr:
     """H_2 (order 0) or its derivative with respect to A, in A, the coefficients and psi_0.
 
-    u_cr = A cos psi_0, sqrt(A^2 - u_cr^2) = A sin psi_0; of the two angles at the end, one is psi_0, the other pi/2 - psi_0.
+    u_cr = A cos psi_0, sqrt(A^2 - u_cr^2) = A sin psi_0; of the two angles at the end one is psi_0, one pi/2 - psi_0.
     """
     averages = results.mechanisms[MECHANISM].beside_vertical
     (end,) = averages.breakpoints
@@ -273,9 +274,9 @@ def _restoring(results: Results) -> dict[str, Subject]:
     averages = results.mechanisms[MECHANISM].beside_vertical
     u_cr, angle = s["u_cr"], s["psi_0"]
     (end,) = averages.breakpoints
-    lets = {symbol.name: value for symbol, value in averages.regimes[1].lets}
-    root = lets["root"].subs(end, u_cr)
-    psi_0 = lets["psi_0"].subs({end: u_cr, sp.Symbol("root", positive=True): root})
+    lets = {symbol.name: value.subs(end, u_cr) for symbol, value in averages.regimes[1].lets}
+    root = lets["root"]
+    psi_0 = lets["psi_0"].subs({symbol: root for symbol, _ in averages.regimes[1].lets if symbol.name == "root"})
     attached_slope = averages.regimes[0].derivatives[1]
     on_circle = {"u_cr": A * sp.cos(angle), "p": sp.sin(angle), "q": -8 * attached_slope}
     slope = Reading(detached_derivative(results, 1), f"{ANGLE}, p = sin ψ₀, q = −8 ∂H_1/∂A")
@@ -362,7 +363,9 @@ def _critical(results: Results) -> dict[str, Subject]:
             how=FIELDS,
             remark=f"Degree {detachment.degree}; the odd powers vanish identically; content {detachment.content}; "
             "factors over Q: "
-            + ", ".join(f"{sp.sstr(f)}^{k}" if f.is_Symbol else f"one of {len(f.args)} terms" for f, k in detachment.factors)
+            + ", ".join(
+                f"{sp.sstr(f)}^{k}" if f.is_Symbol else f"one of {len(f.args)} terms" for f, k in detachment.factors
+            )
             + " at A = u_cr; u_cr^8 is extraneous.",
         ),
         **{name: same(quasi_zero) for name in ("delta_h_qzs_inverse", "delta_h_qzs_literal")},
@@ -371,8 +374,10 @@ def _critical(results: Results) -> dict[str, Subject]:
         "F_cr_limit_literal": same(friction, literal=True),
         "F_cr_limit_inverse": same(
             friction,
-            remark="With A = u_cr → 0, m ≤ F_cr ≤ m + 2ζ u_cr √(−h/u_cr): at any Ω the forcing is √(R² + I²) ≥ I ≥ m, and "
-            "R = 0 at the upper bound. Not what the paper prints; tried because it is the reciprocal of the fraction there.",
+            remark="With A = u_cr → 0, m ≤ F_cr ≤ m + 2ζ u_cr √(−h/u_cr): at any Ω the forcing is √(R² + I²) ≥ I ≥ "
+            "m, and "
+            "R = 0 at the upper bound. Not what the paper prints; tried because it is the reciprocal of the "
+            "fraction there.",
         ),
     }
 
@@ -416,7 +421,9 @@ def _smoothing(results: Results) -> dict[str, Subject]:
     step = sp.tanh(s["nu_1"] * osc.u_dot)
     names = ("minus_minus", "plus_plus", "minus_plus", "plus_minus")
     return {
-        "smoothed_equation_of_motion_u": same(motion, remark="(3) and (5), untruncated, with sign → Φ_1, |u| ≤ u_cr → Φ_2."),
+        "smoothed_equation_of_motion_u": same(
+            motion, remark="(3) and (5), untruncated, with sign → Φ_1, |u| ≤ u_cr → Φ_2."
+        ),
         "smoothed_equation_of_motion_x": same(motion, literal=True),
         "Phi_1": same(step.rewrite(sp.exp), "tanh in exponentials", shown=sp.sstr(step)),
         **{f"Phi_2_{name}": same(window, remark="Difference of two logistic steps.") for name in names},
@@ -425,17 +432,10 @@ def _smoothing(results: Results) -> dict[str, Subject]:
 
 def _preloads(results: Results) -> dict[str, Subject]:
     half = sp.solve(stiffness(results).subs(lam, 3) - sp.Rational(1, 2), delta_h)[0]
-    remark = "A choice; held against the preload that gives α = 1/2 with λ = 3. The other reading is no preload: δ_h > 1 or {}."
+    choice = "A choice; held against the preload that gives α = 1/2 with λ = 3."
     return {
-        **{
-            name: same(half, remark=remark.format("α < 0"))
-            for name in (
-                "delta_h_caption_inverse",
-                "delta_h_caption_literal",
-                "delta_h_table_inverse",
-                "delta_h_table_literal",
-            )
-        }
+        "delta_h_caption_inverse": same(half, remark=choice),
+        "delta_h_caption_literal": same(half, remark="With r = 2.03 it would be δ_h > 1, longer than the rod."),
+        "delta_h_table_inverse": same(half, remark=choice),
+        "delta_h_table_literal": same(half, remark="It would make α = 1 − r²/2 negative."),
     }
-
-

@@ -1,4 +1,4 @@
-"""In: a published function and its `Subject`. Out: `Judgement`, whether they agree, by an exact proof, and how they differ.
+"""In: a published function and its `Subject`. Out: `Judgement`: whether they agree, by proof, or how they differ.
 
 No row of the ledger is needed to judge another: the mutation test calls `judge` with functions that it has changed.
 """
@@ -14,7 +14,7 @@ import sympy as sp
 
 from derivations.ledger import formulas
 from derivations.ledger.formulas import Reading, Subject
-from derivations.ledger.proofs import Quotient, canonical
+from derivations.ledger.proofs import Quotient, canonical, nonzero_somewhere
 from derivations.ledger.rows import DIFFERS, IDENTICAL, REWRITTEN
 from derivations.ledger.source import EXACT
 
@@ -48,9 +48,7 @@ def _flat(value: Any) -> Iterator[sp.Expr]:
 
 def _values(function: Callable[..., Any], given: dict[str, sp.Expr], known: dict[str, sp.Symbol]) -> list[sp.Expr]:
     names = [name for name in inspect.signature(function).parameters if name != "xp"]
-    arguments = {
-        name: given[name] if name in given else known.get(name, sp.Symbol(name, real=True)) for name in names
-    }
+    arguments = {name: given[name] if name in given else known.get(name, sp.Symbol(name, real=True)) for name in names}
     return list(_flat(function(**arguments, xp=EXACT)))
 
 
@@ -63,10 +61,10 @@ def _compare(published: sp.Expr, derived: sp.Expr, subject: Subject) -> tuple[Qu
     if subject.how == formulas.DIFFERENCE:
         return canonical(published - derived), ""
     if subject.how == formulas.COSINES:
-        return canonical(sp.cos(published) - sp.cos(derived)), "both angles lie in [0, π]; cosines compared"
+        return canonical(sp.cos(published) - sp.cos(derived)), "comparison of cosines, both angles being in [0, π]"
     if published.subs(subject.sample).is_negative is not False:
         return canonical(published - derived), ""
-    return canonical(published**2 - derived**2), "both are positive; squares compared"
+    return canonical(published**2 - derived**2), "comparison of squares, both sides being positive"
 
 
 def _factor(published: list[sp.Expr], derived: list[sp.Expr]) -> str:
@@ -83,7 +81,9 @@ def _factor(published: list[sp.Expr], derived: list[sp.Expr]) -> str:
     return sp.sstr(ratios.pop()) if len(ratios) == 1 else ""
 
 
-def _judge_form(function: Callable[..., Any], subject: Subject, form: Reading, known: dict[str, sp.Symbol]) -> Judgement:
+def _judge_form(
+    function: Callable[..., Any], subject: Subject, form: Reading, known: dict[str, sp.Symbol]
+) -> Judgement:
     published = _values(function, subject.given | form.given, known)
     derived = list(_flat(form.derived))
     plain = _text(_values(function, {}, known))
@@ -94,15 +94,15 @@ def _judge_form(function: Callable[..., Any], subject: Subject, form: Reading, k
     differences = []
     for one, other in zip(published, derived, strict=True):
         quotient, rewriting = _compare(one, other, subject)
+        if not quotient.is_zero and not nonzero_somewhere(quotient):
+            raise ArithmeticError(f"{function.__name__}: {quotient.text()} is neither zero nor shown not to be")
         differences.append(quotient)
         used |= set(quotient.relations) | ({rewriting} if rewriting else set())
     if all(quotient.is_zero for quotient in differences):
         return Judgement(REWRITTEN if used else IDENTICAL, plain, shown, "; ".join(sorted(used)))
     factor = _factor(published, derived) if subject.how == formulas.DIFFERENCE else ""
     prefix = {formulas.SQUARES: "of the squares: ", formulas.COSINES: "of the cosines: "}.get(subject.how, "")
-    return Judgement(
-        DIFFERS, plain, shown, difference=prefix + "; ".join(q.text() for q in differences), factor=factor
-    )
+    return Judgement(DIFFERS, plain, shown, difference=prefix + "; ".join(q.text() for q in differences), factor=factor)
 
 
 def _judge_fields(function: Callable[..., Any], subject: Subject) -> Judgement:
@@ -115,9 +115,7 @@ def _judge_fields(function: Callable[..., Any], subject: Subject) -> Judgement:
 
     published, derived = vars(function(xp=EXACT)), subject.forms[0].derived
     wrong = [f"{key}: {published[key]} for {derived[key]}" for key in derived if published[key] != derived[key]]
-    return Judgement(
-        DIFFERS if wrong else IDENTICAL, text(published), text(derived), difference="; ".join(wrong)
-    )
+    return Judgement(DIFFERS if wrong else IDENTICAL, text(published), text(derived), difference="; ".join(wrong))
 
 
 def judge(function: Callable[..., Any], subject: Subject) -> Judgement:

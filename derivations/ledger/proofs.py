@@ -4,9 +4,9 @@ sin, cos, exp, sign, square roots and pi become variables of a polynomial ring. 
 
     sin^2 x + cos^2 x = 1        sin 2x = 2 sin x cos x, ...        sqrt(e)^2 = e        exp(a + b) = exp(a) exp(b)
 
-An expression is zero if and only if the numerator that is left is the zero polynomial: the quotient is taken in a field,
-since cos x is not a rational function of the rest when sin x is of degree two over it, nor sqrt(e) for e that is no
-square. No number is rounded, and nothing is decided by `simplify`.
+If the numerator that is left is the zero polynomial, the expression is zero. If it is not, it might still be so through
+a relation not used (roots of dependent radicands); so a difference is shown not to vanish by enclosing its value at a
+point. No equality is decided by rounded numbers or by `simplify`.
 """
 
 from __future__ import annotations
@@ -15,8 +15,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy.simplify.fu import TR8
+
+from derivations.ledger import balls
 
 PYTHAGORAS = "sin²x + cos²x = 1"
 ROOT = "(√e)² = e"
@@ -176,7 +178,7 @@ def _plain_roots(expression: sp.Expr) -> sp.Expr:
 
 
 def _common_angles(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
-    """Every tan as sin/cos, every sum and multiple of an angle expanded; halves of angles as symbols, with their values."""
+    """Every tan as sin/cos, sums and multiples of angles expanded; parts of angles as symbols, with their values."""
     expression = expression.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
     circular = {f for f in expression.atoms(sp.sin, sp.cos)}
     terms = [term.as_coeff_Mul() for f in circular for term in sp.Add.make_args(sp.expand(f.args[0]))]
@@ -195,7 +197,7 @@ def _common_angles(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Exp
 
 
 def canonical(expression: sp.Expr) -> Quotient:
-    """The expression as a quotient of coprime polynomials, zero exactly if the expression is zero."""
+    """The expression as a quotient of coprime polynomials."""
     plain = _plain_roots(sp.sympify(expression))
     expression, units = _common_angles(plain)
     ring = _Ring([expression])
@@ -213,3 +215,19 @@ def canonical(expression: sp.Expr) -> Quotient:
     if units:
         top, bottom = (sp.factor(sp.expand(TR8(sp.expand(part)))) for part in (top, bottom))
     return Quotient(top, bottom, tuple(sorted(used)))
+
+
+def nonzero_somewhere(quotient: Quotient) -> bool:
+    """Whether the value at some rational point is certainly not zero."""
+    symbols = sorted(quotient.numerator.free_symbols, key=lambda symbol: symbol.name)
+    with balls.precision():
+        for shift in range(1, 17):
+            # spread over (0, 3), signs where they are free, another order each time: to meet every root's domain
+            point = {
+                symbol: arb((k + 1) * shift * 7 % 23 + 1) / (-8 if not symbol.is_nonnegative and (k + shift) % 2 else 8)
+                for k, symbol in enumerate(symbols)
+            }
+            value = balls.evaluate(quotient.numerator, point)
+            if value.is_finite() and not value.contains(0):
+                return True
+    return False

@@ -25,7 +25,8 @@ VOCABULARY: dict[str, str] = {
     "numbers: the derived value rounds to the printed digits",
     REWRITTEN: "proved equal over the rationals once the relations that the row names are used",
     DIFFERS: "the exact difference is not zero, or the printed digits are not the rounding of the derived value",
-    AMBIGUOUS: "our plain text lost a sign or a bracket; every reading was tried, and this one differs where another holds",
+    AMBIGUOUS: "our plain text lost a sign or a bracket; every reading was tried, and this one differs where "
+    "another holds",
     INPUT: "a value that the author chose: nothing to derive",
     TRUE: "the sentence holds, by the evidence given",
     FALSE: "the sentence does not hold, by the evidence given",

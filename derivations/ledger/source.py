@@ -15,9 +15,7 @@ import sympy as sp
 PUBLISHED = Path(__file__).parents[2] / "src" / "slowflow" / "published.py"
 
 #: the functions that published.py asks its namespace for
-EXACT = SimpleNamespace(
-    sin=sp.sin, cos=sp.cos, sqrt=sp.sqrt, arccos=sp.acos, exp=sp.exp, sign=sp.sign, pi=sp.pi
-)
+EXACT = SimpleNamespace(sin=sp.sin, cos=sp.cos, sqrt=sp.sqrt, arccos=sp.acos, exp=sp.exp, sign=sp.sign, pi=sp.pi)
 
 
 def load() -> ModuleType:

@@ -1,0 +1,579 @@
+"""In: `Facts`. Out: for every sentence of CLAIMS a verdict and its evidence.
+
+Where a sentence says in words what an equation says, the verdict follows from the proof of that equation; where it
+states a number or a sign, from a certified value, which `needs` asks for: a verdict whose evidence fails is an error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+
+import sympy as sp
+from flint import arb
+
+from derivations.ledger.balls import evaluate, rounded, sign, significant
+from derivations.ledger.facts import Facts
+from derivations.ledger.formulas import stiffness
+from derivations.ledger.rows import DEFINITION, DIFFERS, FALSE, LOOSE, OPEN, TRUE, Row
+from derivations.mechanisms.rod_spring import delta_h, lam, r
+from derivations.slow_flow import I, R, m
+from derivations.symbols import F_0, A, Omega, mu, u, zeta
+
+Verdict = tuple[str, str]
+
+
+class Unproved(ArithmeticError):
+    """A sentence's evidence does not hold: its verdict has to be thought over."""
+
+
+def needs(condition: bool, claim: str) -> None:
+    """The evidence that a verdict rests on; without it there is no verdict."""
+    if not condition:
+        raise Unproved(claim)
+
+
+def agree(facts: Facts, *names: str) -> bool:
+    """Whether these formulas, by their functions' names, are proved."""
+    return all(facts.judgements[name].verdict != DIFFERS for name in names)
+
+
+def by_formula(facts: Facts, where: str, *names: str, remark: str = "") -> Verdict:
+    """True or false with the equations that the sentence puts into words."""
+    told = f"Proved: {where}." if agree(facts, *names) else f"{where} does not hold."
+    return (TRUE if agree(facts, *names) else FALSE), f"{told} {remark}".strip()
+
+
+def few(x: arb) -> str:
+    """Four significant digits."""
+    return significant(x, 4)
+
+
+# ---- Section 2 ----------------------------------------------------------------------------------------------------
+
+
+def section_2(facts: Facts) -> dict[str, Verdict]:
+    rod = facts.rod.oscillator
+    compression = rod.mechanism.pieces[0].until
+    definitions = {symbol.name: value for symbol, value in rod.definitions.items()}
+    u_cr, alpha = definitions["u_cr"], stiffness(facts.results)
+    rising = sp.factor(sp.diff(u_cr**2, delta_h))
+    needs(sp.diff(alpha, delta_h) == -lam * r and alpha.subs(delta_h, 0) == 1, "α falls from 1")
+    needs(rising.equals(2 * (1 - delta_h)), "u_cr rises")
+    odd = all(sp.expand(piece + piece.subs(u, -u)) == 0 for piece in rod.exact)
+    return {
+        "spring_tension": (
+            TRUE,
+            f"The compression of a horizontal spring, {sp.sstr(compression)}, vanishes at x_cr and is negative beyond.",
+        ),
+        "dimensionless_equation": by_formula(
+            facts, "(3) and (4) from (1)", "equation_of_motion", "dimensionless_quantities"
+        ),
+        "taylor": by_formula(facts, "(6), (7)", "F_k_taylor", "alpha", "beta", "gamma"),
+        "odd_terms": (TRUE if odd else FALSE, "F_k(−u) = −F_k(u) exactly; all even Taylor coefficients vanish."),
+        "u_cr_null": (TRUE, f"u_cr = {sp.sstr(u_cr)} vanishes at δ_h = 0."),
+        "linear_collapse": (
+            LOOSE,
+            "The force is that of a linear oscillator. But the first expression of (5) does not turn into the "
+            "second: at "
+            "δ_h = 0 it is λr(1 − √(1 − u²))u/√(1 − u²). Its interval |u| ≤ u_cr shrinks to a point.",
+        ),
+        "linear_null_preload": (
+            TRUE,
+            "α = 1 at δ_h = 0, and u_cr = 0: only the linear piece is left, although β = λr/2.",
+        ),
+        "hslds_to_qzs": (TRUE, "α = 1 − λrδ_h falls from 1 to 0 on 0 ≤ δ_h ≤ 1/(λr)."),
+        "negative_stiffness": (TRUE, "α = 1 − λrδ_h < 0 for δ_h > 1/(λr)."),
+        "u_cr_range": (TRUE, "du_cr²/dδ_h = 2(1 − δ_h) > 0 for δ_h < 1."),
+        "snap_through": (
+            TRUE,
+            "For α < 0 the whole force u + F_k(u) falls from 0 at u = 0 and is u_cr > 0 at u_cr: a second "
+            "equilibrium on "
+            "either side.",
+        ),
+    }
+
+
+# ---- Section 3.1 --------------------------------------------------------------------------------------------------
+
+
+def section_3_1(facts: Facts) -> dict[str, Verdict]:
+    flow, without_friction, without_viscosity = (facts.results.flows[scene] for scene in ("", "mu0", "zeta0"))
+    needs(without_friction.response_quartic[1] == 0, "at μ = 0 the response is biquadratic")
+    needs(without_viscosity.response_quartic[1] == 0, "at ζ = 0 the response is biquadratic")
+    quiet = flow.F.subs({R: 0, I: flow.I.subs(A, 0)})
+    needs(sp.expand(quiet - (m**2 - F_0**2)) == 0, "F at A = 0")
+    return {
+        "rescaled_equation": by_formula(facts, "(8) with (9), (10)", "averaging_form", "G", "rescaling"),
+        "G_period": by_formula(facts, "T = 2π/Ω", "period", remark="Periodic in τ at fixed u, u'."),
+        "variation_condition": by_formula(facts, "(13) from (11), (12)", "variation_condition", "velocity_condition"),
+        "substitution": by_formula(facts, "(15) from (8), (14)", "forced_condition", "acceleration_condition"),
+        "linear_system": by_formula(facts, "(16) from (13), (15)", "linear_system"),
+        "linear_solution": by_formula(facts, "(17)", "modulation"),
+        "velocity_sign": by_formula(
+            facts,
+            "(19) from (18), friction integrated over the two half-cycles",
+            "Gamma",
+            remark="u' = −AΩ sin ψ: the signs are right inside the intervals; at their ends u' = 0.",
+        ),
+        "H_1_continuous": by_formula(facts, "(21), no breakpoint reached", "H_1"),
+        "H_2_intervals": (
+            LOOSE,
+            "Four intervals, and (22) is right. But the two bullets below the sentence, as our text has them, give "
+            "|u| > u_cr "
+            "to [ψ_0, π − ψ_0] and [π + ψ_0, 2π − ψ_0]. There |A cos ψ| < u_cr: at ψ = π/2 it is 0. (22) follows "
+            "with the "
+            "bullets exchanged.",
+        ),
+        "frequency_response": by_formula(facts, "(24) from (23)", "F", "fixed_points"),
+        "numerical_only": (
+            FALSE,
+            "(24) is a depressed quartic in Ω, which radicals solve for any μ. And with ζ = 0 its only odd term, "
+            "16μζAΩ/π, vanishes: then it is quadratic in Ω² for every μ.",
+        ),
+        "closed_form": (TRUE, "At μ = 0 the coefficient of Ω vanishes: quadratic in Ω²."),
+        "phase": by_formula(facts, "(25) from (23)", "tan_phi", remark="It leaves φ open by π; (23) does not."),
+        "backbone": by_formula(facts, "(26)", "backbone"),
+        "envelope_hypothesis": (
+            LOOSE,
+            "The hypothesis is not needed: the first equation of (23) has no H_i, so (27) holds on both sides of u_cr.",
+        ),
+        "envelope": (
+            LOOSE,
+            "sin φ = −1 gives (27). sin φ = +1 gives 2ζΩA = −F_0 − 4μ/π < 0: no amplitude.",
+        ),
+        "envelope_unbounded": by_formula(facts, "(27): A_L = (F_0 − 4μ/π)/(2ζΩ) → ∞ for F_0 > 4μ/π", "A_L"),
+        "friction_alone": (
+            TRUE,
+            "At ζ = 0, I = 4μ/π for every A: with F_0 > 4μ/π every amplitude has Ω² = (−h ± √(F_0² − I²))/A.",
+        ),
+        "sticking": (
+            LOOSE,
+            "|sin φ| ≤ 1 in (23) needs F_0 ≥ 4μ/π + 2ζΩA. No frequency is in the condition: the excitation's "
+            "amplitude is "
+            "insufficient, not its frequency.",
+        ),
+        "sticking_by_limit": (TRUE, "h → 0 with A, and (24) becomes (4μ/π)² − F_0² = 0."),
+    }
+
+
+# ---- Section 3.2 --------------------------------------------------------------------------------------------------
+
+
+def section_3_2(facts: Facts) -> dict[str, Verdict]:
+    flow, example = facts.results.flows[""], facts.example
+    amplitude, forcing = arb("0.35"), facts.forcing("0.040")
+    jacobian = flow.jacobian
+    found = ""
+    for frequency in example.frequencies(amplitude, forcing):
+        values = {**example.attached(amplitude), Omega: frequency}
+        trace, determinant = evaluate(jacobian.trace(), values), evaluate(jacobian.det(), values)
+        if determinant < 0:
+            larger = (trace + (trace**2 - 4 * determinant).sqrt()) / 2
+            needs(sign(trace) < 0 < sign(larger), "trace negative, one eigenvalue positive")
+            found = f"At F_0 = 0.040, A = 0.35, Ω = {few(frequency)} the trace is {few(trace)} and an eigenvalue "
+            f"{few(larger)}."
+    needs(bool(found), "an unstable point")
+    boundary = flow.stability.subs({R: flow.R, I: flow.I}).subs(m, flow.m)
+    share = sp.expand(sp.expand(boundary).coeff(mu))
+    needs(sp.expand(share - 8 * zeta * Omega / (sp.pi * A)) == 0, "friction's term in (30)")
+    fold = facts.fold("0.040", "jump-up")
+    size = evaluate(share, {zeta: example.zeta, Omega: fold.Omega, A: fold.A}) * example.m * arb.pi() / 4
+    return {
+        "jacobian": by_formula(facts, "(28)", "D_q_Gamma"),
+        "trace_negative": (
+            FALSE,
+            "A negative trace bounds the sum of the eigenvalues, not each: where det < 0, which (30) is there to "
+            "find, one is "
+            f"positive. {found}",
+        ),
+        "no_hopf": (TRUE, "A Hopf bifurcation needs tr = 0; tr = −2ζ − 2μ/(πΩA) < 0."),
+        "imaginary_eigenvalue": (
+            FALSE,
+            "At a saddle node det = 0: the eigenvalues are 0 and tr. A purely imaginary pair would be a Hopf "
+            "bifurcation, which "
+            "the sentence before excludes.",
+        ),
+        "determinant_null": by_formula(
+            facts,
+            "(30) is 4Ω² det, and 4Ω² det = F_A/(2A)",
+            "stability_boundary",
+            remark="tr < 0, so det > 0 is stability.",
+        ),
+        "friction_marginal": (
+            TRUE,
+            f"μ is in (30) only in 8ζμΩ/(πA). At the jump-up fold of 0.040 this is {few(size)}, Ω⁴ is "
+            f"{few(fold.Omega**4)}.",
+        ),
+        "friction_without_zeta": (TRUE, "μ is in (30) only in 8ζμΩ/(πA), which vanishes with ζ."),
+        "derivative_H_2": by_formula(facts, "(31), fourth term 6qA⁻¹u_cr", "dH_2_dA_inverse_A"),
+    }
+
+
+# ---- Section 3.3 --------------------------------------------------------------------------------------------------
+
+
+def section_3_3(facts: Facts) -> dict[str, Verdict]:
+    example, onset = facts.example, facts.example.onset
+    below = ["0.016", "0.019", "0.0217"]
+    above = ["0.025", "F_cr", "0.040", "0.050"]
+    needs(all(not facts.folds(label) for label in below), "no fold below the onset")
+    needs(all(len(facts.folds(label)) == 2 for label in above), "two folds above the onset")
+    least, negative = facts.spurious_onset
+    roots = [amplitude for amplitude, _ in example.onset_candidates]
+    needs(len(roots) == 2 and onset.A is not roots[0], "two positive roots of (33)")
+    others = facts.other_onsets
+    needs(all(found[0] < valid for found, valid in others), "the least root is spurious elsewhere too")
+    needs(len(facts.bends_at_onset) == 2, "two positive zeros of F_AA at A_s")
+    spurious, valid, high = facts.detachment_roots
+    needs(valid.overlaps(example.detachment.F_0), "the middle root of (34) is F_cr")
+    cubic = facts.results.flows[""].peak_cubic
+    needs(cubic[2] == 0 and len(cubic) == 4, "depressed cubic")
+    needs(facts.detachment_in_preload, "c_i polynomial")
+    return {
+        "jumps_above_F_SN": (
+            TRUE,
+            f"No fold at {', '.join(below)}, two at 0.025, F_cr, 0.040 and 0.050: all certified up to A = 1.",
+        ),
+        "inflection": (
+            LOOSE,
+            "Only at F_0 = F_SN, and only if the root A_s lies below u_cr; otherwise the onset is detached.",
+        ),
+        "triple_root": (TRUE, "F = F_A = F_AA = 0 at (Ω_s, A_s): a triple root in A, among the ten of (24) at that Ω."),
+        "one_positive_root": (
+            FALSE,
+            f"(33) has two positive real roots with Table 1, A = {significant(roots[0])} and {significant(roots[1])}.",
+        ),
+        "resultant_even_36": by_formula(facts, "degree 36, even powers only", "saddle_node_resultant"),
+        "solved_numerically": (TRUE, "All its roots were isolated with a certificate."),
+        "minimum_root": (
+            FALSE,
+            f"The least positive root with Table 1 is A = {significant(least)}. There F_A and F_AA vanish together at "
+            f"Ω = {significant(negative)} < 0 only: no point of the response. A_s = {significant(onset.A)} is the "
+            f"second root. "
+            f"The least root is spurious for {len(others)} other isolators tried as well.",
+        ),
+        "Omega_s": (
+            LOOSE,
+            "At A_s, F_AA = 0 has two positive roots, Ω = "
+            + " and ".join(few(x) for x in facts.bends_at_onset)
+            + "; only the first satisfies F_A = 0 too.",
+        ),
+        "F_SN_evaluation": (TRUE, f"F(Ω_s, A_s) = 0 gives F_SN = {significant(onset.F_0)}."),
+        "depressed_cubic": (TRUE, "F_Ω/(4A) has degree 3 in Ω and no term in Ω²."),
+        "cubic_root": (TRUE, "Two positive roots; the larger one is Ω_cr, the least forcing at A = u_cr."),
+        "F_cr_equation": (TRUE, "F_cr² = R² + I² at (Ω_cr, u_cr)."),
+        "fixed_preload": (
+            LOOSE,
+            "The cubic has closed-form roots in its coefficients, which are functions of δ_h: Ω_cr(δ_h) and "
+            "F_cr(δ_h) follow "
+            "without fixing δ_h.",
+        ),
+        "resultant_even_6": by_formula(
+            facts,
+            "degree 6, even powers only",
+            "detachment_resultant",
+            remark=f"Three positive roots with Table 1: {few(spurious)}, {few(valid)}, {few(high)}; F_cr is the "
+            f"middle one.",
+        ),
+        "c_i_polynomial": (
+            TRUE,
+            "Once the extraneous factor u_cr⁸ is divided out only even powers of u_cr are left, and u_cr² = δ_h(2 "
+            "− δ_h).",
+        ),
+        "preload_range": (TRUE, "With the bracket, (λr)⁻¹: there α = 0, the quasi-zero-stiffness mechanism."),
+    }
+
+
+# ---- Sections 4, 4.1 ----------------------------------------------------------------------------------------------
+
+
+def section_4_1(facts: Facts) -> dict[str, Verdict]:
+    S = {w: facts.S_at_least(w) for w in ("0.48", "0.4", "0.34")}
+    needs(all(value > 1 for value in S.values()), "S > 1 below 1/2")
+    needs(facts.S_is_one, "S = 1 above 1/2")
+    errors = {}
+    for ratio in ("0.2", "0.5", "0.7"):
+        averaged, exact = facts.amplitudes_without_stiffening("0.8", ratio)
+        errors[ratio] = averaged / exact - 1
+    needs(abs(errors["0.2"]) < abs(errors["0.5"]) < abs(errors["0.7"]), "the error grows with friction")
+    worst = facts.amplitudes_without_stiffening("0.8", "0.785")
+    quoted = ", ".join(f"{rounded(100 * value, 1)} % at μ/F_0 = {ratio}" for ratio, value in errors.items())
+    return {
+        "amplitude_unit": (TRUE, "u = sin θ ≤ 1: at u = 1 the push-rod stands vertical."),
+        "infinite_stiffness": (
+            LOOSE,
+            "The stiffness of the attached expression of (5) grows without bound as u → 1. But in the piecewise "
+            "model the "
+            "springs have left the push-rod at u_cr < 1 for every δ_h < 1, and at θ = π/2 the force is that of the "
+            "vertical "
+            "spring alone.",
+        ),
+        "den_hartog": by_formula(facts, "(35) from the half-cycle problem", "A_den_hartog", "V", "U"),
+        "den_hartog_boundary": by_formula(
+            facts, "(36), with S of (37) read with both signs minus", "A_stick_slip", "S_maximand_minus_minus"
+        ),
+        "S_below_half": (
+            FALSE,
+            f"S(0.48) ≥ {few(S['0.48'])}, S(0.4) ≥ {few(S['0.4'])}, S(0.34) ≥ {few(S['0.34'])}; at Ω = 1/3, where "
+            "cos(π/(2Ω)) = 0, U and S are infinite.",
+        ),
+        "S_above_half": (
+            TRUE,
+            "With b = π/(2Ω), τ = b − x: the maximand is 1 − f(x)/cos Ωx, f = cos Ωx − Ω tan b sin Ωx + Ω sin "
+            "x/cos b, "
+            "f(b) = f'(b) = 0 and f'' + Ω²f = Ω(Ω² − 1) sin x/cos b (each proved as an identity). For Ω > 1/2 the "
+            "right side "
+            "is positive on (0, b). So f > 0 there, by Duhamel's integral from b over less than half a period. The "
+            "maximand is "
+            "odd in x, so on (−b, 0) it needs 2 cos Ωx − f > 0 on (0, b): less cos Ωx this vanishes at 0 and b, is "
+            "driven by "
+            "the same term with minus sign, and is positive because Ωb < π. So the maximand stays below 1, its "
+            "limit at τ → 0.",
+        ),
+        "den_hartog_agreement": (
+            OPEN,
+            "Compares (35) with direct integration over values of μ/F_0 that only Figure 2a shows.",
+        ),
+        "kbm_discrepancies": (
+            TRUE,
+            f"From (24) and (35) at Ω = 0.8 the averaged amplitude is off by {quoted}. A_KBM² − A² = "
+            "μ²(U² − (16/π²)V²): relative to A² it grows with (μ/F_0)² and as A falls.",
+        ),
+        "kbm_qualitative": (OPEN, "A judgement on Figure 2a."),
+        "kbm_low_friction": (OPEN, "A judgement on Figure 2b; needs direct integration."),
+        "kbm_threshold": (
+            TRUE,
+            f"At μ/F_0 = 0.785, just below π/4, and Ω = 0.8: A/F_0 = {few(worst[0])} by averaging, {few(worst[1])} "
+            f"by (35).",
+        ),
+    }
+
+
+# ---- Section 4.2 --------------------------------------------------------------------------------------------------
+
+
+def section_4_2(facts: Facts) -> dict[str, Verdict]:
+    example = facts.example
+    detachment = example.detachment
+    shares = {"F_cr": facts.friction_share(detachment.Omega, detachment.A)} | {
+        label: facts.friction_share(p.Omega, p.A) for label, p in facts.peaks.items()
+    }
+    needs(all(share > arb("0.4") for share in shares.values()), "friction's share at resonance")
+    far = {w: facts.friction_share(arb(w), facts.smallest_amplitude(w, "0.050")) for w in ("0.5", "1.5")}
+    needs(all(share > shares["0.050"] for share in far.values()), "larger far from resonance")
+    steps = [b - a for a, b in pairwise(facts.F_cr_curve)]
+    needs(all(a > b > 0 for a, b in pairwise(steps)), "F_cr rises ever more slowly")
+    needs(facts.rises_with_preload, "F_cr rises with the preload")
+    needs(all(not value.has(r) for value in [facts.rod.oscillator.exact_ends[0]]), "u_cr free of r")
+    gains = {share: facts.F_cr_gain(share) for share in ("1", "10", "100")}
+    envelope = (
+        "F_cr² is the least of R² + I² at A = u_cr, and only I = 2ζu_crΩ + 4μ/π > 0 holds ζ and μ: by the envelope "
+        "theorem "
+        "∂F_cr²/∂ζ = 4u_crΩI > 0, ∂F_cr²/∂μ = 8I/π > 0."
+    )
+    gain_text = ", ".join(f"{rounded(100 * gain, 0)} % at {share} %" for share, gain in gains.items())
+    return {
+        "r_only_method": (
+            FALSE,
+            "u_cr holds δ_h only, and λ and r enter (5) only as the product λr: the number of horizontal springs λ "
+            "does the same.",
+        ),
+        "u_cr_of_delta_h": (TRUE, "du_cr²/dδ_h = 2(1 − δ_h) > 0."),
+        "F_cr_of_delta_h": (
+            TRUE,
+            "On the peak R = −ζI/Ω, so dF_cr²/dδ_h = 2ζI(u_cr'(Ω² + κ) + u_crκ')/Ω, κ = −h(u_cr)/u_cr. For λr = 3 "
+            "· 2.03 "
+            "and wherever Ω_cr² ≥ κ/2 this is positive up to δ_h = 1/(λr): a polynomial without a root there (Sturm).",
+        ),
+        "unbounded_resonance": (TRUE, "At ζ = 0 and F_0 > 4μ/π every amplitude has a frequency; see `friction_alone`."),
+        "no_oscillation": (TRUE, "(23) needs F_0 ≥ 4μ/π + 2ζΩA: no fixed point with A > 0 for F_0 ≤ 4μ/π."),
+        "viscous_bounded": (TRUE, "(27): A ≤ (F_0 − 4μ/π)/(2ζΩ) at every Ω > 0."),
+        "zeta_eq_equating": by_formula(facts, "(38) from (23)", "zeta_eq"),
+        "zeta_eq_near_resonance": (
+            FALSE,
+            "Friction's part of (38) over ζ at the resonance peaks of the paper's own example is "
+            + ", ".join(f"{few(share)} at {label}" for label, share in shares.items())
+            + ": smaller than elsewhere, not negligible.",
+        ),
+        "zeta_eq_far": (
+            TRUE,
+            "At F_0 = 0.050 friction's part of (38) over ζ is "
+            + ", ".join(f"{few(share)} at Ω = {w}" for w, share in far.items())
+            + " on the lowest branch.",
+        ),
+        "F_cr_damping": (TRUE, envelope),
+        "F_cr_plateau": (
+            LOOSE,
+            "With Figure 5's parameters F_cr still rises at δ_h = 1/(λr); its slope over the last 5 % of the range is "
+            f"{rounded(100 * steps[-1] / steps[0], 0)} % of that from 5 to 10 %. It flattens, without a plateau.",
+        ),
+        "F_cr_roles_differ": (TRUE, "As δ_h → 0, F_cr → 4μ/π: ζ drops out, μ does not."),
+        "F_cr_zeta_no_effect": (
+            LOOSE,
+            f"True of the limit only: F_cr − 4μ/π falls like 2ζ√(2δ_h). Raising ζ from 0.01 to 0.05 raises F_cr by "
+            f"{gain_text} of "
+            "the quasi-zero-stiffness preload.",
+        ),
+        "F_cr_limit": (
+            FALSE,
+            "F_cr → 4μ/π: m ≤ F_cr ≤ m + 2ζu_cr√(−h/u_cr), m = 4μ/π, and u_cr → 0. πμ/4 is 4μ/π times π²/16 = "
+            "0.617, and lies "
+            "in the sticking region, which no F_cr can reach.",
+        ),
+        "F_cr_mu_shift": (TRUE, envelope),
+    }
+
+
+# ---- Section 4.3 --------------------------------------------------------------------------------------------------
+
+
+def section_4_3(facts: Facts) -> dict[str, Verdict]:
+    example = facts.example
+    detachment, onset = example.detachment, example.onset
+    needs(rounded(example.u_cr, 4) == "0.3970" and rounded(detachment.F_0, 4) == "0.0300", "u_cr and F_cr")
+    needs(rounded(detachment.Omega, 4) != "0.9288", "Ω_cr")
+    needs(all(p.regime == "attached" for p in facts.folds("F_cr")), "no detached fold at F_cr")
+    needs(example.lowest_forcing(arb(1))[0] > detachment.F_0, "no response at A = 1 at F_cr")
+    peaks = [detachment.Omega, *(p.Omega for p in facts.peaks.values())]
+    needs(peaks[0] < peaks[1] < peaks[2] < 1, "the peak moves towards 1")
+    numbers = (rounded(onset.F_0, 4), rounded(onset.Omega, 4), rounded(onset.A, 4))
+    needs(numbers == ("0.0217", "0.7762", "0.1825"), "the onset")
+    ratio = {label: few(example.m / facts.forcing(label)) for label in ("F_SN", "0.050")}
+    wrong = facts.table_2_differing
+    return {
+        "example_u_cr_F_cr": (TRUE, "Both are roundings of the derived values."),
+        "example_Omega_cr": (
+            FALSE,
+            f"Ω_cr = {significant(detachment.Omega)}, 0.9279; 0.9288 is the jump-down frequency at F_0 = 0.0300.",
+        ),
+        "detachment_onset": (
+            TRUE,
+            "F_cr is the least forcing at A = u_cr; above it the response passes u_cr near Ω_cr.",
+        ),
+        "F_cr_rate": (TRUE, "Its increments over equal steps of δ_h decrease throughout, at 20 points up to 1/(λr)."),
+        "beyond_limit": (TRUE, "α = 1 − 3rδ_h < 0 for δ_h > (3r)⁻¹."),
+        "agreement_acceptable": (OPEN, "Needs direct integration and the curves of Figure 7a."),
+        "below_F_cr": (
+            TRUE,
+            "u_cr is reached at F_cr only at one point, no fold is detached there, and A = 1 is out of reach: no "
+            "response "
+            "beyond u_cr, also no isolated one.",
+        ),
+        "above_F_cr": (TRUE, "F_0 > F_cr puts two frequencies on A = u_cr, and the response beyond it between them."),
+        "peak_shift": (
+            TRUE,
+            "Peaks at F_cr, 0.040, 0.050: Ω = " + ", ".join(rounded(x, 4) for x in peaks) + ".",
+        ),
+        "F_SN_prevents": (
+            TRUE,
+            "F_SN is right; it belongs to the second root of (33), not to the least one (see `minimum_root`).",
+        ),
+        "no_multistability": (TRUE, "No fold at or below F_SN in either regime: the response is single-valued."),
+        "inflection_point": (TRUE, f"({significant(onset.Omega)}, {significant(onset.A)})."),
+        "jump_points": (
+            FALSE,
+            f"{wrong} of the 16 printed frequencies and amplitudes are not the solutions of (24) and (30); see "
+            f"Table 2.",
+        ),
+        "phase_dissipation": (
+            TRUE,
+            f"sin φ = −(2ζAΩ + 4μ/π)/F_0: its friction part alone is {ratio['F_SN']} at F_SN, {ratio['0.050']} at "
+            f"0.050.",
+        ),
+        "phase_undamped": (
+            LOOSE,
+            "Away from resonance sin φ → −2ζAΩ/F_0 as F_0 grows, small but not 0; at the peak φ stays near −π/2 "
+            "whatever "
+            "the forcing.",
+        ),
+    }
+
+
+# ---- Section 5, Appendix A ----------------------------------------------------------------------------------------
+
+
+def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]:
+    gain = facts.F_cr_gain("10")
+    needs(gain > arb("0.5"), "ζ raises F_cr at a tenth of the preload")
+    slowest = (-2 * arb.pi() * 100 * facts.example.zeta / arb("1.5")).exp()
+    return {
+        "reliability": (OPEN, "Rests on Figures 2 and 7a and direct integration."),
+        "conclusion_kbm": (OPEN, "Rests on Figures 2 and 7a and direct integration."),
+        "conclusion_1_algebraic": (
+            LOOSE,
+            "Algebraic in Ω always, in A while attached; beyond u_cr, H_2 holds ψ_0 = arccos(u_cr/A): "
+            "transcendental in A.",
+        ),
+        "conclusion_2_frequency": (TRUE, "The natural frequency is √α, and α falls with δ_h."),
+        "conclusion_2_u_cr": decided["u_cr_of_delta_h"],
+        "conclusion_2_zeta_eq": (
+            LOOSE,
+            "(38) holds the response's amplitude, not the forcing's; and near resonance friction's effect is not "
+            "small (see "
+            "`zeta_eq_near_resonance`).",
+        ),
+        "conclusion_3_mu": decided["F_cr_mu_shift"],
+        "conclusion_3_zeta": (
+            FALSE,
+            "At a tenth of the quasi-zero-stiffness preload, raising ζ from 0.01 to 0.05 (λ = 3, r = 2.03, μ = "
+            "0.012) raises "
+            f"F_cr by {rounded(100 * gain, 0)} %, at the full preload by "
+            f"{rounded(100 * facts.F_cr_gain('100'), 0)} %.",
+        ),
+        "conclusion_3_zeta_limit": decided["F_cr_zeta_no_effect"],
+        "conclusion_4_resultants": (
+            LOOSE,
+            "Both resultants hold roots that solve neither problem; the paper's rule for (33) picks such a one (see "
+            "`minimum_root`).",
+        ),
+        "conclusion_5_friction": (DEFINITION, "States the range of the model: continuous motion is assumed in (19)."),
+        "conclusion_5_threshold": decided["kbm_threshold"],
+        "smoothed_equation": (
+            LOOSE,
+            "(A1) smooths (3) with the untruncated force of (5), not the rescaled (8); and its spring force is "
+            "printed x where "
+            "u is meant.",
+        ),
+        "smoothing_functions": by_formula(
+            facts, "Φ_1 = tanh(ν_1u'), Φ_2 a difference of two logistic steps", "Phi_1", "Phi_2_minus_minus"
+        ),
+        "transients": (
+            LOOSE,
+            f"Viscous damping alone lowers a transient by {few(slowest)} in 100 periods at Ω = 1.5 (more at lower "
+            f"Ω); at a fold "
+            "an eigenvalue is 0, and no number of periods is enough.",
+        ),
+    }
+
+
+SECTIONS: tuple[Callable[[Facts], dict[str, Verdict]], ...] = (
+    section_2,
+    section_3_1,
+    section_3_2,
+    section_3_3,
+    section_4_1,
+    section_4_2,
+    section_4_3,
+)
+
+
+def claim_rows(facts: Facts) -> list[Row]:
+    """One row for each entry of CLAIMS, in the paper's order."""
+    decided: dict[str, Verdict] = {}
+    for section in SECTIONS:
+        decided |= section(facts)
+    decided |= conclusions(facts, decided)
+    return [
+        Row(
+            id=claim.id,
+            kind="claim",
+            where=claim.where,
+            quantity="",
+            published=claim.sentence,
+            derived="",
+            verdict=decided[claim.id][0],
+            evidence=decided[claim.id][1],
+        )
+        for claim in facts.published.CLAIMS
+    ]

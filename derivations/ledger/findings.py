@@ -1,0 +1,173 @@
+"""In: the rows and `Facts`. Out: everything that differs or is false, each with its proof in a paragraph."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from derivations.ledger.balls import rounded, significant
+from derivations.ledger.facts import MESH, Facts
+from derivations.ledger.rows import AMBIGUOUS, DIFFERS, FALSE, Row
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A title, the rows that it speaks of (kind and id), and the paragraph."""
+
+    title: str
+    rows: tuple[str, ...]
+    paragraph: str
+
+
+def key(row: Row) -> str:
+    """kind:id. A number and a claim may share an id."""
+    return f"{row.kind}:{row.id}"
+
+
+def findings(facts: Facts, rows: list[Row]) -> list[Finding]:
+    """Every finding, in the paper's order; an error if a row that differs belongs to none, or to two, or agrees."""
+    by_key = {key(row): row for row in rows}
+    found = _findings(facts, {name: row.evidence for name, row in by_key.items()})
+    told = [name for finding in found for name in finding.rows]
+    due = [name for name, row in by_key.items() if row.verdict in (DIFFERS, FALSE)]
+    if sorted(told) != sorted(due):
+        raise ArithmeticError(f"findings and rows part at {sorted(set(told) ^ set(due))}")
+    return found
+
+
+def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
+    example = facts.example
+    rounded_row = {kind: facts.fold("0.0300", kind) for kind in ("jump-up", "jump-down")}
+    printed = ", ".join(
+        f"{mesh.k}/{MESH} = {rounded(mesh.A, 4)}"
+        for label in ("0.025", "0.0300", "0.040", "0.050")
+        for mesh in (facts.mesh_point(label, kind) for kind in ("jump-up", "jump-down"))
+        if (label, mesh.k) != ("0.0300", 395)
+    )
+    entry = "table:table_2_row_{}_{}".format
+    return [
+        Finding(
+            "(20): the prefactor is half of what (21) and (22) need",
+            ("formula:H_i_integrand_plus", "formula:H_i_integrand_minus"),
+            "Our text lost the sign in front of (20). With minus, (1/2π)∫ gives exactly half of H_i, with plus "
+            "minus half: the "
+            "derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it gives the published (21) and, "
+            "over the four "
+            f"intervals, the published (22) ({'both proved' if facts.integrals_agree else 'not proved'}), and (19) "
+            f"is right "
+            "with these. So (20) should read H_i = −(1/π)∫; (21) onwards do not carry the slip on.",
+        ),
+        Finding(
+            "Section 3.1: a nonzero μ does not force a numerical solution",
+            ("claim:numerical_only",),
+            evidence["claim:numerical_only"],
+        ),
+        Finding(
+            "Section 3.2: a negative trace does not make every eigenvalue's real part negative",
+            ("claim:trace_negative",),
+            evidence["claim:trace_negative"],
+        ),
+        Finding(
+            "Section 3.2: at a saddle node an eigenvalue is zero, not purely imaginary",
+            ("claim:imaginary_eigenvalue",),
+            evidence["claim:imaginary_eigenvalue"],
+        ),
+        Finding(
+            "(33): the least positive real root is not A_s",
+            ("claim:minimum_root", "claim:one_positive_root"),
+            "(33) itself is right: degree 36, even powers, one irreducible factor. "
+            + evidence["claim:minimum_root"]
+            + " Elimination cannot see the sign of Ω: a root of the resultant is a candidate, to be tried in F_A = "
+            "F_AA = 0. "
+            "The printed F_SN = 0.0217 belongs to the second root. (34) is alike: "
+            + evidence["claim:resultant_even_6"].partition("Three")[1]
+            + evidence["claim:resultant_even_6"].partition("Three")[2],
+        ),
+        Finding(
+            "(37): S is not close to 1 below Ω = 1/2",
+            ("claim:S_below_half",),
+            evidence["claim:S_below_half"] + " (S = 1 for Ω > 1/2 is right, and proved: see `S_above_half`.)",
+        ),
+        Finding(
+            "Section 4.2: λ changes the stiffness at fixed u_cr as r does",
+            ("claim:r_only_method",),
+            evidence["claim:r_only_method"],
+        ),
+        Finding(
+            "Section 4.2: friction's equivalent damping is not negligible near resonance",
+            ("claim:zeta_eq_near_resonance",),
+            evidence["claim:zeta_eq_near_resonance"],
+        ),
+        Finding(
+            "Section 4.2: F_cr tends to 4μ/π, not πμ/4",
+            ("formula:F_cr_limit_literal", "number:F_cr_limit", "claim:F_cr_limit"),
+            evidence["claim:F_cr_limit"] + " The fraction is upside down: μ/F_0 = π/4 is the sticking threshold.",
+        ),
+        Finding(
+            "Section 4.3: Ω_cr = 0.9288 is another point's frequency",
+            ("number:Omega_cr", "claim:example_Omega_cr"),
+            evidence["number:Omega_cr"],
+        ),
+        Finding(
+            "Table 2, row F_cr: computed at F_0 = 0.0300, and its jump-down is not at u_cr",
+            (entry(3, "jump_up_Omega"), entry(3, "jump_down_Omega"), entry(3, "jump_down_A")),
+            f"F_cr is {significant(example.detachment.F_0)}. The row holds the folds at 0.0300: Ω = "
+            f"{rounded(rounded_row['jump-up'].Omega, 6)} and {rounded(rounded_row['jump-down'].Omega, 6)}; at F_cr "
+            f"they are "
+            f"{rounded(facts.fold('F_cr', 'jump-up').Omega, 6)} and "
+            f"{rounded(facts.fold('F_cr', 'jump-down').Omega, 6)}. " + evidence[entry(3, "jump_down_A")],
+        ),
+        Finding(
+            f"Table 2: the amplitudes were read off a mesh of step 1/{MESH}",
+            (entry(4, "jump_up_A"), entry(5, "jump_up_A")),
+            f"Every printed amplitude is a mesh value: {printed}. Each is the point of the mesh where Ω along the "
+            f"response is "
+            "extremal. Near a fold Ω depends on A by its square only, so that the frequencies hold to four digits "
+            "while the "
+            f"amplitudes are off by up to half a step; the two that round differently are {evidence_pair(facts)}.",
+        ),
+        Finding(
+            "Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938",
+            (entry(4, "jump_down_Omega"),),
+            evidence[entry(4, "jump_down_Omega")],
+        ),
+        Finding(
+            "Table 2, 0.050: the jump-down frequency 1.0175 is the value of nothing found",
+            (entry(5, "jump_down_Omega"), "claim:jump_points"),
+            f"The fold is at Ω = {significant(facts.fold('0.050', 'jump-down').Omega)}. "
+            + evidence[entry(5, "jump_down_Omega")]
+            + f" In all, {facts.table_2_differing} of Table 2's 16 frequencies and amplitudes are not roundings of "
+            f"the folds.",
+        ),
+        Finding(
+            "Section 5 (3): viscous damping raises F_cr at low preload too",
+            ("claim:conclusion_3_zeta",),
+            evidence["claim:conclusion_3_zeta"],
+        ),
+        Finding(
+            "(A1): the spring force is printed x",
+            ("formula:smoothed_equation_of_motion_x",),
+            "(A1) is in u; the difference to the derived equation is x − u. With u for x it is identical.",
+        ),
+    ]
+
+
+def evidence_pair(facts: Facts) -> str:
+    """The two amplitudes of Table 2 whose mesh values do not round to the fold's."""
+    pairs = []
+    for label in ("0.040", "0.050"):
+        mesh, fold = facts.mesh_point(label, "jump-up"), facts.fold(label, "jump-up")
+        pairs.append(f"{rounded(mesh.A, 4)} for {rounded(fold.A, 4)} at {label}")
+    return " and ".join(pairs)
+
+
+def readings(rows: list[Row]) -> list[tuple[str, str, str]]:
+    """Passages that our text leaves open: where, what, and the reading that is proved."""
+    found = []
+    ambiguous = {
+        (row.where, row.quantity.split(" [")[0]) for row in rows if row.verdict == AMBIGUOUS and row.kind == "formula"
+    }
+    for row in rows:
+        passage = (row.where, row.quantity.split(" [")[0])
+        if row.kind == "formula" and passage in ambiguous and row.verdict != AMBIGUOUS:
+            found.append((*passage, row.quantity.partition(" [")[2].rstrip("]")))
+    return found

@@ -1,0 +1,70 @@
+"""In: rows, findings, Table 2. Out: the text of LEDGER.md, for readers, and of ledger.json, for programs."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+import jinja2
+
+from derivations.ledger.findings import Finding, readings
+from derivations.ledger.rows import ALLOWED, VOCABULARY, Row
+
+TITLES = {"formula": "Formulas", "table": "Tables 1 and 2", "number": "Numbers", "claim": "Sentences"}
+CITATION = (
+    "G. Iarriccio, Primary Resonance Analysis of High-Static–Low-Dynamic Stiffness Isolators with Piecewise "
+    "Stiffness, "
+    "Viscous Damping, and Dry Friction, Appl. Sci. 2025, 15(8), 4187, doi:10.3390/app15084187"
+)
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|").replace("*", "\\*").replace("_", "\\_")
+
+
+def _code(text: str) -> str:
+    return "`" + text.replace("|", "\\|") + "`" if text else ""
+
+
+def counts(rows: list[Row]) -> dict[str, dict[str, int]]:
+    """Number of rows by kind and verdict."""
+    return {
+        kind: {verdict: sum(row.kind == kind and row.verdict == verdict for row in rows) for verdict in VOCABULARY}
+        for kind in ALLOWED
+    }
+
+
+def markdown(rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]]) -> str:
+    """LEDGER.md."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(Path(__file__).parent),
+        undefined=jinja2.StrictUndefined,
+        autoescape=False,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {"cell": _cell, "code": _code}
+    return environment.get_template("LEDGER.md.jinja").render(
+        rows=rows,
+        findings=findings,
+        table_2=table_2,
+        readings=readings(rows),
+        counts=counts(rows),
+        kinds=list(ALLOWED),
+        titles=TITLES,
+        vocabulary=VOCABULARY,
+        citation=CITATION,
+    )
+
+
+def machine_readable(rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]]) -> str:
+    """ledger.json."""
+    record = {
+        "paper": CITATION,
+        "vocabulary": VOCABULARY,
+        "counts": counts(rows),
+        "table_2": table_2,
+        "findings": [asdict(finding) for finding in findings],
+        "rows": [asdict(row) for row in rows],
+    }
+    return json.dumps(record, ensure_ascii=False, indent=1) + "\n"
