@@ -330,7 +330,7 @@ class _Path:
         last, trial = (self._started_at(point, start) for point in (last, trial))
         nearest, best = None, NEAR
         for cycle, z in self._orders(trial):
-            if cycle.order == last.cycle.order:
+            if cycle.order == last.cycle.order or not cycle.consistent:
                 continue
             for index in (0, -1):
                 row = np.zeros(z.size)
@@ -344,6 +344,8 @@ class _Path:
                     distance = max(abs(new.z[0] / last.z[0] - 1.0), abs(float(new.z[-1] - last.z[-1])))
                     if distance < best:
                         nearest, best = new, distance
+                    if best < 1e-5:
+                        return nearest
         return nearest
 
     def _started_at(self, point: _Point, phase: int) -> _Point:

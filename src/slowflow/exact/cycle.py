@@ -170,6 +170,16 @@ class Cycle:
             phases += [(-slip, -region) for slip, region in self.signature]
         return tuple(min(phases[i:] + phases[:i] for i in range(len(phases))))
 
+    @functools.cached_property
+    def consistent(self) -> bool:
+        """Whether every phase begins in the region where the one before it ended."""
+        first = (self.sign * self.signature[0][0], self.sign * self.signature[0][1])
+        following = [*self.signature[1:], first]
+        return all(
+            after[1] == region or (slip != 0 and after == (slip, region + slip))
+            for (slip, region), after in zip(self.signature, following, strict=True)
+        )
+
     def highest(self, z: Array, F_0: float) -> int:
         """Index of the phase that starts from the farthest turning point or rest at which a cycle can start."""
         best, found = abs(float(z[0])), 0
@@ -264,7 +274,7 @@ class Cycle:
 
     def holds(self, z: Array, F_0: float) -> bool:
         """Whether the motion from z's start really switches in the order of the signature."""
-        if np.any(z[2:-1] <= 0.0):
+        if not self.consistent or np.any(z[2:-1] <= 0.0):
             return False
         found = self.phases(z, F_0)
         k = len(self.signature)
@@ -277,12 +287,17 @@ class Cycle:
 
         Omega is kept unless `extra` gives one more equation: its value and its gradient by z.
         """
+        # a trial may overshoot to where the force is not defined; it is then given up
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            return self._newton(z, F_0, extra, most, tolerance)
+
+    def _newton(
+        self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float
+    ) -> tuple[Array, Equations] | None:
         last = math.inf
         for _ in range(most):
             try:
-                # a trial may overshoot to where the force is not defined; it is then given up below
-                with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-                    found = self.equations(z, F_0)
+                found = self.equations(z, F_0)
                 if extra is None:
                     residual, jacobian = found.residual, found.jacobian[:, :-2]
                 else:
