@@ -146,12 +146,11 @@ class _End:
             (root, sp.sqrt((A - self.b) * (A + self.b))),
             (x, self.b / A),
             (y, root / A),
-            # atan2 because acos(b/A) loses half the digits for A near b
-            (self.symbol("psi_0"), sp.atan2(root, self.b)),
         ]
         if not self.far:
             theta = self.symbol("theta")
-            lets.append((theta, sp.atan2(self.b, root)))
+            # atan2 because acos(b/A) loses half the digits for A near b
+            lets += [(self.symbol("psi_0"), sp.atan2(root, self.b)), (theta, sp.atan2(self.b, root))]
             for power in powers:
                 secular, polynomial = moment_parts(power)
                 lets.append((self.from_zero(power), secular * theta - x * y * _horner(polynomial, x)))
@@ -171,6 +170,9 @@ class _End:
     def to_quarter(self, power: int) -> sp.Expr:
         """int_theta^(pi/2) sin^power t dt"""
         secular, polynomial = moment_parts(power)
+        if self.far:
+            # theta is below 1: nothing cancels, and no angle is needed
+            return secular * sp.pi / 2 - self.from_zero(power)
         x, y = self.symbol("x"), self.symbol("y")
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 

@@ -19,6 +19,7 @@ import warnings
 from fractions import Fraction
 from pathlib import Path
 
+import backends
 import generated_c
 import mpmath
 import native_clones
@@ -45,18 +46,7 @@ RANGES = {
 def on_numpy():
     """Every module of kernels, loaded once more without the compiled ones."""
 
-    def forget() -> dict:
-        return {name: sys.modules.pop(name) for name in list(sys.modules) if name.split(".")[0] == "slowflow_kernels"}
-
-    before, backend = forget(), os.environ.get("SLOWFLOW_BACKEND")
-    os.environ["SLOWFLOW_BACKEND"] = "numpy"
-    loaded = {module: importlib.import_module(f"slowflow_kernels.{module}") for module in MODULES}
-    forget()
-    sys.modules.update(before)
-    os.environ.pop("SLOWFLOW_BACKEND")
-    if backend is not None:
-        os.environ["SLOWFLOW_BACKEND"] = backend
-    return loaded
+    return backends.load("numpy")
 
 
 def arguments(function, seed: int, size: int = 3001) -> dict[str, np.ndarray]:

@@ -29,12 +29,15 @@ static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const 
         packed_out[j] = rows[kernel->inputs + j];
     for (int r = 0; r < kernel->regimes; r++) {
         ptrdiff_t count = 0;
+        int any = 0;
+        for (ptrdiff_t i = 0; i < n; i++)
+            any |= regime[i] == r;
+        if (!any)
+            continue;
         for (int i = 0; i < n; i++) {
             where[count] = i;
             count += regime[i] == r;
         }
-        if (count == 0)
-            continue;
         /* the last element again and again, until only whole vectors are left */
         ptrdiff_t padded = count;
         while (padded % WIDEST != 0) {
