@@ -5,10 +5,11 @@
     3. passes   a kernel's lets and outputs      -> straight-line Programs               (derivations.emit.passes)
     4. print    Programs                         -> NumPy and C source, by template      (derivations.emit.render)
                 C functions                      -> loops for NumPy                      (derivations.emit.ufuncs)
-    5. record   Results, sources                 -> MANIFEST.json                        (derivations.emit.write)
-    6. write    file name -> text                -> files in DIR; stale files go         (derivations.emit.write)
+    5. judge    Results, published.py            -> LEDGER.md, ledger.json               (derivations.ledger)
+    6. record   Results, sources                 -> MANIFEST.json                        (derivations.emit.write)
+    7. write    file name -> text                -> files in DIR; stale files go         (derivations.emit.write)
 
-With --check, two fresh processes under different hash seeds do 1 to 6 in a temporary folder; both must equal DIR, first
+With --check, two fresh processes under different hash seeds do 1 to 7 in a temporary folder; both must equal DIR, first
 in their set of files, then in every byte.
 """
 
@@ -21,6 +22,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from derivations import ledger
 from derivations.emit.kernels import all_modules
 from derivations.emit.render import render
 from derivations.emit.ufuncs import files as native_files
@@ -32,12 +34,12 @@ HASH_SEEDS = ("0", "20250415")
 
 
 def generate() -> dict[str, str]:
-    """Stages 1 to 5: every generated file, by name."""
+    """Stages 1 to 6: every generated file, by name."""
     results = derive()
     modules = all_modules(results)
     files, counts = render(modules)
     files |= native_files(modules)
-    # files |= ledger.files(results)
+    files |= ledger.files(results)
     return files | {MANIFEST: manifest(files, results, modules, counts)}
 
 

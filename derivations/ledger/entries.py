@@ -267,7 +267,7 @@ def number_rows(facts: Facts) -> list[Row]:
                 id=number.id,
                 kind=kind,
                 where=number.where,
-                quantity=number.symbol or number.id,
+                quantity=_quantity(facts, number.id) or number.symbol or number.id,
                 published=number.printed,
                 derived=entry.derived,
                 verdict=entry.verdict,
@@ -276,6 +276,16 @@ def number_rows(facts: Facts) -> list[Row]:
             )
         )
     return rows
+
+
+def _quantity(facts: Facts, name: str) -> str:
+    """Which entry of Table 2 this is, in words."""
+    if not name.startswith("table_2_row_"):
+        return ""
+    row, column = name.removeprefix("table_2_row_").split("_", 1)
+    kind, _, quantity = column.rpartition("_")
+    label = facts.published.TABLE_2[int(row) - 1].F_0
+    return "F_0" if column == "F_0" else f"{kind.replace('_', '-')} {quantity} at {label}"
 
 
 def _number(facts: Facts, name: str, printed: str) -> Entry:
