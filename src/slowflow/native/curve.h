@@ -6,8 +6,8 @@
 
 static void SF_M(add_response_event)(const sf_zero *zero, int biquadratic, sf_graph *graph) {
     const int up = zero->rising ? 1 : -1;
-    if (zero->question == SF_REST)
-        sf_add_event(graph, zero->A, 0, SF_TO_ZERO, biquadratic ? up : -up);
+    if (zero->question == SF_REST) /* h^2 rises with h - c, and falls as h + c rises */
+        sf_add_event(graph, zero->A, 0, SF_TO_ZERO, biquadratic == (zero->channel == 0) ? up : -up);
     else if (zero->channel == 0)
         sf_add_event(graph, zero->A, zero->Omega, SF_PAIR_LOW, 2 * up);
     else

@@ -112,8 +112,10 @@ static void SF_M(count_intervals)(const SF_M(curve) * curve, sf_graph *graph) {
         const double low = graph->event[k].A, high = graph->event[k + 1].A, middle = 0.5 * (low + high);
         if (middle > low + 0x1p-51 * low && middle < high)
             graph->count[k] = SF_M(count_at)(curve, middle);
-        else
-            graph->count[k] = k == 0 || graph->event[k].kind == SF_CUT ? 0 : graph->count[k - 1] + graph->event[k].gain;
+        else if (k > 0 && graph->event[k].kind != SF_CUT)
+            graph->count[k] = graph->count[k - 1] + graph->event[k].gain;
+        else /* next to a breakpoint, or between its two sides */
+            graph->count[k] = graph->event[k + 1].kind == SF_CUT ? 0 : SF_M(count_at)(curve, low);
         if (graph->count[k] < 0 || graph->count[k] > 3) {
             graph->status = SF_UNRESOLVED;
             graph->count[k] = 0;
@@ -189,13 +191,13 @@ static void SF_M(make_arcs)(const SF_M(curve) * curve, sf_graph *graph) {
 /* ==== The fold locus =============================================================================================== */
 
 /* All samples up to A_max: one chart for each piece of the force; returns their number, or -1. */
-static int SF_M(charts)(const sf_model *model, double A_max, sf_nodes *chart, sf_status *status) {
+static int SF_M(charts)(const sf_model *model, double F_0, double A_max, sf_nodes *chart, sf_status *status) {
     int n = 0, i;
     const double end = model->breaks > 0 && model->b[0] < A_max ? model->b[0] : A_max;
-    *status = SF_M(nodes_from_zero)(model, end, &chart[n++]);
+    *status = SF_M(nodes_from_zero)(model, F_0, end, &chart[n++]);
     for (i = 0; i < model->breaks && model->b[i] < A_max && *status == SF_OK; i++) {
         const double last = i + 1 < model->breaks && model->b[i + 1] < A_max ? model->b[i + 1] : A_max;
-        *status = SF_M(nodes_above)(model, model->b[i], last, SF_STEP_UP, &chart[n++]);
+        *status = SF_M(nodes_above)(model, model->b[i], last, &chart[n++]);
     }
     return n;
 }
@@ -221,12 +223,21 @@ static sf_event_kind SF_M(locus_event)(const sf_zero *zero) {
     return SF_THROUGH;
 }
 
-/* The locus up to A_max; `found` takes the cusps and isola points of all charts. */
-static sf_status SF_M(fold_locus)(const sf_model *model, double A_max, sf_work *work) {
+/* By how much the number of roots changes at a turning point: where a maximum of F_A over Omega rises above zero a pair
+ * is born. */
+static int SF_M(locus_gain)(const sf_zero *zero) {
+    if (zero->question != SF_TURN)
+        return 0;
+    return zero->rising == (zero->channel == 0) ? 2 : -2;
+}
+
+/* The locus up to A_max in work, with its cusps and isola points, on samples that also serve for the response at F_0,
+ * or, with F_0 = 0, for none. */
+static sf_status SF_M(fold_locus)(const sf_model *model, double F_0, double A_max, sf_work *work) {
     const SF_M(curve) curve = {model, -1};
     sf_status status;
     int i, k;
-    const int charts = SF_M(charts)(model, A_max, work->chart, &status);
+    const int charts = SF_M(charts)(model, F_0, A_max, work->chart, &status);
     sf_graph *graph = &work->locus;
     graph->events = 0, graph->status = SF_OK;
     work->extrema.n = 0, work->extrema.status = SF_OK;
@@ -239,7 +250,7 @@ static sf_status SF_M(fold_locus)(const sf_model *model, double A_max, sf_work *
         sf_add_event(graph, nodes->at[0].A, 0, SF_CUT, 0);
         for (k = 0; k < work->zeros.n; k++) {
             const sf_zero *zero = &work->zeros.at[k];
-            sf_add_event(graph, zero->A, zero->Omega, SF_M(locus_event)(zero), 0);
+            sf_add_event(graph, zero->A, zero->Omega, SF_M(locus_event)(zero), SF_M(locus_gain)(zero));
             if (zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED)
                 sf_add_zero(&work->extrema, zero->A, zero->Omega, zero->question, zero->channel, zero->rising);
         }
@@ -295,11 +306,24 @@ static void SF_M(order)(double range[2], double a, double b) {
     range[1] = fmax(a, b);
 }
 
+/* A fold that lies between neighbouring amplitudes, as beside a corner: its Omega is the response's there. */
+static void SF_M(settle_between)(const sf_model *model, double F_0, const double w_range[2], sf_point *found) {
+    sf_sample at;
+    double w[3];
+    int i, n;
+    SF_M(sample)(model, found->A, &at);
+    n = sf_response_roots(at.A, at.h, model->m, model->zeta, F_0, w);
+    for (i = 0; i < n; i++)
+        if (w[i] >= w_range[0] && w[i] <= w_range[1])
+            found->Omega = w[i];
+}
+
 /* The fold at F_0 on an arc of the locus whose ends lie on both sides of it. */
 static sf_point SF_M(crossing)(const sf_model *model, double F_0, const sf_arc *arc, const double level[2]) {
     const int rising = level[0] < F_0;
     double lo = arc->A[0], hi = arc->A[1], w_lo = arc->Omega[0], w_hi = arc->Omega[1], last = hi - lo;
     double A = lo + (hi - lo) * ((F_0 - level[0]) / (level[1] - level[0]));
+    double w_range[2];
     sf_point found;
     int i;
     found.A = lo, found.Omega = w_lo;
@@ -325,7 +349,7 @@ static sf_point SF_M(crossing)(const sf_model *model, double F_0, const sf_arc *
         moved = fabs(next - A);
         if (moved < 0.01 * A || hi - lo < 1e-3 * A) {
             sf_point try = found;
-            double A_range[2], w_range[2];
+            double A_range[2];
             A_range[0] = lo, A_range[1] = hi;
             SF_M(order)(w_range, w_lo, w_hi);
             if (SF_M(polish_fold)(model, F_0, A_range, w_range, &try.Omega, &try.A))
@@ -336,6 +360,8 @@ static sf_point SF_M(crossing)(const sf_model *model, double F_0, const sf_arc *
         last = fabs(next - A);
         A = next;
     }
+    SF_M(order)(w_range, w_lo, w_hi);
+    SF_M(settle_between)(model, F_0, w_range, &found);
     return found;
 }
 
@@ -401,7 +427,7 @@ static sf_status SF_M(saddle_nodes)(const sf_model *model, double F_0, sf_work *
         return SF_STICKS;
     status = SF_M(range)(model, F_0, &work->A_max);
     if (status == SF_OK)
-        status = SF_M(fold_locus)(model, work->A_max, work);
+        status = SF_M(fold_locus)(model, F_0, work->A_max, work);
     if (status != SF_OK)
         return status;
     SF_M(folds_at)(model, F_0, work->A_max, &work->locus, folds);

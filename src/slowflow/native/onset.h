@@ -81,7 +81,7 @@ static int SF_M(nothing_above)(const sf_model *model, double b, double best, dou
         SF_KERNEL(averaged_2)(A, model->p, h);
         if (!(h[0] < 0 && h[1] < 0))
             return 0;
-        e *= SF_COARSE_STEP;
+        e *= SF_STEP_NEAR;
         A = b + b * e * e / (2 * (1 + e));
         A = fmax(A, nextafter(b, HUGE_VAL));
     }
@@ -107,10 +107,10 @@ static sf_status SF_M(onset_in_last)(const sf_model *model, double b, sf_work *w
         sf_status status = SF_M(amplitude_bound)(model, F_0, &A_max);
         if (status != SF_OK)
             return status;
-        if (b > 0 && best->F_SN <= F_0 && SF_M(nothing_above)(model, b, best->F_SN, A_max))
+        if (SF_SKIP && b > 0 && best->F_SN <= F_0 && SF_M(nothing_above)(model, b, best->F_SN, A_max))
             return SF_OK;
-        status = b > 0 ? SF_M(nodes_above)(model, b, A_max, SF_STEP_UP, nodes)
-                       : SF_M(nodes_from_zero)(model, A_max, nodes);
+        status = b > 0 ? SF_M(nodes_above)(model, b, A_max, nodes)
+                       : SF_M(nodes_from_zero)(model, 0, A_max, nodes);
         if (status != SF_OK)
             return status;
         if (b == 0 && SF_M(is_linear)(nodes))
@@ -142,8 +142,8 @@ static sf_status SF_M(onset)(const sf_model *model, sf_work *work, sf_onset *bes
         return SF_M(onset_undamped)(model, work);
     }
     for (k = 0; k < model->breaks && status == SF_OK; k++) {
-        status = k == 0 ? SF_M(nodes_from_zero)(model, model->b[0], &work->chart[0])
-                        : SF_M(nodes_above)(model, model->b[k - 1], model->b[k], SF_STEP_UP, &work->chart[0]);
+        status = k == 0 ? SF_M(nodes_from_zero)(model, 0, model->b[0], &work->chart[0])
+                        : SF_M(nodes_above)(model, model->b[k - 1], model->b[k], &work->chart[0]);
         if (status == SF_OK)
             SF_M(consider_extrema)(model, &work->chart[0], &work->zeros, best);
         SF_M(consider_corner)(model, k, best);
@@ -207,8 +207,8 @@ static sf_status SF_M(highest_of_all)(const sf_model *model, sf_question questio
         sf_status status;
         if (!(start < A_max))
             continue;
-        status = k == 0 ? SF_M(nodes_from_zero)(model, A_max, &work->chart[0])
-                        : SF_M(nodes_above)(model, start, A_max, SF_STEP_UP, &work->chart[0]);
+        status = k == 0 ? SF_M(nodes_from_zero)(model, F_0, A_max, &work->chart[0])
+                        : SF_M(nodes_above)(model, start, A_max, &work->chart[0]);
         if (status != SF_OK)
             return status;
         if (SF_M(highest)(model, question, F_0, &work->chart[0], &work->zeros, out))

@@ -128,10 +128,12 @@ static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
     out->Omega[0] = out->Omega[1] = sqrt(fmax(-at->h_A, 0));
 }
 
+/* h^2 + m^2 = F_0^2 has two smooth halves */
 static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
-    out->exists[0] = 1;
-    out->y[0] = fabs(at->h) - sqrt((F_0 - model->m) * (F_0 + model->m));
-    out->dy[0] = at->h < 0 ? -at->h_A : at->h_A;
+    const double c = sqrt((F_0 - model->m) * (F_0 + model->m));
+    out->exists[0] = out->exists[1] = 1;
+    out->y[0] = at->h - c, out->y[1] = at->h + c;
+    out->dy[0] = out->dy[1] = at->h_A;
 }
 
 static inline void sf_ask(sf_question question, const sf_model *model, double F_0, const sf_sample *at,
@@ -163,7 +165,7 @@ static inline void sf_ask(sf_question question, const sf_model *model, double F_
     }
 }
 
-static inline int sf_channels(sf_question question) { return question == SF_ISOLA || question == SF_REST ? 1 : 2; }
+static inline int sf_channels(sf_question question) { return question == SF_ISOLA ? 1 : 2; }
 
 /* Whether a zero really belongs: where a channel is defined more widely than its meaning. */
 static inline int sf_belongs(sf_question question, const sf_sample *at) {
@@ -174,32 +176,41 @@ static inline int sf_belongs(sf_question question, const sf_sample *at) {
     return 1;
 }
 
-/* Whether a channel that ends between `inside` and `outside` has no zero before its end: it is already close to the
- * value that it ends with, on the same side of zero. */
-static inline int sf_settled(sf_question question, int channel, const sf_answer *inside, const sf_answer *outside) {
-    const double y = inside->y[channel];
-    double last = inside->merge;
+/* Whether a channel that ends between `inside` and `outside`, `width` apart (signed), has no zero before its end: it is
+ * close to the value that it ends with, on the same side of zero, and its slope does not lead across. Where it ends by
+ * merging with the other channel their slopes may be infinite there, but not their mean. */
+static inline int sf_settled(sf_question question, int channel, const sf_answer *inside, const sf_answer *outside,
+                             double width) {
+    const int merges = question == SF_CUSP ? outside->edge < 0 : inside->exists[0];
+    double y = inside->y[channel], slope = inside->dy[channel], last = inside->merge;
     if (question == SF_ISOLA)
         return y > 0;
-    if (question == SF_CUSP ? outside->edge < 0 : inside->exists[0]) { /* it merges with the other channel */
+    if (merges) {
         if (!inside->exists[1 - channel])
             return 0;
         last = inside->y[1 - channel];
+        slope = 0.5 * (inside->dy[0] + inside->dy[1]);
     }
-    return !sf_opposite(y, last) && fabs(y - last) <= 0.5 * fabs(y);
+    return !sf_opposite(y, last) && fabs(y - last) <= 0.5 * fabs(y) && !sf_opposite(y, y + 2 * slope * width);
 }
 
 /* Whether a function with these values and slopes at both ends of a width may come down to zero between: values on one
- * side of zero, slopes towards it and away again, tangents that meet near or beyond it. For a convex function the
- * tangents meet below its least value. */
+ * side of zero, slopes towards it and away again, and near zero where the tangents meet (the lowest that a convex
+ * function can be) or on the cubic with these values and slopes. */
 static inline int sf_may_touch(double y_0, double dy_0, double y_1, double dy_1, double width) {
     const double sign = y_0 < 0 ? -1 : 1;
     double t, lowest;
+    int i;
     y_0 *= sign, dy_0 *= sign, y_1 *= sign, dy_1 *= sign;
     if (!(dy_0 < 0 && dy_1 > 0))
         return 0;
     t = (y_1 - y_0 - dy_1 * width) / (dy_0 - dy_1);
     lowest = y_0 + dy_0 * t;
+    for (i = 1; i < 8; i++) {
+        const double x = 0.125 * i, z = 1 - x;
+        lowest = fmin(lowest, z * z * ((1 + 2 * x) * y_0 + x * width * dy_0) +
+                                  x * x * ((1 + 2 * z) * y_1 - z * width * dy_1));
+    }
     return !(lowest >= 0.3 * fmin(y_0, y_1));
 }
 

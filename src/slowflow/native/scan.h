@@ -13,8 +13,37 @@ static void SF_M(sample)(const sf_model *model, double A, sf_sample *at) {
     at->h = out[0], at->h_A = out[1], at->h_AA = out[2], at->h_AAA = out[3];
 }
 
-/* Samples from the lowest amplitude that matters up to `end`, within (0, b] of the first piece. */
-static sf_status SF_M(nodes_from_zero)(const sf_model *model, double end, sf_nodes *nodes) {
+/* Whether h, h_A and h_AA have the signs that they have far below, where the lowest power of A rules. */
+static int SF_M(has_first_signs)(const sf_model *model, const sf_sample *at) {
+    sf_sample below;
+    SF_M(sample)(model, 0x1p-10 * at->A, &below);
+    return !sf_opposite(at->h, below.h) && !sf_opposite(at->h_A, below.h_A) && !sf_opposite(at->h_AA, below.h_AA);
+}
+
+/* Whether nothing but the response's upper end is left at this amplitude of the first piece and below: F_AA > 0 for all
+ * Omega, because h_A or damping outweighs terms that vanish with A^2. Then F_A > 0, there is no fold, and each extremum
+ * of F over Omega rises with A; below F_0 (if it is given, > 0) it stays below. */
+static int SF_M(quiet_below)(const sf_model *model, double F_0, const sf_sample *at) {
+    const double zz = 4 * model->zeta * model->zeta, h_A = at->h_A, bend = fabs(at->A * at->h_AA);
+    const double along = fabs(at->h_AA * (at->A * h_A - at->h));
+    const int steady = bend < 0.25 * fabs(h_A); /* h is nearly linear from here down */
+    /* F_AA/2 = X^2 + c_1 X + c_0 in X = Omega^2 has no real root; or c_1 > 0 and c_0 > 0 */
+    const int no_root = steady && 0.25 * bend * (bend + 2 * zz) + along < -0.25 * zz * (h_A + 0.25 * zz);
+    const int positive = fabs(at->h * at->h_AA) < 0.25 * h_A * h_A;
+    const int negative = steady && positive && bend < 0.5 * (h_A + 0.5 * zz);
+    const int damped = fabs(h_A) + bend < 0.25 * zz && at->h * at->h_AA >= 0 && SF_M(has_first_signs)(model, at);
+    sf_answer peak;
+    if (!(no_root || negative || damped || (model->zeta == 0 && at->A < SF_DEEP)))
+        return 0;
+    if (!(F_0 > 0))
+        return 1;
+    sf_ask(SF_PEAK, model, F_0, at, &peak);
+    return peak.merge < 0 && !(peak.exists[0] && peak.y[0] >= 0) && !(peak.exists[1] && peak.y[1] >= 0);
+}
+
+/* Samples from the lowest amplitude that matters, at F_0 or, with F_0 = 0, to the fold locus, up to `end`, within (0, b]
+ * of the first piece. */
+static sf_status SF_M(nodes_from_zero)(const sf_model *model, double F_0, double end, sf_nodes *nodes) {
     double A = end;
     int n = 0, i;
     for (;;) {
@@ -22,13 +51,8 @@ static sf_status SF_M(nodes_from_zero)(const sf_model *model, double end, sf_nod
         SF_M(sample)(model, A, at);
         if (n == SF_MOST_NODES)
             return SF_NO_BOUND;
-        if (A < SF_DEEP * end) {
-            /* below, friction and damping outweigh the force: nothing is left but the response's upper end */
-            sf_answer cusp;
-            sf_ask(SF_CUSP, model, 0, at, &cusp);
-            if (!(cusp.exists[1] && cusp.y[1] < 0) || model->zeta == 0 || A < SF_DEEPEST * end)
-                break;
-        }
+        if (n > 1 && (SF_M(quiet_below)(model, F_0, at) || A < SF_DEEPEST))
+            break;
         A *= SF_STEP_DOWN;
     }
     for (i = 0; i < n / 2; i++) {
@@ -40,8 +64,9 @@ static sf_status SF_M(nodes_from_zero)(const sf_model *model, double end, sf_nod
     return SF_OK;
 }
 
-/* Samples from just above the breakpoint up to `end`. */
-static sf_status SF_M(nodes_above)(const sf_model *model, double b, double end, double step, sf_nodes *nodes) {
+/* Samples from just above the breakpoint up to `end`. Next to it the force is a power series in e, and its samples lie
+ * further apart. */
+static sf_status SF_M(nodes_above)(const sf_model *model, double b, double end, sf_nodes *nodes) {
     const double first = nextafter(b, HUGE_VAL);
     double e = SF_FIRST_ABOVE, A = first;
     int n = 0;
@@ -50,7 +75,7 @@ static sf_status SF_M(nodes_above)(const sf_model *model, double b, double end, 
             return SF_NO_BOUND;
         SF_M(sample)(model, A, &nodes->at[n++]);
         do {
-            e *= step;
+            e *= e < SF_NEAR_BREAK ? SF_STEP_NEAR : SF_STEP_UP;
             A = b + b * e * e / (2 * (1 + e));
         } while (!(A > nodes->at[n - 1].A));
     }
@@ -116,12 +141,14 @@ static int SF_M(suspicious)(const SF_M(search) * search, const SF_M(probe) * a, 
             const double sign = x->y[c] < 0 ? 1 : -1;
             return depth < 6 && (sign * x->dy[c] < 0 || sign * y->dy[c] < 0);
         }
+        if (depth < 2) /* an extremum towards zero is looked at, whatever its estimate */
+            return sf_may_touch(x->y[c], x->dy[c], y->y[c], y->dy[c], HUGE_VAL);
         return depth < 40 && sf_may_touch(x->y[c], x->dy[c], y->y[c], y->dy[c], b->at.A - a->at.A);
     }
     if (x->exists[c])
-        return !sf_settled(search->question, c, x, y);
+        return !sf_settled(search->question, c, x, y, b->at.A - a->at.A);
     if (y->exists[c])
-        return !sf_settled(search->question, c, y, x);
+        return !sf_settled(search->question, c, y, x, a->at.A - b->at.A);
     return depth < 40 && x->edge < 0 && y->edge < 0 &&
            sf_may_touch(x->edge, x->d_edge, y->edge, y->d_edge, b->at.A - a->at.A);
 }

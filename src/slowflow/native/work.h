@@ -6,8 +6,7 @@
 
 enum { SF_MOST_FOLDS = 48, SF_RAISES = 30, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS, SF_RUNGS = 42, SF_FINE_RUNGS = 16 };
 
-#define SF_RAISE 4.0                     /* the forcing is raised by this factor until the onset lies below it */
-#define SF_COARSE_STEP 1.6487212707001282 /* exp(1/2): spacing of e where only the force's course is looked at */
+#define SF_RAISE 4.0 /* the forcing is raised by this factor until the onset lies below it */
 
 /* up: whether a sweep leaves the fold for a larger amplitude */
 typedef struct {

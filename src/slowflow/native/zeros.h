@@ -4,12 +4,21 @@
 
 #include "questions.h"
 
-enum { SF_MOST_NODES = 1200, SF_MOST_ZEROS = 96 };
+#ifndef SF_MOST_NODES
+#define SF_MOST_NODES 1200
+#endif
+#define SF_MOST_ZEROS 96
 
-#define SF_STEP_DOWN 0.90483741803595957 /* exp(-1/10): spacing below the first breakpoint */
-#define SF_STEP_UP 1.1618342427282831    /* exp(3/20): spacing of e above a breakpoint */
-#define SF_DEEP 1e-9                     /* the part of a chart's end where it begins, unless something lies below */
-#define SF_DEEPEST 1e-40
+/* spacing; a test builds the solvers with a finer one too */
+#ifndef SF_STEP_DOWN
+#define SF_STEP_DOWN 0.90483741803595957 /* exp(-1/10), of A below the first breakpoint */
+#define SF_STEP_UP 1.1618342427282831    /* exp(3/20), of e above a breakpoint */
+#define SF_STEP_NEAR 1.6487212707001282  /* exp(1/2), of e next to it */
+#define SF_SKIP 1                        /* leave out pieces that cannot hold the onset */
+#endif
+#define SF_NEAR_BREAK 0.02
+#define SF_DEEP 1e-9 /* amplitudes below it are left alone where no damping tells where the locus begins */
+#define SF_DEEPEST 1e-100
 #define SF_FIRST_ABOVE 0x1p-25 /* e of the first amplitudes above a breakpoint: A/b - 1 is of the size of an ulp */
 
 typedef struct {

@@ -223,7 +223,7 @@ static PyObject *fold_locus(PyObject *self, PyObject *args)
         return NULL;
     work->A_max = A_max;
     Py_BEGIN_ALLOW_THREADS
-    status = solver->fold_locus(&model, A_max, work);
+    status = solver->fold_locus(&model, 0, A_max, work);
     if (status == SF_OK && samples > 0)
         n = solver->draw_locus(&model, samples, work, NULL, NULL, NULL, NULL);
     Py_END_ALLOW_THREADS
