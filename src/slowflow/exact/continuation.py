@@ -177,7 +177,13 @@ class _Path:
                     continue
             size *= 0.5
             if size < SMALLEST_STEP:
-                break
+                # phases may vanish so unevenly that the curve has a cusp at the border: across it in one go
+                new = self._other_side(point, point)
+                if new is None:
+                    break
+                yield self._border(point, new)
+                yield new
+                point, size = new, 0.05 * self.step
         raise ArithmeticError(
             f"the response curve at F_0 = {self.F_0} cannot be followed beyond Omega = {point.z[-1]:.9g}, "
             f"A = {point.equations.A:.9g}"
@@ -345,8 +351,8 @@ class _Path:
                     if distance < best:
                         nearest, best = new, distance
                     if best < 1e-5:
-                        return nearest
-        return nearest
+                        return self._leaving(new, last)
+        return None if nearest is None else self._leaving(nearest, last)
 
     def _started_at(self, point: _Point, phase: int) -> _Point:
         if phase == 0:
@@ -357,7 +363,7 @@ class _Path:
     def _orders(self, trial: _Point) -> Iterator[tuple[Cycle, Array]]:
         """Orders of switches that may hold beyond a border, with trial unknowns; `trial` has the order that is lost."""
         cycle, z = trial.cycle, trial.z
-        if np.any(z[2:-1] < 0.0):
+        if np.min(z[2:-1]) < 1e-2:
             # phases that come to nothing together need not do so at the same rate
             for short in (0.0, 1e-3, 1e-2, 5e-2):
                 found = _without_short(trial, short)
@@ -394,22 +400,19 @@ class _Path:
         found = cycle.newton(z, self.F_0, keep)
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
-        tangent = self._tangent(found[0], found[1], None)
-        if self._away(cycle, found[0], found[1], last) @ tangent < 0:
-            tangent = -tangent
-        return _Point(cycle, *found, tangent, "")
+        return _Point(cycle, *found, self._tangent(found[0], found[1], None), "")
 
-    def _away(self, cycle: Cycle, z: Array, equations: Equations, last: _Point) -> Array:
-        """A direction away from the border: the new phases last longer, or the margin that was none grows."""
-        direction = np.zeros(z.size)
-        margins = [border for border in equations.borders if abs(border.margin) < 1e-3]
-        if len(cycle.signature) > len(last.cycle.signature):
-            direction[2 + int(np.argmin(z[2:-1]))] = 1.0
-        elif margins:
-            direction = min(margins, key=lambda border: abs(border.margin)).gradient[:-1]
-        else:
-            direction[[0, -1]] = self._weights(z)[[0, -1]] * (z[[0, -1]] - last.z[[0, -1]])
-        return direction
+    def _leaving(self, new: _Point, last: _Point) -> _Point:
+        """The first point beyond a border with its tangent turned away from the border."""
+        senses = [new, new._replace(tangent=-new.tangent)]
+        for size in (1e-4, 1e-3, 1e-2):
+            there = [self._corrected(point, size) for point in senses]
+            held = [point is not None and point.cycle.holds(point.z, self.F_0) for point in there]
+            if held[0] != held[1]:  # only one sense leads back across the border
+                return senses[0] if held[0] else senses[1]
+        offset = new.z[[0, -1]] - last.z[[0, -1]]
+        along = float(new.tangent[[0, -1]] @ (self._weights(new.z)[[0, -1]] * offset))
+        return senses[0] if along > 0 else senses[1]
 
     def _border(self, last: _Point, new: _Point) -> _Point:
         """The border between two orders of switches, solved for on the side with fewer phases."""

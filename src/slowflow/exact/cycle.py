@@ -138,10 +138,9 @@ class Cycle:
                 jacobian[i] = of_state[1]
                 if next_slip == 0:
                     monodromy[1] = 0.0
-                else:
-                    if acceleration != 0.0:
-                        monodromy[1] *= forced.acceleration(next_slip, region, end, u, v) / acceleration
-                    borders += self._borders(forced, i, next_slip, end, u, of_state[0], of_theta)
+                elif acceleration != 0.0:
+                    monodromy[1] *= forced.acceleration(next_slip, region, end, u, v) / acceleration
+                borders += self._borders(forced, i, next_slip, end, u, of_state[0], of_theta)
         residual[k] = u - self.sign * float(z[0])
         jacobian[k] = of_state[0]
         jacobian[k, 0] -= self.sign
@@ -155,7 +154,7 @@ class Cycle:
         slip, region = self.signature[phase]
         edge = edge_ahead(self.system, slip, region)
         found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
-        if self.system.mu > 0:
+        if next_slip != 0 and self.system.mu > 0:
             slope = -forced.F_0 * math.sin(theta) * of_theta - forced.piece(region).slope(u) * of_u
             slope[-1] += math.cos(theta)
             margin = next_slip * forced.push(region, theta, u) - self.system.mu
@@ -220,6 +219,8 @@ class Cycle:
         """The cycle with a way beyond the breakpoint and back put in at the end of a phase, and trial unknowns."""
         forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
         slip, region = self.signature[phase]
+        if self.signature[(phase + 1) % len(self.signature)][0] == 0:
+            return self._with_rest_beyond(z, F_0, phase)
         theta, u = self._end(z, F_0, phase)
         beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
         # constant deceleration on the way out, constant acceleration on the way back
@@ -229,6 +230,36 @@ class Cycle:
         out, back = (math.sqrt(2.0 * beyond / pull) for pull in pulls)
         out, back = out * forced.Omega, back * forced.Omega
         return self._with(z, phase, [(slip, region + slip)], [out], [(-slip, region + slip)], [back])
+
+    def _with_rest_beyond(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
+        """The same where the mass rests beyond the breakpoint before it comes back."""
+        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        signature, spans = list(self.signature), [float(span) for span in z[2:-1]]
+        slip, region = signature[phase]
+        rest, last = phase + 1, phase + 2 == len(signature)
+        if (self.sign * signature[0][0] if last else signature[rest + 1][0]) != -slip:
+            return None
+        theta, u = self._end(z, F_0, phase)
+        beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
+        pull = -slip * forced.acceleration(slip, region + slip, theta, u, 0.0)
+        # the push grows steadily from the moment of breaking away
+        growth = F_0 * forced.Omega * abs(math.sin(theta + spans[rest]))
+        if min(pull, growth) <= 0.0:
+            return None
+        out, back = math.sqrt(2.0 * beyond / pull) * forced.Omega, math.cbrt(6.0 * beyond / growth) * forced.Omega
+        spans[phase] -= out
+        spans[0 if last else rest + 1] -= back
+        signature[rest] = (0, region + slip)
+        if last:
+            signature.insert(0, (-self.sign * slip, self.sign * (region + slip)))
+            spans.insert(0, back)
+            phase += 1
+        else:
+            signature.insert(rest + 1, (-slip, region + slip))
+            spans.insert(rest + 1, back)
+        signature.insert(phase + 1, (slip, region + slip))
+        spans.insert(phase + 1, out)
+        return replace(self, signature=tuple(signature)), np.array([z[0], z[1], *spans, z[-1]])
 
     def _end(self, z: Array, F_0: float, phase: int) -> tuple[float, float]:
         """theta and u at the end of a phase, integrated over the spans."""
