@@ -1,10 +1,11 @@
-"""The command line: `slowflow info`. In go arguments, out come text on stdout and an exit code."""
+"""The command line: `slowflow info`, `slowflow paper`. In go arguments, out come text and an exit code."""
 
 from __future__ import annotations
 
 import argparse
 import importlib.metadata
 import platform
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -37,7 +38,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="slowflow", description="Slow flow of piecewise-smooth vibration isolators.")
     commands = parser.add_subparsers(dest="command", required=True)
     commands.add_parser("info", help="the backend in use, versions, how the compiled code was built")
-    parser.parse_args(arguments)
-    for topic, text in info().items():
-        print(f"{topic:14}{text}")
+    paper = commands.add_parser("paper", help="Table 2 published / derived / verdict, the ledger's findings, Fig. 7")
+    paper.add_argument("--ledger", type=Path, default=Path("generated/ledger.json"), help="what `make derive` wrote")
+    paper.add_argument("--out", type=Path, default=Path("output"), help="folder for the figures")
+    given = parser.parse_args(arguments)
+    if given.command == "info":
+        for topic, text in info().items():
+            print(f"{topic:14}{text}")
+    else:
+        # here, not above: `slowflow info` needs none of it
+        from slowflow.paper import draw, read_ledger, report
+
+        try:
+            ledger = read_ledger(given.ledger)
+        except FileNotFoundError as missing:
+            print(f"slowflow paper: {missing}", file=sys.stderr)
+            return 1
+        for line in report(ledger):
+            print(line)
+        print("Figures:", *draw(given.out))
     return 0

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import ModuleType
 from typing import Any
 
@@ -50,9 +51,8 @@ class Model:
         flow = importlib.import_module(f"slowflow_kernels.slow_flow_{name}") if name else general_flow
         object.__setattr__(self, "flow", flow)
         object.__setattr__(self, "m", float(general_flow.friction(self.mu)))
-        pieced = hasattr(self.kernels, "breakpoints")
-        ends = [float(end) for end in self.kernels.breakpoints(*self.parameters)] if pieced else []
-        jumps = [float(jump) for jump in self.kernels.jumps(*self.parameters)] if pieced else []
+        ends = [float(end) for end in self.kernels.breakpoints(*self.parameters)]
+        jumps = [float(jump) for jump in self.kernels.jumps(*self.parameters)]
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
         object.__setattr__(self, "breakpoints", tuple(end for end, _ in kept))
@@ -61,6 +61,11 @@ class Model:
     @property
     def reach(self) -> float:
         return float(self.kernels.REACH)
+
+    @cached_property
+    def record(self) -> tuple[str, tuple[float, ...], float, float, float]:
+        """The model as the compiled solvers take it."""
+        return self.kernels.__name__.rpartition(".")[2], self.parameters, self.m, self.zeta, self.reach
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""

@@ -1,14 +1,15 @@
-"""The paper's Table 2 beside slowflow's, and Fig. 7: in goes a folder for figures and the ledger, out comes a report.
+"""The paper's example beside slowflow's: in go the ledger and a folder, out come Table 2 with verdicts, and Fig. 7.
 
-`slowflow paper` prints the report; the numbers are the runtime's, the verdicts on the equations are the ledger's.
+The numbers are the runtime's; the verdicts are the ledger's, which has the same numbers certified. Where the two
+disagree the report fails.
 """
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
 from typing import Any
 
@@ -19,15 +20,20 @@ from slowflow.results import SaddleNodes
 #: frequencies and amplitudes shown in Fig. 7
 WINDOW = (0.6, 1.2)
 A_MAX = 1.0
+#: the ledger prints 12 significant digits
+LEDGER_DIGITS = 12
+#: numbers of Section 4.3 that Table 2 rests on, by their names in the ledger
+QUOTED = ("u_cr", "F_cr", "Omega_cr", "F_SN", "Omega_SN", "A_SN")
+ENTRIES = (("jump-up", "jump_up"), ("jump-down", "jump_down"))
 
 
 @dataclass(frozen=True)
 class Row:
-    """One published number beside ours: `printed` as in the paper, `derived` ours, `verdict` in words."""
+    """One published number beside ours: `printed` as in the paper, `derived` the runtime's, `verdict` the ledger's."""
 
     what: str
     printed: str
-    derived: float | None
+    derived: float
     verdict: str
 
 
@@ -37,71 +43,65 @@ def table_1_isolator() -> Isolator:
     return Isolator(**values)
 
 
-def rounds_to(derived: float, printed: str) -> bool:
-    """Whether `printed` is `derived` rounded to as many decimals."""
-    places = Decimal(1).scaleb(Decimal(printed).as_tuple().exponent)  # type: ignore[arg-type]
-    return Decimal(derived).quantize(places, ROUND_HALF_UP) == Decimal(printed)
+def rows(isolator: Isolator, ledger: dict[str, Any]) -> Iterator[Row]:
+    """Section 4.3's numbers and Table 2, entry by entry.
 
-
-def judged(what: str, printed: str, derived: float | None) -> Row:
-    """A row with its verdict."""
-    if derived is None:
-        return Row(what, printed, None, "no such point")
-    if rounds_to(derived, printed):
-        return Row(what, printed, derived, "rounds to it")
-    return Row(what, printed, derived, f"differs by {float(printed) - derived:+.5f}")
-
-
-def _fold(folds: SaddleNodes, kind: str) -> tuple[float | None, float | None]:
-    these = [k for k in range(len(folds)) if folds.kind[k] == kind]
-    return (float(folds.Omega[these[0]]), float(folds.A[these[0]])) if len(these) == 1 else (None, None)
-
-
-def table_2(isolator: Isolator) -> Iterator[Row]:
-    """Table 2, entry by entry, and the numbers of Section 4.3 that it rests on."""
+    Raises ArithmeticError where the runtime's number is not the one that the ledger certifies.
+    """
     detachment, onset = isolator.detachment(), isolator.saddle_node_onset()
-    quoted = {number.id: number.printed for number in published.NUMBERS}
-    yield judged("u_cr", quoted["u_cr"], detachment.u_cr)
-    yield judged("F_cr", quoted["F_cr"], detachment.F_cr)
-    yield judged("Omega_cr", quoted["Omega_cr"], detachment.Omega_cr)
-    yield judged("F_SN", quoted["F_SN"], onset.F_SN)
-    yield judged("Omega_SN", quoted["Omega_SN"], onset.Omega)
-    yield judged("A_SN", quoted["A_SN"], onset.A)
+    ours = (detachment.u_cr, detachment.F_cr, detachment.Omega_cr, onset.F_SN, onset.Omega, onset.A)
+    numbers = {row["id"]: row for row in ledger["rows"] if row["kind"] == "number"}
+    for name, value in zip(QUOTED, ours, strict=True):
+        yield _row(name, value, numbers[name])
     levels = {"F_SN": onset.F_SN, "F_cr": detachment.F_cr}
-    for row in published.TABLE_2:
-        if row.jump_up_Omega == "-":
+    for entry in ledger["table_2"]:
+        printed = entry["F_0"]["published"]
+        if entry["jump_up_Omega"]["published"] == "-":
             continue
-        F_0 = levels[row.F_0] if row.F_0 in levels else float(row.F_0)
-        if F_0 is None:
-            raise ArithmeticError(f"Table 1 has no {row.F_0}")
-        folds = isolator.saddle_nodes(F_0)
-        for kind, Omega, A in (
-            ("jump-up", row.jump_up_Omega, row.jump_up_A),
-            ("jump-down", row.jump_down_Omega, row.jump_down_A),
-        ):
-            ours = _fold(folds, kind)
-            yield judged(f"F_0 = {row.F_0}, {kind} Omega", Omega, ours[0])
-            yield judged(f"F_0 = {row.F_0}, {kind} A", quoted.get(A, A), ours[1])
+        folds = isolator.saddle_nodes(levels.get(printed) or float(printed))
+        for kind, key in ENTRIES:
+            Omega, A = _fold(folds, kind)
+            yield _row(f"F_0 = {printed}, {kind} Omega", Omega, entry[f"{key}_Omega"])
+            yield _row(f"F_0 = {printed}, {kind} A", A, entry[f"{key}_A"])
 
 
-def report(ledger: Path) -> Iterator[str]:
-    """Lines of the report."""
-    isolator = table_1_isolator()
-    rows = list(table_2(isolator))
-    width = max(len(row.what) for row in rows)
-    yield f"{'':{width}}  {'published':>9}  {'slowflow':>14}  verdict"
-    for row in rows:
-        derived = "" if row.derived is None else f"{row.derived:.12f}"
-        yield f"{row.what:{width}}  {row.printed:>9}  {derived:>14}  {row.verdict}"
+def _fold(folds: SaddleNodes, kind: str) -> tuple[float, float]:
+    (k,) = (k for k in range(len(folds)) if folds.kind[k] == kind)
+    return float(folds.Omega[k]), float(folds.A[k])
+
+
+def _row(what: str, value: float | None, judged: dict[str, str]) -> Row:
+    certified = float(judged["derived"])
+    if value is None or not math.isclose(value, certified, rel_tol=10.0 ** (1 - LEDGER_DIGITS)):
+        raise ArithmeticError(f"{what}: the runtime has {value!r}, the ledger {judged['derived']}")
+    return Row(what, judged["published"], value, judged["verdict"])
+
+
+def report(ledger: dict[str, Any]) -> Iterator[str]:
+    """Lines: Table 2 published / derived / verdict, the ledger's counts, its findings."""
+    table = list(rows(table_1_isolator(), ledger))
+    width = max(len(row.what) for row in table)
+    yield f"{'':{width}}  {'published':>9}  {'derived':>15}  verdict"
+    for row in table:
+        derived = f"{row.derived:#.{LEDGER_DIGITS}g}"
+        verdict = "rounds to it" if row.verdict == "identical" else row.verdict
+        yield f"{row.what:{width}}  {row.printed:>9}  {derived:>15}  {verdict}"
     yield ""
-    yield from _summary(json.loads(ledger.read_text()))
+    yield "The ledger: everything published, held against what is derived (generated/LEDGER.md)"
+    for kind, counts in ledger["counts"].items():
+        told = ", ".join(f"{number} {verdict}" for verdict, number in counts.items() if number)
+        yield f"  {kind + 's:':10} {told}"
+    yield "Findings:"
+    for number, finding in enumerate(ledger["findings"], start=1):
+        yield f"  {number:2d}. {finding['title']}"
 
 
-def _summary(ledger: dict[str, Any]) -> Iterator[str]:
-    """How many published equations, numbers and sentences hold."""
-    yield "Ledger (generated/LEDGER.md): what was published, held against what is derived"
-    for verdict, rows in ledger["summary"].items():
-        yield f"  {rows:4d}  {verdict}"
+def read_ledger(path: Path) -> dict[str, Any]:
+    """The ledger for programs. Raises FileNotFoundError with the way to make it."""
+    if not path.is_file():
+        raise FileNotFoundError(f"{path} is not there: `make derive` writes it")
+    ledger: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return ledger
 
 
 def draw(folder: Path) -> list[Path]:
