@@ -205,6 +205,12 @@ def test_short_curve_by_scipy():
         assert abs(state.A - point.equations.A) <= 1e-9
 
 
+@heyoka
+def test_unbounded_resonance_in_words():
+    with pytest.raises(ArithmeticError, match="resonance is unbounded"):
+        exact_response(Oscillator(linear(), 0.3, 0.0), 1.0, (0.6, 1.4))
+
+
 def test_errors_in_words():
     system = table_1(exact=False)
     with pytest.raises(ValueError, match="Omega_range"):

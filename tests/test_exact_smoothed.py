@@ -12,7 +12,7 @@ def test_bias_falls_with_the_smoothing():
     system = Oscillator(linear(), 0.3, 0.1)
     exact = steady_state(system, 0.8, 1.0).A
     bias = [
-        abs(direct_integration(system, 0.8, 1.0, nu=nu, turns=40, kept=2, rtol=1e-6, atol=1e-9).A / exact - 1)
+        abs(direct_integration(system, 0.8, 1.0, nu=nu, turns=20, kept=2, rtol=1e-6, atol=1e-9).A / exact - 1)
         for nu in (10, 20, 40)
     ]
     assert bias[0] > bias[1] > bias[2]

@@ -27,6 +27,7 @@ from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9
 STRAIGHT = 0.98  # cosine of the largest angle between neighbouring tangents
+LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve is taken to go on for ever
 NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
 SAME = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
 LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
@@ -161,6 +162,11 @@ class _Path:
                 if new.tangent[-1] * point.tangent[-1] < 0:
                     yield self._fold(point, new, size)
                 yield new
+                if new.equations.A > LARGEST:
+                    raise ArithmeticError(
+                        f"the response curve at F_0 = {self.F_0} passes A = {LARGEST:g} at Omega = {new.z[-1]:.9g}: "
+                        f"without viscous damping resonance is unbounded (27); choose a range on one side of it"
+                    )
                 travelled += size
                 if travelled > 10 * self.step and self._meets(point, new, first):
                     self.closed = True
