@@ -26,20 +26,25 @@ def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
     return np.take_along_axis(level, lowest, -1)[..., 0], np.take_along_axis(Omega, lowest, -1)[..., 0]
 
 
+def cut(model: Model, F_0: float) -> tuple[float, str]:
+    """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
+
+    That is at the mechanism's reach, or at a multiple of the static deflection.
+    """
+    words = "unbounded without viscous damping: cut at A = "
+    if np.isfinite(model.reach):
+        return model.reach, f"{words}{model.reach:g}, {model.kernels.REACH_REASON}"
+    A_max = max(UNBOUNDED_STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
+    return A_max, f"{words}{A_max:g}"
+
+
 def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     """An amplitude above that of every steady state at F_0, and a remark in words where the response has to be cut.
 
-    Without viscous damping the response to F_0 > m is unbounded (27); it is then cut at the mechanism's reach, or at a
-    multiple of the static deflection.
+    Raises OverflowError where no such amplitude is found.
     """
     if model.zeta == 0:
-        if np.isfinite(model.reach):
-            return (
-                model.reach,
-                f"unbounded without viscous damping: cut at A = {model.reach:g}, {model.kernels.REACH_REASON}",
-            )
-        cut = max(UNBOUNDED_STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
-        return cut, f"unbounded without viscous damping: cut at A = {cut:g}"
+        return cut(model, F_0)
     # The least forcing rises without bound for large A: by viscous damping where the stiffness stays positive, by the
     # stiffness itself otherwise. The start lies above every piece, so that the last one alone decides. On the way it
     # may dip between two rungs, to m at most, where the averaged force changes its sign.

@@ -9,10 +9,20 @@ from __future__ import annotations
 import numpy as np
 
 from slowflow.bounds import amplitude_bound, least_forcing
-from slowflow.loci import Spans, fold_locus, spans
+from slowflow.loci import Spans, fold_locus, peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
-from slowflow.results import Detachment, SaddleNodeOnset, SaddleNodes
+from slowflow.results import Detachment, Peak, SaddleNodeOnset, SaddleNodes
 from slowflow.roots import peak_roots, response_roots
+
+#: what is said where there is no answer
+NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
+NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
+AT_REST = "below it, down to 4 mu/pi = {:g}, there are folds that end at Omega = 0"
+NO_DETACHMENT = "no detachment: the force has one piece only"
+NO_PEAK = "no peak: without viscous damping the response is unbounded"
+NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
+NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
+NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
 
 #: Newton steps on F = F_A = 0 after the bracketed solution
 POLISHING_STEPS = 3
@@ -83,7 +93,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     Omega, A, up = (np.concatenate(pair) for pair in ((Omega, corner_Omega), (A, corner_A), (up, corner_up)))
     corner = np.arange(A.size) >= A.size - corner_A.size
     order = np.argsort(Omega, kind="stable")
-    message = remark if A.size else f"no saddle node at F_0 = {F_0:g}: the response is single-valued"
+    message = remark if A.size else NO_FOLD.format(F_0)
     return SaddleNodes(Omega[order], A[order], np.where(up, "jump-up", "jump-down")[order], corner[order], F_0, message)
 
 
@@ -119,8 +129,7 @@ def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
     F_SN, Omega, A, kind = min(candidates)
     # a softening force has folds at rest: the locus ends at Omega = 0 where the averaged force vanishes, at the level m
     at_rest = bool(((located.mark == "zero") & (located.level < F_SN)).any())
-    remark = f"below it, down to 4 mu/pi = {model.m:g}, there are folds that end at Omega = 0" if at_rest else ""
-    return SaddleNodeOnset(F_SN, Omega, A, kind, remark)
+    return SaddleNodeOnset(F_SN, Omega, A, kind, AT_REST.format(model.m) if at_rest else "")
 
 
 def _corner_candidates(model: Model, b: float, located: Spans) -> list[tuple[float, float]]:
@@ -147,14 +156,28 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
     if not saddle_nodes(model, 2 * model.m + 1.0).A.size:
         return SaddleNodeOnset(None, None, None, "", "no saddle node: the oscillator is linear")
-    return SaddleNodeOnset(
-        None, None, None, "", f"no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {model.m:g} has a fold"
-    )
+    return SaddleNodeOnset(None, None, None, "", NO_LOWEST.format(model.m))
 
 
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     if not model.breakpoints:
-        return Detachment(None, None, None, "no detachment: the force has one piece only")
+        return Detachment(None, None, None, NO_DETACHMENT)
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
     return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
+
+
+def peak(model: Model, F_0: float) -> Peak:
+    """The highest peak at F_0 > m; where A only falls with Omega, the static amplitude at Omega = 0."""
+    if model.zeta == 0:
+        return Peak(None, None, F_0, NO_PEAK)
+    A_max, _ = amplitude_bound(model, F_0)
+    peaks = spans(peak_locus(model), A_max)
+    rows = peaks.crossed(F_0)
+    # the larger Omega is the minimum of F over Omega, the smaller one its maximum: F rises or falls through a peak of A
+    rising = peaks.level[rows, 1] > peaks.level[rows, 0]
+    upper = peaks.index[rows] == peaks.count[rows] - 1
+    A, Omega = peaks.crossings(F_0, rows[rising == upper])
+    if not A.size:
+        A, Omega = spans(static_locus(model), A_max).crossings(F_0)
+    return Peak(float(A[-1]), float(Omega[-1]), F_0, "")

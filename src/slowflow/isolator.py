@@ -7,6 +7,7 @@ dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency
 from __future__ import annotations
 
 import dataclasses
+import math
 import warnings
 from types import ModuleType
 from typing import Any, TypeVar
@@ -14,9 +15,21 @@ from typing import Any, TypeVar
 import numpy as np
 from slowflow_kernels import duffing, rod_spring
 
-from slowflow import folds, response, validate
+from slowflow import solvers, validate
+from slowflow.many import Designs
 from slowflow.model import Floats, Model
-from slowflow.results import Detachment, FrequencyResponse, SaddleNodeOnset, SaddleNodes, SteadyStates, words
+from slowflow.results import (
+    Cusps,
+    Detachment,
+    FoldLocus,
+    FrequencyResponse,
+    IsolaPoints,
+    Peak,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+    words,
+)
 
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes)
 
@@ -59,7 +72,7 @@ class Oscillator:
         if F_0 <= self._model.m:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
             return FrequencyResponse(none, none, flags, self._sticks(F_0), self._model, np.empty(0, np.intp), (), F_0)
-        return self._remarked(response.frequency_response(self._model, F_0, samples, shown))
+        return self._remarked(solvers.frequency_response(self._model, F_0, samples, shown))
 
     def amplitudes(self, Omega: Any, F_0: float) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
@@ -72,7 +85,7 @@ class Oscillator:
         if F_0 <= self._model.m:
             none = np.empty(0)
             return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self._model)
-        return self._remarked(response.amplitudes(self._model, at, F_0))
+        return self._remarked(solvers.amplitudes(self._model, at, F_0))
 
     def saddle_nodes(self, F_0: float) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
@@ -80,15 +93,41 @@ class Oscillator:
         if F_0 <= self._model.m:
             none = np.empty(0)
             return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, self._sticks(F_0))
-        return self._remarked(folds.saddle_nodes(self._model, F_0))
+        return self._remarked(solvers.saddle_nodes(self._model, F_0))
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
-        return folds.onset(self._model)
+        return solvers.onset(self._model)
 
     def detachment(self) -> Detachment:
         """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34)."""
-        return folds.detachment(self._model)
+        return solvers.detachment(self._model)
+
+    def peak(self, F_0: float) -> Peak:
+        """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
+
+        Where the amplitude only falls with Omega it is the static one, with Omega = 0.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        if F_0 <= self._model.m:
+            return Peak(None, None, F_0, self._sticks(F_0))
+        return solvers.peak(self._model, F_0)
+
+    def fold_locus(self, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
+        """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
+
+        A_max is the mechanism's reach unless it is given; a mechanism without an end (`Duffing`) needs it. Raises
+        ValueError for samples < 2, A_max <= 0 or none where one is needed.
+        """
+        return solvers.fold_locus(self._model, self._up_to(A_max), validate.count("samples", samples, least=2))
+
+    def cusps(self, A_max: float | None = None) -> Cusps:
+        """Where two folds come into being or meet, F = F_A = F_AA = 0; A_max as in `fold_locus`."""
+        return solvers.extrema(self._model, self._up_to(A_max))[0]
+
+    def isola_points(self, A_max: float | None = None) -> IsolaPoints:
+        """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`."""
+        return solvers.extrema(self._model, self._up_to(A_max))[1]
 
     def backbone(self, A: Any) -> Floats:
         """Omega on the backbone at the amplitudes A > 0 (26); nan where the averaged stiffness is negative."""
@@ -117,6 +156,12 @@ class Oscillator:
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         h, h_A, _, _ = self._model.averaged(A)
         return np.asarray(self._model.flow.stability(Omega, A, self._model.m, self.zeta, h, h_A))
+
+    def _up_to(self, A_max: float | None) -> float:
+        """The amplitude up to which the fold locus is wanted."""
+        if A_max is None and math.isfinite(self._model.reach):
+            return self._model.reach
+        return validate.number("A_max", A_max, above=0.0)
 
     def _sticks(self, F_0: float) -> str:
         return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self._model.m:g}"
@@ -157,6 +202,15 @@ class Isolator(Oscillator):
     def __repr__(self) -> str:
         return f"Isolator(lam={self.lam}, r={self.r}, delta_h={self.delta_h}, mu={self.mu}, zeta={self.zeta})"
 
+    @classmethod
+    def many(cls, *, lam: Any, r: Any, delta_h: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs:
+        """Many isolators at once, from arrays that broadcast; see `slowflow.many`.
+
+        Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
+        design: each answer has a status.
+        """
+        return Designs(cls, "rod_spring", {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta})
+
 
 class Duffing(Oscillator):
     """u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau).
@@ -172,3 +226,8 @@ class Duffing(Oscillator):
 
     def __repr__(self) -> str:
         return f"Duffing(alpha={self.alpha}, beta={self.beta}, mu={self.mu}, zeta={self.zeta})"
+
+    @classmethod
+    def many(cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs:
+        """Many Duffing oscillators at once, as `Isolator.many`."""
+        return Designs(cls, "duffing", {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})

@@ -146,10 +146,14 @@ class Spans:
     level: Floats
     mark: npt.NDArray[np.str_]
 
-    def crossings(self, F_0: float) -> tuple[Floats, Floats]:
-        """A and Omega of every point of the locus with this level, by rising A."""
+    def crossed(self, F_0: float) -> Ints:
+        """Rows whose ends lie on both sides of the level."""
         off = self.level - F_0
-        rows = np.flatnonzero((off[:, 0] < 0) != (off[:, 1] < 0))
+        return np.flatnonzero((off[:, 0] < 0) != (off[:, 1] < 0))
+
+    def crossings(self, F_0: float, rows: Ints | None = None) -> tuple[Floats, Floats]:
+        """A and Omega of every point of the locus with this level, or of those on the given rows, by rising A."""
+        rows = self.crossed(F_0) if rows is None else rows
         s = _solve(self, rows, lambda A, Omega: self.locus.level(A, Omega) - F_0)
         A, Omega = _on_span(self, rows, s)
         order = np.argsort(A, kind="stable")

@@ -84,6 +84,69 @@ class SaddleNodeOnset:
 
 
 @dataclass(frozen=True)
+class FoldLocus:
+    """The saddle nodes of every forcing: points in order along each branch, in arrays of one length.
+
+    Omega, A, F_0 -- a fold and the forcing that has it
+    branch        -- number of the connected branch that a point lies on, from 0; breakpoints separate branches
+    """
+
+    Omega: Floats
+    A: Floats
+    F_0: Floats
+    branch: npt.NDArray[np.intp]
+    message: str
+
+    def __len__(self) -> int:
+        return self.A.size
+
+
+@dataclass(frozen=True)
+class Cusps:
+    """Cusps of the fold locus, F = F_A = F_AA = 0, by rising amplitude: arrays of one length.
+
+    minimum -- True where two folds come into being as the forcing rises; False where two meet and vanish
+    """
+
+    F_0: Floats
+    Omega: Floats
+    A: Floats
+    minimum: npt.NDArray[np.bool_]
+    message: str
+
+    def __len__(self) -> int:
+        return self.A.size
+
+
+@dataclass(frozen=True)
+class IsolaPoints:
+    """Points with F = F_A = F_Omega = 0, by rising amplitude: arrays of one length.
+
+    kind -- what happens there as the forcing rises: an isolated curve's "birth", its "death", or a "merger" of two
+            parts of the response curve (or their separation)
+    """
+
+    F_0: Floats
+    Omega: Floats
+    A: Floats
+    kind: npt.NDArray[np.str_]
+    message: str
+
+    def __len__(self) -> int:
+        return self.A.size
+
+
+@dataclass(frozen=True)
+class Peak:
+    """The highest peak of the response at one forcing, isolas included; None and a message where there is none."""
+
+    A: float | None
+    Omega: float | None
+    F_0: float
+    message: str
+
+
+@dataclass(frozen=True)
 class Detachment:
     """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr."""
 

@@ -6,10 +6,12 @@ Nothing a user gives is parsed or evaluated: numbers are taken as numbers, anyth
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from numbers import Real
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow.model import Floats
 
@@ -67,6 +69,27 @@ def positive_array(name: str, value: Any) -> Floats:
     if bad.any():
         raise _refuse(name, array[bad].flat[0] if array.ndim else value, allowed)
     return array
+
+
+def real_array(name: str, value: Any) -> npt.NDArray[Any]:
+    """Real numbers of any shape, as they are, without a copy; whether each is allowed is told later."""
+    allowed = "a real number, or an array of such"
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise _refuse(name, value, allowed) from None
+    if array.dtype.kind not in "fiu":
+        raise _refuse(name, value, allowed)
+    return array
+
+
+def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
+    """The shape to which named arrays broadcast, or a ValueError that gives their shapes."""
+    try:
+        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
+        raise ValueError(f"shapes do not broadcast: {shapes}") from None
 
 
 def window(name: str, value: Any) -> tuple[float, float]:

@@ -213,31 +213,43 @@ static double SF_M(amplitude_on)(const sf_model *model, double F_0, const sf_pie
 }
 
 static int SF_M(holds)(const sf_piece *piece, double Omega) {
-    return fmin(piece->Omega[0], piece->Omega[1]) <= Omega && Omega < fmax(piece->Omega[0], piece->Omega[1]);
+    return fmin(piece->Omega[0], piece->Omega[1]) <= Omega && Omega <= fmax(piece->Omega[0], piece->Omega[1]);
 }
 
-/* Number of steady states at Omega. */
-static int SF_M(state_count)(const sf_work *work, double Omega) {
+/* No fewer than the number of steady states at Omega. */
+static int SF_M(most_states)(const sf_work *work, double Omega) {
     int i, n = 0;
     for (i = 0; i < work->skeleton.pieces; i++)
         n += SF_M(holds)(&work->skeleton.piece[i], Omega);
     return n;
 }
 
-/* The steady states at Omega by rising A, as many as state_count says. */
-static void SF_M(states)(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
-                         unsigned char *stable) {
-    int i, j, n = 0;
+/* A state among those by rising A; a point where two pieces meet is one state, and a fold is not stable. */
+static int SF_M(add_state)(double found, int is_stable, int n, double *A, unsigned char *stable) {
+    int i, j;
+    for (i = n; i > 0 && A[i - 1] > found; i--)
+        ;
+    for (j = i > 0 ? i - 1 : 0; j <= i && j < n; j++)
+        if (fabs(A[j] - found) <= SF_SAME * found) {
+            stable[j] = (unsigned char)(stable[j] && is_stable);
+            return n;
+        }
+    for (j = n; j > i; j--)
+        A[j] = A[j - 1], stable[j] = stable[j - 1];
+    A[i] = found, stable[i] = (unsigned char)is_stable;
+    return n + 1;
+}
+
+/* The steady states at Omega by rising A; returns their number. */
+static int SF_M(states)(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
+                        unsigned char *stable) {
+    int i, n = 0;
     for (i = 0; i < work->skeleton.pieces; i++) {
         const sf_piece *piece = &work->skeleton.piece[i];
-        double found;
-        if (!SF_M(holds)(piece, Omega))
-            continue;
-        found = SF_M(amplitude_on)(model, F_0, piece, Omega);
-        for (j = n++; j > 0 && A[j - 1] > found; j--)
-            A[j] = A[j - 1], stable[j] = stable[j - 1];
-        A[j] = found, stable[j] = (unsigned char)piece->stable;
+        if (SF_M(holds)(piece, Omega))
+            n = SF_M(add_state)(SF_M(amplitude_on)(model, F_0, piece, Omega), piece->stable, n, A, stable);
     }
+    return n;
 }
 
 /* ==== The window =================================================================================================== */

@@ -6,10 +6,10 @@
 
 #include "work.h"
 
-/* a cusp or isola point; minimum: of the level along the fold locus */
+/* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A, Omega) */
 typedef struct {
     double F_0, Omega, A;
-    int minimum;
+    int isola, minimum, saddle;
 } sf_extremum;
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
@@ -30,8 +30,8 @@ typedef struct {
     long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *, double *total);
     void (*draw)(const sf_model *, double F_0, double samples, double total, const sf_skeleton *shown, double *Omega,
                  double *A, unsigned char *stable, long long *branch);
-    int (*state_count)(const sf_work *, double Omega);
-    void (*states)(const sf_model *, double F_0, const sf_work *, double Omega, double *A, unsigned char *stable);
+    int (*most_states)(const sf_work *, double Omega);
+    int (*states)(const sf_model *, double F_0, const sf_work *, double Omega, double *A, unsigned char *stable);
     sf_extremum (*extremum)(const sf_model *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
                        long long *branch);

@@ -306,16 +306,22 @@ static void SF_M(order)(double range[2], double a, double b) {
     range[1] = fmax(a, b);
 }
 
-/* A fold that lies between neighbouring amplitudes, as beside a corner: its Omega is the response's there. */
-static void SF_M(settle_between)(const sf_model *model, double F_0, const double w_range[2], sf_point *found) {
+/* Omega from F = 0: at a fold it does not depend on A to first order. The locus's Omega does, and next to a breakpoint so
+ * steeply that an A known to its last place leaves it open. w_range says where to look. */
+static sf_point SF_M(settled_fold)(const sf_model *model, double F_0, const double w_range[2], sf_point found) {
+    double w[3], nearest = HUGE_VAL;
     sf_sample at;
-    double w[3];
-    int i, n;
-    SF_M(sample)(model, found->A, &at);
+    int i, n, place = 0;
+    SF_M(sample)(model, found.A, &at);
     n = sf_response_roots(at.A, at.h, model->m, model->zeta, F_0, w);
-    for (i = 0; i < n; i++)
-        if (w[i] >= w_range[0] && w[i] <= w_range[1])
-            found->Omega = w[i];
+    for (i = 0; i < n; i++) {
+        const double off = fmax(w_range[0] - w[i], fmax(w[i] - w_range[1], 0));
+        if (off < nearest)
+            nearest = off, place = i;
+    }
+    if (n > 0)
+        found.Omega = w[place];
+    return found;
 }
 
 /* The fold at F_0 on an arc of the locus whose ends lie on both sides of it. */
@@ -352,8 +358,10 @@ static sf_point SF_M(crossing)(const sf_model *model, double F_0, const sf_arc *
             double A_range[2];
             A_range[0] = lo, A_range[1] = hi;
             SF_M(order)(w_range, w_lo, w_hi);
-            if (SF_M(polish_fold)(model, F_0, A_range, w_range, &try.Omega, &try.A))
-                return try;
+            if (SF_M(polish_fold)(model, F_0, A_range, w_range, &try.Omega, &try.A)) {
+                w_range[0] = w_range[1] = try.Omega;
+                return SF_M(settled_fold)(model, F_0, w_range, try);
+            }
         }
         if (moved > 0.6 * last)
             next = 0.5 * (lo + hi);
@@ -361,8 +369,7 @@ static sf_point SF_M(crossing)(const sf_model *model, double F_0, const sf_arc *
         A = next;
     }
     SF_M(order)(w_range, w_lo, w_hi);
-    SF_M(settle_between)(model, F_0, w_range, &found);
-    return found;
+    return SF_M(settled_fold)(model, F_0, w_range, found);
 }
 
 /* ==== Folds at a forcing =========================================================================================== */
@@ -454,12 +461,17 @@ static void SF_M(polish_cusp)(const sf_model *model, double *w, sf_sample *at) {
     SF_M(sample)(model, at->A + step_A, at);
 }
 
+/* A positive multiple of F_AA F_OmegaOmega - F_AOmega^2. */
+static double SF_M(hessian)(const sf_model *model, const sf_sample *at, double w) {
+    const double F_AOmega = sf_quarter_F_AOmega(model, at, w);
+    return sf_quarter_F_OmegaOmega(model, at, w) * sf_half_F_AA(model, at, w) - 2 * F_AOmega * F_AOmega;
+}
+
 /* Whether the level has a minimum along the fold locus at a cusp or an isola point, from its second derivative. */
 static int SF_M(is_minimum)(const sf_model *model, sf_question question, const sf_sample *at, double w) {
-    const double half_F_AA = sf_half_F_AA(model, at, w), F_AOmega = sf_quarter_F_AOmega(model, at, w);
-    if (question == SF_CUSP)
-        return sf_F_Omega_4A(model, at, w) * sf_half_F_AAA(at, w) * F_AOmega < 0;
-    return half_F_AA * (sf_quarter_F_OmegaOmega(model, at, w) * half_F_AA - 2 * F_AOmega * F_AOmega) > 0;
+    if (question != SF_ISOLA)
+        return sf_F_Omega_4A(model, at, w) * sf_half_F_AAA(at, w) * sf_quarter_F_AOmega(model, at, w) < 0;
+    return sf_half_F_AA(model, at, w) * SF_M(hessian)(model, at, w) > 0;
 }
 
 static sf_extremum SF_M(extremum)(const sf_model *model, const sf_zero *zero) {
@@ -472,6 +484,8 @@ static sf_extremum SF_M(extremum)(const sf_model *model, const sf_zero *zero) {
     out.A = at.A;
     out.F_0 = sf_level(model, &at, out.Omega);
     out.minimum = SF_M(is_minimum)(model, zero->question, &at, out.Omega);
+    out.saddle = zero->question == SF_ISOLA && SF_M(hessian)(model, &at, out.Omega) < 0;
+    out.isola = zero->question == SF_ISOLA;
     return out;
 }
 

@@ -30,7 +30,7 @@ static const sf_solver SF_M(solver) = {
     SF_M(skeleton),
     SF_M(show),
     SF_M(draw),
-    SF_M(state_count),
+    SF_M(most_states),
     SF_M(states),
     SF_M(extremum),
     SF_M(draw_locus),

@@ -153,6 +153,21 @@ static PyObject *onset(PyObject *self, PyObject *args)
     return Py_BuildValue("idddid", (int)status, found.F_SN, found.Omega, found.A, (int)found.kind, found.rest);
 }
 
+static PyObject *detachment(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    double F_cr, Omega_cr, u_cr;
+    sf_model model;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "O", &given))
+        return NULL;
+    const sf_solver *solver = read_model(given, &model);
+    if (solver == NULL)
+        return NULL;
+    const sf_status status = solver->detachment(&model, &F_cr, &Omega_cr, &u_cr);
+    return Py_BuildValue("iddd", (int)status, F_cr, Omega_cr, u_cr);
+}
+
 static PyObject *peak(PyObject *self, PyObject *args)
 {
     PyObject *given;
@@ -196,8 +211,8 @@ static PyObject *extrema_list(const sf_solver *solver, const sf_model *model, co
         if (zero->question == SF_UNDAMPED && zero->channel == 1)
             continue; /* there the locus only touches the backbone */
         const sf_extremum found = solver->extremum(model, zero);
-        PyObject *item = Py_BuildValue("dddii", found.F_0, found.Omega, found.A, zero->question != SF_ISOLA,
-                                       found.minimum);
+        PyObject *item = Py_BuildValue("dddiii", found.F_0, found.Omega, found.A, found.isola, found.minimum,
+                                       found.saddle);
         if (item == NULL || PyList_Append(list, item) < 0)
             Py_CLEAR(list);
         Py_XDECREF(item);
@@ -205,7 +220,7 @@ static PyObject *extrema_list(const sf_solver *solver, const sf_model *model, co
     return list;
 }
 
-/* (model, A_max, samples) -> status, Omega, A, F_0, branch, [(F_0, Omega, A, whether a cusp, whether a minimum)] */
+/* (model, A_max, samples) -> status, Omega, A, F_0, branch, [(F_0, Omega, A, isola, minimum, saddle)] */
 static PyObject *fold_locus(PyObject *self, PyObject *args)
 {
     PyObject *given;
@@ -281,53 +296,83 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     return answer(status, items, 5);
 }
 
+/* All states at the frequencies asked for; Omega, A and stable have room for as many as most_states says. */
+static npy_intp all_states(const sf_solver *solver, const sf_model *model, double F_0, const sf_work *work,
+                           const double *asked, npy_intp asked_n, double *Omega, double *A, npy_bool *stable)
+{
+    npy_intp n = 0;
+    for (npy_intp i = 0; i < asked_n; i++) {
+        const int here = solver->states(model, F_0, work, asked[i], A + n, stable + n);
+        for (int j = 0; j < here; j++)
+            Omega[n++] = asked[i];
+    }
+    return n;
+}
+
+/* A new array with a copy of n elements. */
+static PyObject *array_of(npy_intp n, int type, const void *values, size_t size)
+{
+    void *into;
+    PyObject *array = new_array(n, type, &into);
+    if (array != NULL && n > 0)
+        memcpy(into, values, (size_t)n * size);
+    return array;
+}
+
 /* (model, F_0, Omega: contiguous doubles) -> status, Omega, A, stable: every state, by the order of Omega */
 static PyObject *steady_states(PyObject *self, PyObject *args)
 {
-    PyObject *given, *frequencies;
-    double F_0, *Omega = NULL, *A = NULL;
-    npy_bool *stable = NULL;
-    npy_intp n = 0, at = 0;
+    PyObject *given, *frequencies, *result = NULL;
+    double F_0;
+    npy_intp n = 0, most = 0;
     sf_model model;
     sf_work *work;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "OdO", &given, &F_0, &frequencies))
         return NULL;
-    PyArrayObject *asked = (PyArrayObject *)PyArray_FROMANY(frequencies, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
-    if (asked == NULL)
-        return NULL;
     const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL || (work = new_work()) == NULL) {
-        Py_DECREF(asked);
+    if (solver == NULL)
+        return NULL;
+    PyArrayObject *array = (PyArrayObject *)PyArray_FROMANY(frequencies, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
+    if (array == NULL)
+        return NULL;
+    if ((work = new_work()) == NULL) {
+        Py_DECREF(array);
         return NULL;
     }
-    const double *at_Omega = PyArray_DATA(asked);
-    const npy_intp asked_n = PyArray_DIM(asked, 0);
+    const double *asked = PyArray_DATA(array);
+    const npy_intp asked_n = PyArray_DIM(array, 0);
     Py_BEGIN_ALLOW_THREADS
     status = solver->skeleton(&model, F_0, work);
     for (npy_intp i = 0; status == SF_OK && i < asked_n; i++)
-        n += solver->state_count(work, at_Omega[i]);
+        most += solver->most_states(work, asked[i]);
     Py_END_ALLOW_THREADS
-    PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable)};
-    if (items[0] && items[1] && items[2]) {
+    double *Omega = malloc((size_t)most * sizeof *Omega + 1), *A = malloc((size_t)most * sizeof *A + 1);
+    npy_bool *stable = malloc((size_t)most + 1);
+    if (Omega == NULL || A == NULL || stable == NULL) {
+        PyErr_NoMemory();
+    } else {
         Py_BEGIN_ALLOW_THREADS
-        for (npy_intp i = 0; n > 0 && i < asked_n; i++) {
-            const int here = solver->state_count(work, at_Omega[i]);
-            solver->states(&model, F_0, work, at_Omega[i], A + at, stable + at);
-            for (int j = 0; j < here; j++)
-                Omega[at++] = at_Omega[i];
-        }
+        if (most > 0)
+            n = all_states(solver, &model, F_0, work, asked, asked_n, Omega, A, stable);
         Py_END_ALLOW_THREADS
+        PyObject *items[] = {array_of(n, NPY_DOUBLE, Omega, sizeof *Omega), array_of(n, NPY_DOUBLE, A, sizeof *A),
+                             array_of(n, NPY_BOOL, stable, sizeof *stable)};
+        result = answer(status, items, 3);
     }
+    free(Omega);
+    free(A);
+    free(stable);
     free(work);
-    Py_DECREF(asked);
-    return answer(status, items, 3);
+    Py_DECREF(array);
+    return result;
 }
 
 static PyMethodDef functions[] = {
     {"saddle_nodes", saddle_nodes, METH_VARARGS, "(model, F_0) -> status, Omega, A, up, corner"},
     {"onset", onset, METH_VARARGS, "(model,) -> status, F_SN, Omega, A, kind, lowest level at rest"},
+    {"detachment", detachment, METH_VARARGS, "(model,) -> status, F_cr, Omega_cr, u_cr"},
     {"peak", peak, METH_VARARGS, "(model, F_0) -> status, A, Omega"},
     {"amplitude_bound", amplitude_bound, METH_VARARGS, "(model, F_0) -> status, A_max"},
     {"fold_locus", fold_locus, METH_VARARGS, "(model, A_max, samples) -> status, Omega, A, F_0, branch, extrema"},

@@ -1,0 +1,141 @@
+"""The questions about one oscillator on the compiled solvers: in go a model and numbers, out come the same answers.
+
+Same names, arguments and answers as in `folds`, `response` and `locus`, which run on NumPy; `solvers` chooses.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from types import ModuleType
+
+import numpy as np
+
+from slowflow import backend, folds
+from slowflow.bounds import cut
+from slowflow.model import Floats, Model
+from slowflow.results import (
+    Cusps,
+    Detachment,
+    FoldLocus,
+    FrequencyResponse,
+    IsolaPoints,
+    Peak,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+    words,
+)
+
+#: kinds of an onset by their number in native/model.h
+ONSET_KINDS = ("", "cusp", "isola", "corner")
+
+
+class Status(IntEnum):
+    """How a solver fared, as numbered in native/model.h."""
+
+    OK = 0
+    INVALID = 1
+    STICKS = 2
+    NONE = 3
+    UNBOUNDED = 4
+    NO_BOUND = 5
+    TOO_MANY = 6
+    UNRESOLVED = 7
+    NO_MEMORY = 8
+
+
+def _solver() -> ModuleType:
+    if backend.SOLVER is None:
+        raise RuntimeError("the compiled solvers are not there")
+    return backend.SOLVER
+
+
+def _check(status: int, F_0: float | None = None) -> None:
+    """Raise what the NumPy path raises where there is no answer."""
+    if status == Status.NO_MEMORY:
+        raise MemoryError
+    at = "" if F_0 is None else f" at F_0 = {F_0:.17g}"
+    if status == Status.NO_BOUND:
+        raise OverflowError(f"no amplitude bounds the response{at}")
+    if status in (Status.TOO_MANY, Status.UNRESOLVED):
+        raise ArithmeticError(f"the response is unresolved{at}")
+
+
+def _remark(model: Model, F_0: float) -> str:
+    return cut(model, F_0)[1] if model.zeta == 0 else ""
+
+
+def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
+    """Every fold at F_0 > m, in every regime, by rising Omega."""
+    status, Omega, A, up, corner = _solver().saddle_nodes(model.record, F_0)
+    _check(status, F_0)
+    message = _remark(model, F_0) if A.size else folds.NO_FOLD.format(F_0)
+    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message)
+
+
+def onset(model: Model) -> SaddleNodeOnset:
+    """The lowest forcing that has a fold, in whatever regime it lies."""
+    status, F_SN, Omega, A, kind, at_rest = _solver().onset(model.record)
+    _check(status)
+    if status == Status.UNBOUNDED:
+        return SaddleNodeOnset(None, None, None, "", folds.NO_LOWEST.format(model.m))
+    if status == Status.NONE:
+        return SaddleNodeOnset(None, None, None, "", "no saddle node")
+    remark = folds.AT_REST.format(model.m) if at_rest < F_SN else ""
+    return SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], remark)
+
+
+def detachment(model: Model) -> Detachment:
+    """The lowest forcing for which the first breakpoint is a steady state (34)."""
+    status, F_cr, Omega_cr, u_cr = _solver().detachment(model.record)
+    if status == Status.NONE:
+        return Detachment(None, None, None, folds.NO_DETACHMENT)
+    return Detachment(F_cr, Omega_cr, u_cr, "")
+
+
+def peak(model: Model, F_0: float) -> Peak:
+    """The highest peak at F_0 > m."""
+    status, A, Omega = _solver().peak(model.record, F_0)
+    _check(status, F_0)
+    if status == Status.UNBOUNDED:
+        return Peak(None, None, F_0, folds.NO_PEAK)
+    return Peak(A, Omega, F_0, "")
+
+
+def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
+    """About `samples` points of the fold locus up to A_max."""
+    status, Omega, A, F_0, branch, _ = _solver().fold_locus(model.record, A_max, samples)
+    _check(status)
+    return FoldLocus(Omega, A, F_0, branch, "" if A.size else folds.NO_LOCUS.format(A_max))
+
+
+def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
+    """The cusps and the isola points up to A_max."""
+    status, _, _, _, _, found = _solver().fold_locus(model.record, A_max, 0)
+    _check(status)
+    table = np.array(found, dtype=float).reshape(-1, 6)
+    isola = table[:, 3] == 1
+    F_0, Omega, A, _, minimum, saddle = table[~isola].T
+    cusps = Cusps(F_0, Omega, A, minimum == 1, "" if A.size else folds.NO_CUSP.format(A_max))
+    F_0, Omega, A, _, minimum, saddle = table[isola].T
+    kind = np.where(saddle == 1, "merger", np.where(minimum == 1, "birth", "death"))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else folds.NO_ISOLA.format(A_max))
+
+
+def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
+    """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
+    status, Omega, A, stable, branch, isola = _solver().frequency_response(model.record, F_0, samples, *window)
+    _check(status, F_0)
+    message = _remark(model, F_0)
+    if not A.size:
+        message = words(message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
+    return FrequencyResponse(Omega, A, stable, message, model, branch, isola, F_0)
+
+
+def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
+    """Every steady state at each frequency, by the order of Omega, then by rising A."""
+    status, at, A, stable = _solver().steady_states(model.record, F_0, Omega)
+    _check(status, F_0)
+    missing = np.setdiff1d(Omega, at)
+    remark = "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
+    return SteadyStates(at, A, stable, words(_remark(model, F_0), remark), model)

@@ -1,0 +1,75 @@
+"""The fold locus as a result, on NumPy: in go a model and a range of A, out come its points, cusps and isola points."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.folds import NO_CUSP, NO_ISOLA, NO_LOCUS
+from slowflow.loci import Ints, Spans, _on_span, spans
+from slowflow.loci import fold_locus as locus_of_folds
+from slowflow.model import Floats, Model
+from slowflow.results import Cusps, FoldLocus, IsolaPoints
+
+
+def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
+    """About `samples` points of the fold locus up to A_max."""
+    located = spans(locus_of_folds(model), A_max)
+    rows, branch = _in_order(located)
+    if not rows.size:
+        return FoldLocus(np.empty(0), np.empty(0), np.empty(0), branch, NO_LOCUS.format(A_max))
+    per_row = max(1, round(samples / rows.size))
+    share = np.linspace(0.0, 1.0, per_row, endpoint=False)
+    s = (located.s[rows, :1] + (located.s[rows, 1:] - located.s[rows, :1]) * share).ravel()
+    A, Omega = _on_span(located, np.repeat(rows, per_row), s)
+    last = np.flatnonzero(np.append(branch[1:] != branch[:-1], True))
+    at = (last + 1) * per_row
+    A, Omega = np.insert(A, at, located.A[rows[last], 1]), np.insert(Omega, at, located.Omega[rows[last], 1])
+    return FoldLocus(
+        Omega, A, located.locus.level(A, Omega), np.insert(np.repeat(branch, per_row), at, branch[last]), ""
+    )
+
+
+def _in_order(located: Spans) -> tuple[Ints, Ints]:
+    """Rows of spans, those that follow each other on one branch side by side, and the number of the branch."""
+    keys = np.stack([located.index, located.count, located.chart])
+    order = np.lexsort((located.s[:, 0], *keys))
+    new = (keys[:, order[1:]] != keys[:, order[:-1]]).any(axis=0) | (
+        located.s[order[1:], 0] != located.s[order[:-1], 1]
+    )
+    return order, np.cumsum(np.concatenate([[0] if order.size else [], new]).astype(np.intp))
+
+
+def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
+    """The cusps and the isola points up to A_max."""
+    located = spans(locus_of_folds(model), A_max)
+    cusp, isola = (_by_amplitude(located, mark) for mark in ("cusp", "isola"))
+    F_0, Omega, A = _points(located, cusp)
+    cusps = Cusps(F_0, Omega, A, _is_minimum(located, cusp), "" if A.size else NO_CUSP.format(A_max))
+    F_0, Omega, A = _points(located, isola)
+    kind = np.where(_is_saddle(model, Omega, A), "merger", np.where(_is_minimum(located, isola), "birth", "death"))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else NO_ISOLA.format(A_max))
+
+
+def _by_amplitude(located: Spans, mark: str) -> Ints:
+    rows = located.marked(mark)
+    return rows[np.argsort(located.A[rows, 1], kind="stable")]
+
+
+def _points(located: Spans, rows: Ints) -> tuple[Floats, Floats, Floats]:
+    return located.level[rows, 1], located.Omega[rows, 1], located.A[rows, 1]
+
+
+def _is_minimum(located: Spans, rows: Ints) -> npt.NDArray[np.bool_]:
+    level = located.level
+    return np.asarray((level[rows, 1] <= level[rows, 0]) & (level[rows, 1] <= level[rows + 1, 1]))
+
+
+def _is_saddle(model: Model, Omega: Floats, A: Floats) -> npt.NDArray[np.bool_]:
+    """Whether F has a saddle in (A, Omega) at these points with F_A = F_Omega = 0, by the sign of its Hessian."""
+    flow, m, zeta = model.flow, model.m, model.zeta
+    h, h_A, h_AA, _ = model.averaged(A)
+    F_AA, F_AOmega = flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA), flow.F_AOmega(Omega, A, m, zeta, h, h_A)
+    # the derivative of F_Omega = 4 A (Omega R + zeta I)
+    F_OmegaOmega = 4 * A * (flow.R(Omega, A, h) + 2 * A * Omega**2 + 2 * zeta**2 * A)
+    return np.asarray(F_AA * F_OmegaOmega < F_AOmega * F_AOmega)

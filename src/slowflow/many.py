@@ -1,0 +1,200 @@
+"""Many designs at once: in go arrays of parameters that broadcast, out come critical forcings, folds and peaks.
+
+Made by `Isolator.many(...)` and `Duffing.many(...)`. Nothing but the answers is allocated: inputs stay as they are,
+broadcast views included. A design that has no answer, or is none, gets NaN and a `status`; nothing is raised for it:
+
+    0  an answer                                     5  no amplitude was found that bounds the response
+    1  a parameter outside its domain                6  more folds than places
+    2  sticks: F_0 <= 4 mu/pi                        7  branches coincide within rounding
+    3  there is none (no fold, no breakpoint)        8  out of memory
+    4  no viscous damping: no end, no lowest forcing
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow import backend, validate
+from slowflow.compiled import ONSET_KINDS, Status
+from slowflow.model import Floats
+
+Codes = npt.NDArray[np.int8]
+One = Callable[..., tuple[Any, ...]]
+
+
+@dataclass(frozen=True)
+class Detachments:
+    """The lowest forcing that reaches u_cr, its frequency, and u_cr, for each design (34)."""
+
+    F_cr: Floats
+    Omega_cr: Floats
+    u_cr: Floats
+    status: Codes
+
+
+@dataclass(frozen=True)
+class Onsets:
+    """The lowest forcing that has a fold, for each design (33).
+
+    kind -- 1 a cusp, 2 an isola's birth, 3 on a breakpoint, 0 none
+    """
+
+    F_SN: Floats
+    Omega: Floats
+    A: Floats
+    kind: Codes
+    status: Codes
+
+
+@dataclass(frozen=True)
+class Folds:
+    """The folds at one forcing, for each design; Omega, A and kind have one more axis, with `places` places.
+
+    Omega, A -- by rising Omega, then NaN
+    kind     -- 1 a fold that a sweep leaves for a larger amplitude, -1 for a smaller one; 2 and -2 the same on a
+                breakpoint; 0 an empty place
+    count    -- how many folds there are, also where they are more than places
+    """
+
+    Omega: Floats
+    A: Floats
+    kind: Codes
+    count: Codes
+    status: Codes
+
+
+@dataclass(frozen=True)
+class Peaks:
+    """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega."""
+
+    A: Floats
+    Omega: Floats
+    status: Codes
+
+
+class Designs:
+    """Arrays of designs of one mechanism, and the questions about them.
+
+    make   -- one oscillator from its parameters, by name
+    name   -- the mechanism's name
+    values -- the parameters by name, mu and zeta last; real arrays that broadcast
+    """
+
+    def __init__(self, make: Callable[..., Any], name: str, values: dict[str, Any]) -> None:
+        self._make = make
+        self._name = name
+        self._values = {key: validate.real_array(key, value) for key, value in values.items()}
+        self.shape = validate.common_shape(self._values)
+
+    def detachment(self) -> Detachments:
+        """F_cr, Omega_cr and u_cr of every design; status 3 for a mechanism without breakpoints."""
+        return Detachments(*self._ask("detachment", _detachment))
+
+    def saddle_node_onset(self) -> Onsets:
+        """F_SN of every design, with its Omega and A."""
+        return Onsets(*self._ask("onset", _onset))
+
+    def saddle_nodes(self, F_0: Any, places: int = 6) -> Folds:
+        """Every fold at F_0, which broadcasts with the designs; status 6 where there are more than `places`."""
+        places = validate.count("places", places, least=1)
+        return Folds(*self._ask("saddle_nodes", _saddle_nodes, F_0, places))
+
+    def peak(self, F_0: Any) -> Peaks:
+        """The highest peak at F_0, which broadcasts with the designs."""
+        return Peaks(*self._ask("peak", _peak, F_0))
+
+    def _ask(self, question: str, one: One, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
+        values = dict(self._values) if F_0 is None else {**self._values, "F_0": validate.real_array("F_0", F_0)}
+        shape = validate.common_shape(values)
+        outputs: list[npt.NDArray[Any]] = [
+            np.empty((*shape, *inner), kind) for inner, kind in _OUTPUTS[question](places)
+        ]
+        if backend.SOLVER is not None:
+            getattr(backend.SOLVER, f"many_{question}_{self._name}")(*values.values(), out=tuple(outputs))
+        else:
+            self._loop(one, list(np.broadcast_arrays(*values.values())), F_0 is not None, places, outputs)
+        return outputs
+
+    def _loop(
+        self, one: One, values: list[npt.NDArray[Any]], forced: bool, places: int, outputs: list[npt.NDArray[Any]]
+    ) -> None:
+        """Design by design, on NumPy."""
+        for at in np.ndindex(values[0].shape):
+            given = [float(value[at]) for value in values]
+            F_0 = given.pop() if forced else None
+            found = self._one(one, given, F_0, places)
+            for output, value in zip(outputs, found, strict=True):
+                output[at] = value
+
+    def _one(self, one: One, given: list[float], F_0: float | None, places: int) -> tuple[Any, ...]:
+        """One design's answer, with the status of its failure in place of an exception."""
+        asked = () if F_0 is None else (F_0,)
+        blank = one(None, *asked, places)[:-1]
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # a negative stiffness at rest is an answer like others
+                oscillator = self._make(**dict(zip(self._values, given, strict=True)))
+            if F_0 is not None and not (validate.number("F_0", F_0, above=0.0) > oscillator.sticking_forcing):
+                return (*blank, Status.STICKS)
+            return one(oscillator, *asked, places)
+        except ValueError:
+            return (*blank, Status.INVALID)
+        except OverflowError:
+            return (*blank, Status.NO_BOUND)
+        except ArithmeticError:
+            return (*blank, Status.UNRESOLVED)
+
+
+_Layout = Callable[[int], list[tuple[tuple[int, ...], type]]]
+_OUTPUTS: dict[str, _Layout] = {
+    "detachment": lambda _: [*[((), float)] * 3, ((), np.int8)],
+    "onset": lambda _: [*[((), float)] * 3, *[((), np.int8)] * 2],
+    "saddle_nodes": lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 2],
+    "peak": lambda _: [*[((), float)] * 2, ((), np.int8)],
+}
+
+
+# ---- one design, None for a blank answer
+
+
+def _or_nan(value: float | None) -> float:
+    return np.nan if value is None else value
+
+
+def _detachment(oscillator: Any, _: int) -> tuple[Any, ...]:
+    found = oscillator and oscillator.detachment()
+    if not found or found.F_cr is None:
+        return np.nan, np.nan, np.nan, Status.NONE
+    return found.F_cr, found.Omega_cr, found.u_cr, Status.OK
+
+
+def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
+    found = oscillator and oscillator.saddle_node_onset()
+    if not found or found.F_SN is None:
+        unbounded = found and oscillator.zeta == 0 and "no lowest forcing" in found.message
+        return np.nan, np.nan, np.nan, 0, Status.UNBOUNDED if unbounded else Status.NONE
+    return found.F_SN, found.Omega, found.A, ONSET_KINDS.index(found.kind), Status.OK
+
+
+def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
+    Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
+    if oscillator is None:
+        return Omega, A, kind, 0, Status.NONE
+    found = oscillator.saddle_nodes(F_0)
+    n = min(places, len(found))
+    Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
+    kind[:n] = (np.where(found.kind == "jump-up", 1, -1) * np.where(found.corner, 2, 1))[:n]
+    return Omega, A, kind, len(found), Status.OK if n == len(found) else Status.TOO_MANY
+
+
+def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
+    found = oscillator and oscillator.peak(F_0)
+    if not found or found.A is None:
+        return np.nan, np.nan, Status.UNBOUNDED
+    return found.A, found.Omega, Status.OK
