@@ -25,9 +25,8 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     last = np.flatnonzero(np.append(branch[1:] != branch[:-1], True))
     at = (last + 1) * per_row
     A, Omega = np.insert(A, at, located.A[rows[last], 1]), np.insert(Omega, at, located.Omega[rows[last], 1])
-    return FoldLocus(
-        Omega, A, located.locus.level(A, Omega), np.insert(np.repeat(branch, per_row), at, branch[last]), ""
-    )
+    number: Ints = np.asarray(np.insert(np.repeat(branch, per_row), at, branch[last]), dtype=np.intp)
+    return FoldLocus(Omega, A, located.locus.level(A, Omega), number, "")
 
 
 def _in_order(located: Spans) -> tuple[Ints, Ints]:

@@ -10,6 +10,8 @@
 
 enum { SF_MOST_EVENTS = 112, SF_MOST_ARCS = 3 * SF_MOST_EVENTS };
 
+#define SF_COINCIDE 0x1p-44
+
 typedef enum {
     SF_THROUGH,   /* all arcs go on */
     SF_CUT,       /* all arcs end: an end of the range, or a jump */
@@ -56,6 +58,25 @@ static inline void sf_add_event(sf_graph *graph, double A, double Omega, sf_even
     }
     event = &graph->event[graph->events++];
     event->A = A, event->Omega = Omega, event->kind = kind, event->gain = gain;
+}
+
+/* With little friction and damping the lower pair meets so near Omega = 0 that rounding may take the place where one of
+ * its arcs ends there for the earlier one. Then the two events are one: an arc comes from Omega = 0. */
+static inline void sf_merge_events(sf_graph *graph) {
+    int i, n = 0;
+    for (i = 0; i < graph->events; i++) {
+        const sf_event *event = &graph->event[i];
+        sf_event *last = n > 0 ? &graph->event[n - 1] : NULL;
+        if (last != NULL && event->A - last->A <= SF_COINCIDE * event->A &&
+            ((last->kind == SF_PAIR_LOW && event->kind == SF_TO_ZERO) ||
+             (last->kind == SF_TO_ZERO && event->kind == SF_PAIR_LOW))) {
+            last->kind = SF_TO_ZERO;
+            last->gain += event->gain;
+        } else {
+            graph->event[n++] = *event;
+        }
+    }
+    graph->events = n;
 }
 
 static inline void sf_end(sf_graph *graph, int arc, int end, double A, double Omega) {

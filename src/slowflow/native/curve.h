@@ -23,23 +23,6 @@ static int SF_M(is_biquadratic)(const sf_model *model, double F_0, double A) {
     return q.exist && q.w1 == 0;
 }
 
-/* Signs that rounding changes between a breakpoint and the next amplitude, where h is continuous: F_0 is the level of
- * an extremum on the breakpoint itself. */
-static void SF_M(add_breakpoint)(const sf_model *model, double F_0, double b, sf_graph *graph) {
-    sf_sample at;
-    sf_isolated q[2];
-    int j;
-    for (j = 0; j < 2; j++) {
-        SF_M(sample)(model, j == 0 ? b : nextafter(b, HUGE_VAL), &at);
-        sf_isolate_response(&q[j], at.A, at.h, model->m, model->zeta, F_0);
-    }
-    sf_add_event(graph, b, 0, SF_THROUGH, 0);
-    if (q[0].exist && q[1].exist && q[0].w1 > 0 && sf_opposite(q[0].f1, q[1].f1))
-        sf_add_event(graph, b, q[0].w1, SF_PAIR_LOW, q[0].f1 < 0 ? 2 : -2);
-    if (q[0].exist && q[1].exist && sf_opposite(q[0].f2, q[1].f2))
-        sf_add_event(graph, b, q[0].w2, SF_PAIR_HIGH, q[0].f2 < 0 ? -2 : 2);
-}
-
 /* Needs the charts of work. */
 static void SF_M(response_graph)(const sf_model *model, double F_0, sf_work *work) {
     const SF_M(curve) curve = {model, F_0};
@@ -58,9 +41,10 @@ static void SF_M(response_graph)(const sf_model *model, double F_0, sf_work *wor
         if (zeros->status != SF_OK)
             graph->status = zeros->status;
         if (i + 1 < work->charts)
-            SF_M(add_breakpoint)(model, F_0, model->b[i], graph);
+            sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
     }
     sf_add_event(graph, work->A_max, 0, SF_CUT, 0);
+    sf_merge_events(graph);
     if (graph->status == SF_OK)
         SF_M(make_arcs)(&curve, graph);
 }

@@ -131,7 +131,25 @@ static void SF_M(end_all)(const SF_M(curve) * curve, sf_graph *graph, const sf_s
                SF_M(branch_at)(curve, at, graph->count[interval], i));
 }
 
-/* Event k, between intervals k - 1 and k. */
+/* Which two of the roots meet at A, the lower pair or the upper, and where: as the event says, or, where it is none of
+ * these but roots vanish all the same (a breakpoint that is an extremum to rounding), by the critical value next to 0. */
+static int SF_M(lower_pair)(const SF_M(curve) * curve, const sf_event *event, const sf_sample *at, double *Omega) {
+    const sf_model *model = curve->model;
+    sf_isolated q;
+    int lower;
+    *Omega = event->Omega;
+    if (event->kind == SF_PAIR_LOW || event->kind == SF_PAIR_HIGH)
+        return event->kind == SF_PAIR_LOW;
+    if (curve->F_0 < 0)
+        sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
+    else
+        sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, curve->F_0);
+    lower = q.w1 > 0 && fabs(q.f1) < fabs(q.f2);
+    *Omega = lower ? q.w1 : q.w2;
+    return lower;
+}
+
+/* Event k, between intervals k - 1 and k: arcs of the richer side end, all others go on. */
 static void SF_M(link)(const SF_M(curve) * curve, sf_graph *graph, int k) {
     const sf_event *event = &graph->event[k];
     const int left = graph->count[k - 1], right = graph->count[k];
@@ -146,18 +164,16 @@ static void SF_M(link)(const SF_M(curve) * curve, sf_graph *graph, int k) {
         SF_M(end_all)(curve, graph, &at, k, 0);
         return;
     }
-    if (lost == 2 && (event->kind == SF_PAIR_LOW || event->kind == SF_PAIR_HIGH)) {
-        gone = event->kind == SF_PAIR_LOW ? 0 : graph->count[rich] - 2;
-        sf_end(graph, first_rich + gone, rich_end, event->A, event->Omega);
-        sf_end(graph, first_rich + gone + 1, rich_end, event->A, event->Omega);
-        sf_meet(graph, first_rich + gone, rich_end, first_rich + gone + 1, rich_end);
-    } else if (lost == 1 && event->kind == SF_TO_ZERO) {
+    if (lost % 2 == 1)
         sf_end(graph, first_rich, rich_end, event->A, 0);
-    } else if (lost != 0) {
-        graph->status = SF_UNRESOLVED;
-        SF_M(end_all)(curve, graph, &at, k - 1, 1);
-        SF_M(end_all)(curve, graph, &at, k, 0);
-        return;
+    if (lost >= 2) {
+        double Omega;
+        const int lower = SF_M(lower_pair)(curve, event, &at, &Omega) && lost == 2;
+        const int pair = lower ? first_rich : first_rich + graph->count[rich] - 2;
+        gone = lower || lost == 3 ? 0 : graph->count[rich] - 2;
+        sf_end(graph, pair, rich_end, event->A, Omega);
+        sf_end(graph, pair + 1, rich_end, event->A, Omega);
+        sf_meet(graph, pair, rich_end, pair + 1, rich_end);
     }
     for (i = 0; i < graph->count[poor]; i++) {
         const int other = first_rich + (i < gone ? i : i + lost);
@@ -258,10 +274,10 @@ static sf_status SF_M(fold_locus)(const sf_model *model, double F_0, double A_ma
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
     }
+    sf_merge_events(graph);
     if (graph->status == SF_OK)
         SF_M(make_arcs)(&curve, graph);
-    /* a missing link of the locus costs no crossing: both sides have been ended where they are */
-    return graph->status == SF_UNRESOLVED ? SF_OK : graph->status;
+    return graph->status;
 }
 
 /* Newton on F = F_A = 0 with residuals in double-double; whether it came to rest inside the box. */
