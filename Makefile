@@ -5,7 +5,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 INSTALLED := .venv/installed
-NATIVE := $(wildcard src/slowflow/native/*.[ch] generated/c/*.h)
+NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/solver/*.[ch] generated/c/*.h generated/native/*.[ch])
 
 .PHONY: paper test derive check lint bench bench-peers clean
 .DELETE_ON_ERROR:
