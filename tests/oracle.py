@@ -586,11 +586,14 @@ class Oscillator:
     def ends(self) -> list[tuple[arb, int, arb]]:
         """Where the fold locus runs into Omega = 0: the forcing there, its trend along the locus (+1, -1), and A.
 
-        F_A/2 is h h_A at Omega = 0, so these are the zeros of h and of h_A.
+        F_A/2 is h h_A at Omega = 0, so these are the zeros of h and of h_A; and the corner, where h_A > 0 before it.
         """
         with precision(BITS):
             found = []
-            for A, regime in self._zeros(lambda j: j.h * j.g, self._fold_range):
+            points = self._zeros(lambda j: j.h * j.g, self._fold_range)
+            if self.u_cr is not None and self.h(self.u_cr, CORNER)[1] > 0:
+                points.append((self.u_cr, CORNER))
+            for A, regime in points:
                 h = self.h(A, regime)[0]
                 trend = 1 if self.mu else _sign(h + 2 * arb(self.zeta) ** 2 * A)
                 found.append((self.m if h.contains(0) else (h * h + self.m**2).sqrt(), trend, A))

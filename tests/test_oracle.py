@@ -4,6 +4,7 @@ import json
 import random
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 import contourpy
@@ -121,6 +122,34 @@ def test_isolation_of_known_roots() -> None:
         isolate(lambda t: (t - arb(1) / 3) ** 2, arb(0), arb(2))
     polynomial = fmpq_poly([0, -2, 0, 1]) * fmpq_poly([1, 0, 1]) * fmpq_poly([-1, 3])
     assert [float(r.mid()) for r in polynomial_roots(polynomial)] == pytest.approx([1 / 3, 2**0.5])
+
+
+class Wild(RodSpring):
+    """A force of any coefficients that jumps up at u_cr: it has cusps beyond the corner, as no isolator drawn has."""
+
+    def _stiffness(self) -> tuple[fmpq, fmpq, fmpq]:
+        return self.parameters["alpha"], self.parameters["beta"], self.parameters["gamma"]
+
+    @property
+    def u_cr(self) -> arb:
+        return arb(self.parameters["u"])
+
+
+def test_folds_and_their_count_agree_for_a_wild_force() -> None:
+    """Up to ten folds, extrema of every kind: the two ways to count share only h."""
+    model = Wild(alpha=-0.929, beta=182.9, gamma=-2176.5, u=0.28626, mu=0.0315, zeta=0.1612)
+    levels = [float(p.F_0.mid()) for p in model.extrema]
+    assert {(p.kind, p.regime) for p in model.extrema} == {
+        ("cusp", "attached"),
+        ("cusp", DETACHED),
+        ("corner", CORNER),
+        ("isola", "attached"),
+    }
+    counts = []
+    for F_0 in [0.9 * levels[0], *((a + b) / 2 for a, b in pairwise(levels)), 1.1 * levels[-1]]:
+        counts.append(len(model.folds(F_0)))
+        assert counts[-1] == model.fold_count(F_0)
+    assert max(counts) == 10
 
 
 # ---- the recorded values --------------------------------------------------------------------------------------------
