@@ -24,6 +24,8 @@ Ints = npt.NDArray[np.integer[Any]]
 
 #: nodes of a chart
 NODES = 257
+#: parts into which an interval is cut in search of a change
+SECTIONS = 64
 #: e-foldings of the spacing of the nodes: towards A = 0, and towards a breakpoint from above
 GRADING_FROM_ZERO = 7.0
 GRADING_FROM_BREAKPOINT = 16.0
@@ -41,7 +43,9 @@ class Chart:
 
     def amplitude(self, s: Floats) -> Floats:
         if self.start == 0:
-            return np.asarray(self.end * np.expm1(GRADING_FROM_ZERO * s) / np.expm1(GRADING_FROM_ZERO))
+            A = self.end * np.expm1(GRADING_FROM_ZERO * s) / np.expm1(GRADING_FROM_ZERO)
+            # one place beyond the end the next piece holds
+            return np.asarray(np.minimum(A, self.end))
         top = np.arccosh(self.end / self.start)
         x = top * np.expm1(GRADING_FROM_BREAKPOINT * s) / np.expm1(GRADING_FROM_BREAKPOINT)
         return np.asarray(np.clip(self.start * np.cosh(x), np.nextafter(self.start, np.inf), self.end))
@@ -223,14 +227,17 @@ def _changes_of_count(
     while count_low != count_high:
         below, above, count_above = low, high, count_high
         while True:
-            middle = 0.5 * (below + above)
-            if not below < middle < above:
+            # many points at once cost as much as one
+            inner = np.unique(np.linspace(below, above, SECTIONS + 1))
+            inner = inner[(inner > below) & (inner < above)]
+            if not inner.size:
                 break
-            count = int(locus.roots(chart.amplitude(np.array([middle])))[1][0])
-            if count == count_low:
-                below = middle
-            else:
-                above, count_above = middle, count
+            _, counts = locus.roots(chart.amplitude(inner))
+            first = int(np.argmax(counts != count_low)) if (counts != count_low).any() else inner.size
+            if first > 0:
+                below = float(inner[first - 1])
+            if first < inner.size:
+                above, count_above = float(inner[first]), int(counts[first])
         found.append((below, above, count_above - count_low))
         low, count_low = above, count_above
     return found
