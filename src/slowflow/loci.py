@@ -197,6 +197,7 @@ def _chart_rows(locus: Locus, chart: Chart, number: int) -> list[tuple[Any, ...]
         s = np.unique(np.concatenate([s, list(marks)]))
         A = chart.amplitude(s)
         Omega, count = locus.roots(A)
+    _close_pairs(Omega, count, [k for k in range(s.size) if marks.get(s[k]) == "turning"])
     level = locus.level(A[:, np.newaxis], Omega)
     rows: list[tuple[Any, ...]] = []
     for place in range(s.size - 1):
@@ -217,6 +218,14 @@ def _chart_rows(locus: Locus, chart: Chart, number: int) -> list[tuple[Any, ...]
                 )
             )
     return rows
+
+
+def _close_pairs(Omega: Floats, count: Ints, turning: list[int]) -> None:
+    """Let the two nearest roots at each turning point meet, in place: a level between theirs would be lost there."""
+    for k in turning:
+        if count[k] >= 2:
+            j = int(np.argmin(np.diff(Omega[k, : count[k]])))
+            Omega[k, j : j + 2] = Omega[k, j : j + 2].mean()
 
 
 def _changes_of_count(

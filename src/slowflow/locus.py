@@ -25,11 +25,11 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     last = np.flatnonzero(np.append(branch[1:] != branch[:-1], True))
     at = (last + 1) * per_row
     A, Omega = np.insert(A, at, located.A[rows[last], 1]), np.insert(Omega, at, located.Omega[rows[last], 1])
-    number: Ints = np.asarray(np.insert(np.repeat(branch, per_row), at, branch[last]), dtype=np.intp)
+    number = np.insert(np.repeat(branch, per_row), at, branch[last]).astype(np.intp)
     return FoldLocus(Omega, A, located.locus.level(A, Omega), number, "")
 
 
-def _in_order(located: Spans) -> tuple[Ints, Ints]:
+def _in_order(located: Spans) -> tuple[Ints, npt.NDArray[np.intp]]:
     """Rows of spans, those that follow each other on one branch side by side, and the number of the branch."""
     keys = np.stack([located.index, located.count, located.chart])
     order = np.lexsort((located.s[:, 0], *keys))

@@ -18,7 +18,7 @@ from slowflow.folds import F_A, saddle_nodes
 from slowflow.loci import peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, words
-from slowflow.roots import response_roots
+from slowflow.roots import peak_roots, response_roots
 
 #: amplitudes closer than this, relatively, are one event
 SAME = 8 * np.finfo(float).eps
@@ -106,16 +106,15 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
         richer, poorer, upper = (k, k + 1, True) if left > right else (k + 1, k, False)
         more, fewer = max(left, right), min(left, right)
         lost: set[int] = set()
-        if more - fewer == 2:
-            # the pair meets at Omega; the roots that stay lie on either side of it
-            below = int(np.searchsorted(_without_pair(here, Omega, fewer), Omega))
-            lost = {below, below + 1}
-            join((richer, below, upper), (richer, below + 1, upper), (A, Omega))
-        elif more - fewer == 1:
+        if (more - fewer) % 2:
             lost = {0}
             ends[richer, 0, upper] = (A, 0.0)
-        elif more != fewer:
-            raise ArithmeticError(f"{more - fewer} roots vanish at A = {A:.17g}: unresolved at F_0 = {F_0:.17g}")
+        if more - fewer >= 2:
+            # the pair meets at Omega; the roots that stay lie on either side of it
+            Omega = Omega if Omega > 0 else _stationary(model, A, F_0)
+            below = len(lost) + int(np.searchsorted(_without_pair(here, Omega, fewer), Omega))
+            lost |= {below, below + 1}
+            join((richer, below, upper), (richer, below + 1, upper), (A, Omega))
         staying = [i for i in range(more) if i not in lost]
         at_staying = here if here.size == fewer else _without_pair(here, Omega, fewer)
         for place, (i, j) in enumerate(zip(staying, range(fewer), strict=True)):
@@ -129,6 +128,18 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
     pieces = _cut_at_folds(model, arcs, counts, ends, edges, folds)
     curves, closed = _trace(arcs, joins, pieces)
     return Skeleton(model, F_0, curves, closed, folds, remark)
+
+
+def _stationary(model: Model, A: float, F_0: float) -> float:
+    """Omega where a pair of roots meets at A: of the points with F_Omega = 0 the one whose level is nearest to F_0.
+
+    For an event that is a breakpoint or a state at rest, and to rounding a peak as well.
+    """
+    at = np.array([A])
+    h = model.averaged(at)[0]
+    Omega = peak_roots(at, h, model.m, model.zeta)[0][0]
+    level = np.hypot(model.flow.R(Omega, A, h), model.flow.I(Omega, A, model.m, model.zeta))
+    return float(Omega[np.nanargmin(np.abs(level - F_0))])
 
 
 def _without_pair(roots: Floats, Omega: float, fewer: int) -> Floats:
@@ -154,7 +165,11 @@ def _cut_at_folds(
         if folds.corner[f]:
             continue  # an arc ends at every breakpoint already
         k = int(np.searchsorted(edges, folds.A[f])) - 1
-        nearest = int(np.nanargmin(np.abs(roots[f, : n[f]] - folds.Omega[f])))
+        k -= int(k > 0 and not counts[k])  # a fold at the tip of the curve may lie beyond it by rounding
+        at_fold = roots[f, : n[f]]
+        if not n[f]:  # what lies next to the tip tells
+            at_fold = _roots(model, np.array([0.5 * (edges[k] + edges[k + 1])]), folds.F_0)[0][0, : counts[k]]
+        nearest = int(np.argmin(np.abs(at_fold - folds.Omega[f])))
         cuts[k, min(nearest, int(counts[k]) - 1)].append((float(folds.A[f]), float(folds.Omega[f])))
     pieces: dict[tuple[int, int], list[Piece]] = {}
     for k, i in arcs:

@@ -3,6 +3,7 @@
 
 #include "duffing.h"
 #include "rod_spring.h"
+#include "rod_spring_attached.h"
 
 #define SF_M(name) rod_spring_solver_##name
 #define SF_KERNEL(name) rod_spring_##name
@@ -14,6 +15,17 @@
 #define SF_PARAMETERS ROD_SPRING_PARAMETERS
 #define SF_BREAKPOINTS ROD_SPRING_BREAKPOINTS
 #define SF_REACH 1.0
+#include "mechanism.h"
+#undef SF_M
+#undef SF_KERNEL
+#undef SF_NAME
+#undef SF_BREAKPOINTS
+
+/* the same where no amplitude exceeds the first breakpoint: slowflow.plan knows when */
+#define SF_M(name) rod_spring_attached_solver_##name
+#define SF_KERNEL(name) rod_spring_attached_##name
+#define SF_NAME "rod_spring_attached"
+#define SF_BREAKPOINTS 0
 #include "mechanism.h"
 #undef SF_M
 #undef SF_KERNEL
@@ -36,5 +48,6 @@
 #define SF_REACH HUGE_VAL
 #include "mechanism.h"
 
-/* by the order of SF_ROD_SPRING, SF_DUFFING */
-const sf_solver *const SF_TABLE[SF_MECHANISMS] = {&rod_spring_solver_solver, &duffing_solver_solver};
+/* by the order of SF_ROD_SPRING, SF_ROD_SPRING_ATTACHED, SF_DUFFING */
+const sf_solver *const SF_TABLE[SF_MECHANISMS] = {&rod_spring_solver_solver, &rod_spring_attached_solver_solver,
+                                                  &duffing_solver_solver};

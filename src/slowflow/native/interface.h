@@ -39,7 +39,7 @@ typedef struct {
 } sf_solver;
 
 /* by the order of sf_mechanisms; the second for processors with fma */
-enum { SF_ROD_SPRING, SF_DUFFING, SF_MECHANISMS };
+enum { SF_ROD_SPRING, SF_ROD_SPRING_ATTACHED, SF_DUFFING, SF_MECHANISMS };
 extern const sf_solver *const sf_solvers_baseline[SF_MECHANISMS];
 extern const sf_solver *const sf_solvers_fma[SF_MECHANISMS];
 

@@ -1,0 +1,364 @@
+"""The solvers against certified references, against each other, and where events coincide.
+
+The same tests run on both backends; those that compare the backends, or need one, say so.
+"""
+
+import json
+import math
+import tracemalloc
+import warnings
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+from native_roots import why_not
+from solver_build import THOROUGH, build
+
+from slowflow import Duffing, Isolator, backend, compiled, folds, locus, response
+
+DATA = Path(__file__).parent / "data"
+UNIT = 2.0**-53
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+compiled_only = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers")
+
+
+def cases():
+    """All cases of the reference files: name, the oscillator, and the record."""
+    for file in ("table_1", "random_isolators", "random_duffing", "negative_stiffness"):
+        for number, record in enumerate(json.loads((DATA / f"{file}.json").read_text())):
+            parameters = {name: given(value) for name, value in record["parameters"].items()}
+            make = Isolator if record["mechanism"] == "rod_spring" else Duffing
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                yield f"{file} {number}", make(**parameters), record
+
+
+def given(value):
+    return float.fromhex(value[0]) if isinstance(value, list) else float(Fraction(value))
+
+
+CASES = list(cases())
+# NumPy takes a second for all that is asked of one oscillator
+SAMPLE = CASES if backend.SOLVER is not None else CASES[::12]
+
+
+def error(value, text, record=None, name=None):
+    """|value/exact - 1| in units of u (1 + condition numbers in the inputs and in the kernels' values)."""
+    condition = 1.0
+    if record is not None and record["condition"] is not None:
+        condition += record["condition"].get(name, 0) + (record["condition_kernel"] or {}).get(name, 0)
+    return abs(float((Fraction(value) - Fraction(text)) / Fraction(text))) / (UNIT * condition)
+
+
+# ---- against certified references ----------------------------------------------------------------------------------
+
+# the kernels' own error is a few units; it enters several times
+UNITS = 16
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(("name", "oscillator", "record"), SAMPLE, ids=[case[0] for case in SAMPLE])
+def test_everything_agrees_with_the_certified_reference(name, oscillator, record):
+    found, exact = oscillator.saddle_node_onset(), record["onset"]
+    assert (found.F_SN is None) == (exact is None)
+    if exact is not None:
+        assert found.kind == exact["kind"]
+        for field in ("F_SN", "Omega", "A"):
+            assert error(getattr(found, field), exact[field], exact, "F_0" if field == "F_SN" else field) <= UNITS
+    check_extrema(oscillator, record["fold_locus"]["extrema"])
+    for forcing in record["forcings"]:
+        F_0 = given(forcing["F_0"])
+        check_folds(oscillator.saddle_nodes(F_0), forcing["folds"])
+        check_curve(oscillator.frequency_response(F_0, 60, Omega=(1e-9, 2.0)), forcing)
+        check_peak(oscillator.peak(F_0), forcing["peaks"])
+        for asked in forcing["amplitudes"]:
+            check_states(oscillator.amplitudes(given(asked["Omega"]), F_0), asked["steady"])
+
+
+def check_folds(found, exact):
+    assert len(found) == len(exact)
+    for k, fold in enumerate(exact):
+        assert (found.kind[k], found.corner[k]) == (fold["kind"], fold["corner"])
+        assert error(found.Omega[k], fold["Omega"], fold, "Omega") <= UNITS
+        assert error(found.A[k], fold["A"], fold, "A") <= UNITS
+
+
+def check_extrema(oscillator, exact):
+    A_max = 1.5 * max([float(point["A"]) for point in exact], default=1.0)
+    cusps, isolas = oscillator.cusps(A_max), oscillator.isola_points(A_max)
+    for kind, found in (("cusp", cusps), ("isola", isolas)):
+        points = sorted((p for p in exact if p["kind"] == kind), key=lambda p: float(p["A"]))
+        assert len(found) == len(points)
+        for k, point in enumerate(points):
+            assert error(found.F_0[k], point["F_0"], point, "F_0") <= UNITS
+            assert error(found.A[k], point["A"], point, "A") <= UNITS
+            if kind == "cusp":
+                assert found.minimum[k] == (point["sense"] == "min")
+            elif point["sense"] == "max":
+                assert found.kind[k] != "birth"
+
+
+def check_curve(found, forcing):
+    assert len(found.isola) == forcing["components"]
+    assert np.isfinite(found.A).all() and np.isfinite(found.Omega).all()
+
+
+def check_peak(found, exact):
+    tops = [peak for peak in exact if peak["sense"] == "max"]
+    if tops:
+        top = max(tops, key=lambda peak: float(peak["A"]))
+        assert found.A == pytest.approx(float(top["A"]), rel=1e-11)
+        assert found.Omega == pytest.approx(float(top["Omega"]), rel=1e-9)
+
+
+def check_states(found, exact):
+    assert found.stable.tolist() == [state["stable"] for state in exact]
+    for k, state in enumerate(exact):
+        assert error(found.A[k], state["A"], state, "A") <= UNITS
+        assert found.phi[k] == pytest.approx(float(state["phi"]), rel=1e-9)
+
+
+# ---- compiled against NumPy ----------------------------------------------------------------------------------------
+
+
+@compiled_only
+@pytest.mark.parametrize(("name", "oscillator", "record"), CASES[2::4], ids=[case[0] for case in CASES[2::4]])
+def test_compiled_and_numpy_give_the_same(name, oscillator, record):
+    model, F_0 = oscillator._model, given(record["forcings"][0]["F_0"])
+    for question in ("onset", "detachment"):
+        one, other = (getattr(path, question)(model) for path in (compiled, folds))
+        assert_same(one, other, 1e-12)
+    if F_0 > model.m:
+        assert_same(compiled.saddle_nodes(model, F_0), folds.saddle_nodes(model, F_0), 1e-11)
+        assert_same(compiled.peak(model, F_0), folds.peak(model, F_0), 1e-11)
+        curves = (path.frequency_response(model, F_0, 80, (0.0, 2.0)) for path in (compiled, response))
+        assert_same(*curves, 1e-9)
+        at = np.linspace(0.3, 1.7, 7)
+        assert_same(compiled.amplitudes(model, at, F_0), response.amplitudes(model, at, F_0), 1e-10)
+    for one, other in zip(compiled.extrema(model, 1.0), locus.extrema(model, 1.0), strict=True):
+        assert_same(one, other, 1e-11)
+
+
+def assert_same(one, other, tolerance):
+    """Two answers of one class, numbers to a relative tolerance (near Omega = 0: absolute), all else exactly."""
+    assert type(one) is type(other)
+    for field in one.__dataclass_fields__:
+        a, b = getattr(one, field), getattr(other, field)
+        if field == "_model":
+            continue
+        if isinstance(a, float) or (isinstance(a, np.ndarray) and a.dtype.kind == "f"):
+            np.testing.assert_allclose(a, b, rtol=tolerance, atol=1e-7 if field == "Omega" else 0, err_msg=field)
+        elif isinstance(a, np.ndarray):
+            np.testing.assert_array_equal(a, b, err_msg=field)
+        else:
+            assert a == b, field
+
+
+# ---- the scan against one with ten times as many samples -----------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def builds(tmp_path_factory):
+    if reason := why_not(clones=False):
+        pytest.skip(reason)
+    return [build(tmp_path_factory.mktemp("solvers"), options) for options in ([], THOROUGH)]
+
+
+def random_designs(seed, n):
+    """lam, r, delta_h, mu, zeta, F_0: delta_h up to 1.6 times that of zero stiffness, F_0 from 4 mu/pi to far above."""
+    rng = np.random.default_rng(seed)
+    lam, r = rng.uniform(1, 4, n), rng.uniform(0.4, 4, n)
+    share = np.where(rng.random(n) < 0.85, rng.uniform(0.02, 1, n), rng.uniform(1, 1.6, n))
+    delta_h = np.minimum(share / (lam * r), 0.95)
+    mu = np.where(rng.random(n) < 0.15, 0.0, 10 ** rng.uniform(-5, -1.5, n))
+    zeta = 10 ** rng.uniform(-3, 0.3, n)
+    F_0 = np.maximum(4 / np.pi * mu, 1e-4) * 10 ** rng.uniform(0.001, 2.5, n)
+    return np.stack([lam, r, delta_h, mu, zeta, F_0], axis=-1)
+
+
+def test_the_onset_is_that_of_a_thorough_search(builds):
+    rows = random_designs(1, 20_000)
+    (numbers, codes), (thorough, thorough_codes) = (solve("onset", rows) for solve in builds)
+    np.testing.assert_array_equal(codes, thorough_codes)
+    # both refine the same point: what is left is rounding, magnified where damping is small
+    np.testing.assert_allclose(numbers[:, :3], thorough[:, :3], rtol=1e-10)
+    assert np.nanmedian(np.abs(numbers[:, 0] / thorough[:, 0] - 1)) <= 2 * UNIT
+
+
+@pytest.mark.parametrize("question", ["saddle_nodes", "peak"])
+def test_no_fold_and_no_peak_is_missed_that_a_thorough_search_finds(builds, question):
+    rows = random_designs(2, 4_000)
+    (numbers, codes), (thorough, thorough_codes) = (solve(question, rows) for solve in builds)
+    np.testing.assert_array_equal(codes, thorough_codes)
+    np.testing.assert_allclose(numbers, thorough, rtol=1e-9, atol=1e-12)
+
+
+# ---- many designs --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.both_backends
+def test_many_designs_are_the_single_ones():
+    lam, zeta = np.array([1.0, 2.0, 3.0]), np.array([[0.02], [0.5]])
+    parameters = {**TABLE_1, "lam": lam, "zeta": zeta}
+    many = Isolator.many(**parameters)
+    assert many.shape == (2, 3)
+    detachment, onset, peak = many.detachment(), many.saddle_node_onset(), many.peak(0.04)
+    nodes = many.saddle_nodes(0.04)
+    for at in np.ndindex(2, 3):
+        one = Isolator(**{**TABLE_1, "lam": lam[at[1]], "zeta": zeta[at[0], 0]})
+        single = one.detachment()
+        np.testing.assert_allclose(detachment.F_cr[at], single.F_cr, rtol=1e-15)
+        np.testing.assert_allclose(detachment.Omega_cr[at], single.Omega_cr, rtol=1e-14)
+        start = one.saddle_node_onset()
+        np.testing.assert_allclose([onset.F_SN[at], onset.A[at]], [start.F_SN, start.A], rtol=1e-13)
+        assert ("cusp", "isola", "corner")[onset.kind[at] - 1] == start.kind
+        found = one.saddle_nodes(0.04)
+        assert nodes.count[at] == len(found)
+        np.testing.assert_allclose(nodes.A[at][: len(found)], found.A, rtol=1e-13)
+        assert np.isnan(nodes.A[at][len(found) :]).all()
+        assert (nodes.kind[at][: len(found)] == np.where(found.kind == "jump-up", 1, -1)).all()
+        np.testing.assert_allclose(peak.A[at], one.peak(0.04).A, rtol=1e-13)
+    assert not any(answer.status.any() for answer in (detachment, onset, peak, nodes))
+
+
+@pytest.mark.both_backends
+def test_a_bad_design_gets_a_status_and_spoils_no_other():
+    many = Isolator.many(**{**TABLE_1, "lam": [3, -1, math.nan, 3, 3], "zeta": [0.02, 0.02, 0.02, -1, 0]})
+    assert many.detachment().status.tolist() == [0, 1, 1, 1, 0]
+    assert many.saddle_node_onset().status.tolist() == [0, 1, 1, 1, 4]
+    assert many.peak([0.04, 0.04, 0.04, 0.04, 0.04]).status.tolist() == [0, 1, 1, 1, 4]
+    assert many.saddle_nodes(0.015).status.tolist() == [2, 1, 1, 1, 2]
+    assert Isolator.many(**TABLE_1).saddle_nodes([0.04, -1, math.inf]).status.tolist() == [0, 1, 1]
+    crowded = Isolator.many(**TABLE_1).saddle_nodes(0.04, places=1)
+    assert crowded.status == 6 and crowded.count == 2 and crowded.kind.tolist() == [1]
+    assert Duffing.many(1.0, [0.0, 0.5], 0.01, 0.1).saddle_node_onset().status.tolist() == [3, 0]
+    assert Duffing.many(1.0, 1.0).detachment().status == 3
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("wrong", ["three", [1, "x"], None, [[1, 2], [3]], 1j])
+def test_what_is_no_array_of_numbers_is_refused(wrong):
+    with pytest.raises(ValueError, match="lam"):
+        Isolator.many(**{**TABLE_1, "lam": wrong})
+
+
+@pytest.mark.both_backends
+def test_shapes_that_do_not_broadcast_are_named():
+    with pytest.raises(ValueError, match=r"lam \(2,\).*zeta \(3,\)"):
+        Isolator.many(**{**TABLE_1, "lam": [1, 2], "zeta": [0.1, 0.2, 0.3]})
+    with pytest.raises(ValueError, match="F_0"):
+        Isolator.many(**{**TABLE_1, "lam": [1, 2]}).peak([0.1, 0.2, 0.3])
+
+
+@compiled_only
+def test_a_batch_allocates_its_answers_and_no_more():
+    n = 1_000_000
+    lam = np.broadcast_to(np.linspace(1, 4, 1000), (1000, 1000))
+    many = Isolator.many(**{**TABLE_1, "lam": lam})
+    tracemalloc.start()
+    found = many.detachment()
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    answers = sum(array.nbytes for array in (found.F_cr, found.Omega_cr, found.u_cr, found.status))
+    assert answers == 25 * n and most <= answers + 1_000_000
+
+
+# ---- where events coincide -----------------------------------------------------------------------------------------
+
+
+def neighbours(value):
+    return [np.nextafter(value, 0), value, np.nextafter(value, np.inf)]
+
+
+@pytest.mark.both_backends
+# NumPy's path loses the tip of a curve that is 1e-9 wide, where F_0 is the level of the tip to the last place
+@pytest.mark.parametrize("zeta", [pytest.param(1e-9, marks=compiled_only), 1e-4, 0.02, 1.5])
+@pytest.mark.parametrize("mu", [0.0, 0.012])
+@pytest.mark.parametrize("share", [0.5, 1.0, 1.2])
+def test_a_curve_at_a_critical_forcing_is_whole(share, mu, zeta):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        oscillator = Isolator(lam=3, r=2, delta_h=share / 6, mu=mu, zeta=zeta)
+    forcings = [oscillator.detachment().F_cr, oscillator.saddle_node_onset().F_SN]
+    for forcing in forcings if backend.SOLVER is not None else forcings[:1]:
+        for F_0 in neighbours(forcing):
+            curve = oscillator.frequency_response(F_0, 60)
+            assert_on_curve(oscillator, curve)
+            for branch, closed in enumerate(curve.isola):
+                ends = np.flatnonzero(curve.branch == branch)[[0, -1]]
+                at_edge = (curve.Omega[ends] == 0) | (curve.Omega[ends] == 2)
+                assert closed or at_edge.all()
+
+
+def assert_on_curve(oscillator, curve):
+    """Every point is a steady state: the forcing that it needs is F_0 to rounding of its terms."""
+    model = oscillator._model
+    h = model.averaged(curve.A)[0]
+    R, I = model.flow.R(curve.Omega, curve.A, h), model.flow.I(curve.Omega, curve.A, model.m, model.zeta)
+    terms = curve.A * (1 + curve.Omega**2) + np.abs(I)  # h has terms of the size of A, which may cancel
+    assert (np.abs(np.hypot(R, I) - curve.F_0) <= 1e-12 * (terms + curve.F_0)).all()
+
+
+@compiled_only
+def test_stability_changes_at_folds_and_nowhere_else():
+    rng = np.random.default_rng(4)
+    rows = random_designs(3, 500)
+    for lam, r, delta_h, mu, zeta, F_0 in rows[rows[:, 2] * rows[:, 0] * rows[:, 1] < 1]:
+        oscillator = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
+        F_0 = max(F_0, 1.001 * oscillator.sticking_forcing) * rng.uniform(1, 2)
+        curve = oscillator.frequency_response(F_0, 200, Omega=(0.0, 1e3))
+        changes = sum(
+            np.count_nonzero(np.diff(stable)) + (closed and stable[0] != stable[-1])
+            for branch, closed in enumerate(curve.isola)
+            for stable in [curve.stable[curve.branch == branch]]
+        )
+        assert changes == len(oscillator.saddle_nodes(F_0))
+
+
+@pytest.mark.both_backends
+def test_softening_has_folds_down_to_the_friction_limit():
+    oscillator = Duffing(1.0, -0.3, mu=0.01, zeta=0.05)
+    m, onset = oscillator.sticking_forcing, oscillator.saddle_node_onset()
+    assert "folds that end at Omega = 0" in onset.message
+    zero_of_h = math.sqrt(4 / 0.9)  # h = -A + 0.225 A^3
+    low = oscillator.saddle_nodes(1.0001 * m)
+    assert len(low) % 2 == 1 and low.A[0] == pytest.approx(zero_of_h, rel=1e-2)
+    assert np.isfinite(oscillator.frequency_response(1.0001 * m).A).all()
+
+
+@pytest.mark.both_backends
+def test_without_damping_the_folds_are_those_of_the_closed_form():
+    oscillator = Duffing(1.0, 0.5)
+    F_0 = 0.3
+    found = oscillator.saddle_nodes(F_0)
+    # Omega^2 = -h_A = 1 + 9/8 A^2, and R = h - A h_A = 3/4 A^3 is F_0
+    A = (4 * F_0 / 3) ** (1 / 3)
+    assert found.A.tolist() == pytest.approx([A], rel=1e-14)
+    assert found.Omega.tolist() == pytest.approx([math.sqrt(1 + 9 / 8 * A * A)], rel=1e-14)
+
+
+@pytest.mark.both_backends
+def test_the_fold_locus_passes_the_folds_of_every_forcing():
+    oscillator = Isolator(**TABLE_1)
+    points = oscillator.fold_locus(200)
+    assert points.A.min() < oscillator.u_cr < points.A.max() and points.branch.max() >= 1
+    model = oscillator._model
+    h, h_A, _, _ = model.averaged(points.A)
+    slope = model.flow.F_A(points.Omega, points.A, model.m, model.zeta, h, h_A)
+    beside = np.abs(h_A) > 1e3  # next to u_cr an ulp of A moves F_A
+    assert (np.abs(slope[~beside]) <= 1e-9).all()
+    cusp = np.abs(points.F_0 / oscillator.saddle_node_onset().F_SN - 1) <= 1e-12  # no fold yet, or two
+    for k in np.flatnonzero(~beside & ~cusp)[::25]:
+        folds_there = oscillator.saddle_nodes(points.F_0[k])
+        assert np.abs(folds_there.A / points.A[k] - 1).min() <= 1e-6
+    assert oscillator.cusps().F_0.min() == pytest.approx(oscillator.saddle_node_onset().F_SN, rel=1e-13)
+
+
+@pytest.mark.both_backends
+def test_a_mechanism_without_end_needs_an_amplitude():
+    with pytest.raises(ValueError, match="A_max"):
+        Duffing(1.0, 0.5, 0.01, 0.02).fold_locus()
+    nothing = Duffing(1.0, 0.0, 0.01, 0.02)
+    assert len(nothing.cusps(1.0)) == 0 and "no cusp" in nothing.cusps(1.0).message
+    assert len(nothing.fold_locus(10, 1.0)) == 0 and "no saddle node" in nothing.fold_locus(10, 1.0).message
