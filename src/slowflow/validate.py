@@ -55,6 +55,13 @@ def count(name: str, value: Any, *, least: int) -> int:
     return int(value)
 
 
+def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
+    """One of the words allowed."""
+    if not isinstance(value, str) or value not in allowed:
+        raise _refuse(name, value, " or ".join(map(repr, allowed)))
+    return value
+
+
 def positive_array(name: str, value: Any) -> Floats:
     """Finite real numbers > 0, of any shape."""
     allowed = "a finite real number > 0, or an array of such"

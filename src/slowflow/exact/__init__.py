@@ -5,7 +5,7 @@ Out: `steady_state`, `exact_response`, `sweep`; motions switch exactly between s
 """
 
 from slowflow.exact.continuation import Fold, Response, exact_response
-from slowflow.exact.force import Force, Oscillator, Piece, from_kernels, linear, rod_spring, rod_spring_exact
+from slowflow.exact.force import Force, Oscillator, Piece, duffing, from_kernels, linear, rod_spring, rod_spring_exact
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
 
@@ -17,6 +17,7 @@ __all__ = [
     "Response",
     "SteadyState",
     "Sweep",
+    "duffing",
     "exact_response",
     "from_kernels",
     "linear",

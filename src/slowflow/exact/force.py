@@ -86,6 +86,11 @@ def linear() -> Force:
     return Force((Piece(_identity, ()),), ())
 
 
+def duffing(alpha: float, beta: float) -> Force:
+    """f(u) = alpha u + beta u^3 without an end: the attached piece of (6) with gamma = 0, as it was generated."""
+    return Force((rod_spring(alpha, beta, 0.0, 1.0).pieces[0],), ())
+
+
 def rod_spring(alpha: float, beta: float, gamma: float, u_cr: float) -> Force:
     """Truncated force (6): alpha u + beta u^3 + gamma u^5 up to u_cr, u beyond; it jumps at u_cr."""
     constants = (float(alpha), float(beta), float(gamma), float(u_cr))
@@ -93,8 +98,8 @@ def rod_spring(alpha: float, beta: float, gamma: float, u_cr: float) -> Force:
 
 
 def rod_spring_exact(lam: float, r: float, delta_h: float) -> Force:
-    """Untruncated force (5) plus u, with u_cr = sqrt(1 - (1 - delta_h)^2)."""
-    u_cr = float(np.sqrt(delta_h * (2.0 - delta_h)))
+    """Untruncated force (5) plus u; the springs detach at u_cr (7)."""
+    u_cr = float(rod_spring_kernels.coefficients(lam, r, delta_h)[-1])
     return from_kernels(rod_spring_kernels, "exact_force", (float(lam), float(r), float(delta_h)), (u_cr,))
 
 

@@ -1,0 +1,79 @@
+"""A user's questions put to the equation of motion: in go an averaged oscillator and numbers, out come exact answers.
+
+`Isolator` and `Duffing` delegate here. The averaged solution, which costs microseconds, gives the guesses.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.exact import continuation, shooting
+from slowflow.exact.force import Oscillator
+from slowflow.exact.sweep import Sweep
+from slowflow.exact.sweep import sweep as stepped
+
+if TYPE_CHECKING:
+    from slowflow.isolator import Oscillator as Averaged
+
+
+def oscillator(averaged: Averaged, which: str | None) -> Oscillator:
+    """The equation of motion (3) of an averaged oscillator.
+
+    which -- "truncated" for (6), "exact" for (5), None for the force that the averaged oscillator has
+
+    Raises ValueError for anything else, and where neither friction nor viscous damping lets a motion settle.
+    """
+    return Oscillator(averaged._restoring_force(which), averaged.mu, averaged.zeta)
+
+
+def steady_state(
+    averaged: Averaged, Omega: float, F_0: float, A: float | None, which: str | None
+) -> shooting.SteadyState:
+    """See `slowflow.isolator.Oscillator.steady_state`."""
+    Omega = validate.number("Omega", Omega, above=0.0)
+    F_0 = validate.number("F_0", F_0, above=0.0)
+    wanted = None if A is None else validate.number("A", A, above=0.0)
+    return shooting.steady_state(oscillator(averaged, which), Omega, F_0, _guess(averaged, Omega, F_0, wanted))
+
+
+def exact_response(
+    averaged: Averaged,
+    F_0: float,
+    Omega: tuple[float, float],
+    start: shooting.SteadyState | None,
+    step: float,
+    which: str | None,
+) -> continuation.Response:
+    """See `slowflow.isolator.Oscillator.exact_response`."""
+    F_0 = validate.number("F_0", F_0, above=0.0)
+    low, high = validate.window("Omega", Omega)
+    low = validate.number("Omega[0]", low, above=0.0)
+    step = validate.number("step", step, above=0.0, most=0.5)
+    system = oscillator(averaged, which)
+    if start is None:
+        start = shooting.steady_state(system, low, F_0, _guess(averaged, low, F_0, None))
+    elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
+        raise ValueError(
+            f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
+        )
+    return continuation.exact_response(system, F_0, (low, high), start=start, step=step)
+
+
+def sweep(averaged: Averaged, F_0: float, Omega: Any, tolerance: float, which: str | None) -> Sweep:
+    """See `slowflow.isolator.Oscillator.sweep`."""
+    F_0 = validate.number("F_0", F_0, above=0.0)
+    frequencies = validate.positive_array("Omega", Omega)
+    tolerance = validate.number("tolerance", tolerance, above=0.0)
+    return stepped(oscillator(averaged, which), F_0, frequencies, tolerance=tolerance)
+
+
+def _guess(averaged: Averaged, Omega: float, F_0: float, A: float | None) -> tuple[float, float] | None:
+    """(A, phi) of the averaged state nearest to A, of the only one if A is None, or None: then from rest."""
+    states = averaged.amplitudes(Omega, F_0)
+    if not states.A.size or (A is None and states.A.size > 1):
+        return None
+    nearest = 0 if A is None else int(np.argmin(np.abs(states.A - A)))
+    return float(states.A[nearest]), float(states.phi[nearest])

@@ -1,0 +1,124 @@
+"""What `Isolator` and `Duffing` ask of the equation of motion: interface, guesses, refusals."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from slowflow_kernels import duffing as duffing_kernels
+
+from slowflow import Duffing, Isolator, exact
+from slowflow.exact.integrate import default_integrator
+
+pytestmark = pytest.mark.both_backends
+
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+
+
+def isolator(**changes):
+    return Isolator(**{**TABLE_1, **changes})
+
+
+def test_each_averaged_state_leads_to_a_motion_beside_it():
+    """Three states at Omega = 0.9, the middle one unstable; nothing else is within a tenth of an amplitude."""
+    averaged = isolator().amplitudes(0.9, 0.04)
+    assert averaged.stable.tolist() == [True, False, True]
+    for A, stable in zip(averaged.A, averaged.stable, strict=True):
+        state = isolator().steady_state(0.9, 0.04, A)
+        assert abs(state.A / A - 1) < 0.1
+        assert state.stable == stable
+        assert state.residual <= 1e-12
+    from_rest = isolator().steady_state(0.9, 0.04)
+    assert from_rest.stable and abs(from_rest.A / averaged.A[0] - 1) < 0.1
+
+
+def test_a_motion_shows_its_series_and_harmonics():
+    state = isolator().steady_state(0.9, 0.04)
+    tau, u, _ = state.series(256)
+    assert tau[0] == 0 and tau[-1] < state.period == pytest.approx(2 * np.pi / 0.9)
+    # by the trapezoidal rule, which converges like the motion is smooth: friction jumps twice a turn
+    c = 2 * np.mean(u * np.exp(-1j * 0.9 * tau))
+    assert state.harmonics(1)[1] == pytest.approx(c, abs=1e-5)
+    assert np.abs(u).max() == pytest.approx(state.A, rel=1e-3)
+    assert state.stops == 0 and np.all(np.abs(state.multipliers) < 1)
+
+
+def test_the_force_is_the_one_that_is_averaged_or_the_one_asked_for():
+    truncated = isolator().steady_state(0.95, 0.04, 0.5, force="truncated").A
+    untruncated = isolator().steady_state(0.95, 0.04, 0.5, force="exact").A
+    assert isolator().steady_state(0.95, 0.04, 0.5).A == truncated
+    assert 1e-4 < abs(untruncated / truncated - 1) < 1e-2
+
+
+def test_a_linear_oscillator_is_the_same_from_both_classes():
+    one = isolator(delta_h=0).steady_state(0.8, 0.04)
+    other = Duffing(1.0, 0.0, 0.012, 0.02).steady_state(0.8, 0.04)
+    assert one.A == pytest.approx(other.A, rel=1e-12)
+
+
+def test_the_duffing_force_is_the_derived_one():
+    u = np.linspace(-2, 2, 41)
+    force = Duffing(-0.3, 0.7)._restoring_force(None)
+    assert np.array([force.value(x) for x in u]) == pytest.approx(duffing_kernels.force(u, -0.3, 0.7), rel=1e-15)
+
+
+def test_u_cr_of_the_untruncated_force_is_the_derived_one():
+    force = isolator()._restoring_force("exact")
+    assert force.breakpoints == (isolator().u_cr,)
+
+
+def test_a_curve_and_a_sweep_agree():
+    oscillator = Duffing(1.0, 0.5, 0.02, 0.05)
+    curve = oscillator.exact_response(0.1, (0.8, 0.9), step=0.1)
+    found = oscillator.sweep(0.1, [0.8, 0.9], tolerance=1e-6)
+    assert found.settled.all()
+    assert curve.Omega[[0, -1]] == pytest.approx([0.8, 0.9])
+    assert found.A == pytest.approx(curve.A[[0, -1]], rel=1e-4)
+
+
+@pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: a curve takes a minute")
+def test_a_curve_may_start_anywhere_on_it():
+    start = isolator().steady_state(0.95, 0.04, 0.5)
+    curve = isolator().exact_response(0.04, (0.8, 1.05), start=start)
+    whole = isolator().exact_response(0.04, (0.8, 1.05))
+    assert [fold.Omega for fold in curve.folds] == pytest.approx([fold.Omega for fold in whole.folds], abs=1e-10)
+
+
+REFUSED = [
+    (lambda o: o.steady_state(-1, 0.04), r"Omega = -1 is not allowed.*> 0"),
+    (lambda o: o.steady_state("0.9", 0.04), r"Omega = '0.9'"),
+    (lambda o: o.steady_state(0.9, 0), r"F_0 = 0 is not allowed.*> 0"),
+    (lambda o: o.steady_state(0.9, 0.012), r"F_0 = 0.012 does not exceed mu = 0.012"),
+    (lambda o: o.steady_state(0.9, 0.04, -0.2), r"A = -0.2"),
+    (lambda o: o.steady_state(0.9, 0.04, force="whole"), r"force = 'whole' is not allowed.*'truncated' or 'exact'"),
+    (lambda o: o.exact_response(np.nan), r"F_0 = nan"),
+    (lambda o: o.exact_response(0.04, (0, 1)), r"Omega\[0\] = 0.0 is not allowed.*> 0"),
+    (lambda o: o.exact_response(0.04, (1, 0.5)), r"Omega\[1\] = 0.5 is not allowed.*> 1"),
+    (lambda o: o.exact_response(0.04, step=0), r"step = 0 is not allowed"),
+    (lambda o: o.exact_response(0.04, start=0.9), r"start = 0.9 is not allowed"),
+    (lambda o: o.sweep(0.04, []), r"Omega must be a non-empty list"),
+    (lambda o: o.sweep(0.04, [0.9, 0]), r"Omega = .*0.0.* is not allowed"),
+    (lambda o: o.sweep(0.04, [0.9], tolerance=0), r"tolerance = 0 is not allowed"),
+    (lambda o: o.sweep(0.01, [0.9]), r"F_0 = 0.01 does not exceed mu"),
+]
+
+
+@pytest.mark.parametrize(("question", "words"), REFUSED)
+@pytest.mark.parametrize("oscillator", [isolator(), Duffing(1.0, 0.5, 0.012, 0.05)])
+def test_refusals_name_parameter_value_and_range(question, words, oscillator):
+    with pytest.raises(ValueError, match=words):
+        question(oscillator)
+
+
+def test_no_damping_at_all_is_refused():
+    with pytest.raises(ValueError, match="without any damping"):
+        isolator(mu=0, zeta=0).steady_state(0.9, 0.04)
+
+
+def test_importing_slowflow_imports_no_integrator():
+    code = "import sys, slowflow; print([m for m in ('scipy', 'heyoka', 'slowflow.exact') if m in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
+
+
+def test_the_answers_are_public():
+    assert {"SteadyState", "Response", "Sweep"} <= set(exact.__all__)
