@@ -9,13 +9,15 @@ from __future__ import annotations
 import dataclasses
 import math
 import warnings
+from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
-from slowflow_kernels import duffing, rod_spring
+from slowflow_kernels import duffing, rod_spring, rod_spring_attached
 
-from slowflow import solvers, validate
+from slowflow import plan, solvers, validate
+from slowflow.folds import NO_FOLD
 from slowflow.many import Designs
 from slowflow.model import Floats, Model
 from slowflow.results import (
@@ -36,6 +38,9 @@ if TYPE_CHECKING:
     from slowflow.exact.force import Force
 
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes)
+
+#: alpha and beta of the cubic oscillator that is linear
+LINEAR = (1.0, 0.0)
 
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
@@ -75,10 +80,11 @@ class Oscillator:
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples = validate.count("samples", samples, least=2)
         shown = validate.window("Omega", Omega)
-        if F_0 <= self._model.m:
+        planned = self._plan("frequency_response", F_0)
+        if planned.model is None:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
             return FrequencyResponse(none, none, flags, self._sticks(F_0), self._model, np.empty(0, np.intp), (), F_0)
-        return self._remarked(solvers.frequency_response(self._model, F_0, samples, shown))
+        return self._remarked(solvers.frequency_response(planned.model, F_0, samples, shown))
 
     def amplitudes(self, Omega: Any, F_0: float) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
@@ -88,26 +94,29 @@ class Oscillator:
         """
         at = validate.positive_array("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
-        if F_0 <= self._model.m:
+        planned = self._plan("amplitudes", F_0)
+        if planned.model is None:
             none = np.empty(0)
             return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self._model)
-        return self._remarked(solvers.amplitudes(self._model, at, F_0))
+        return self._remarked(solvers.amplitudes(planned.model, at, F_0))
 
     def saddle_nodes(self, F_0: float) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
         F_0 = validate.number("F_0", F_0, above=0.0)
-        if F_0 <= self._model.m:
+        planned = self._plan("saddle_nodes", F_0)
+        if planned.model is None or not planned.folds:
             none = np.empty(0)
-            return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, self._sticks(F_0))
-        return self._remarked(solvers.saddle_nodes(self._model, F_0))
+            message = self._sticks(F_0) if planned.model is None else NO_FOLD.format(F_0)
+            return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message)
+        return self._remarked(solvers.saddle_nodes(planned.model, F_0))
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
-        return solvers.onset(self._model)
+        return self._onset
 
     def detachment(self) -> Detachment:
         """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34)."""
-        return solvers.detachment(self._model)
+        return self._detachment
 
     def peak(self, F_0: float) -> Peak:
         """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
@@ -115,9 +124,10 @@ class Oscillator:
         Where the amplitude only falls with Omega it is the static one, with Omega = 0.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        if F_0 <= self._model.m:
+        planned = self._plan("peak", F_0)
+        if planned.model is None:
             return Peak(None, None, F_0, self._sticks(F_0))
-        return solvers.peak(self._model, F_0)
+        return solvers.peak(planned.model, F_0)
 
     def fold_locus(self, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
         """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
@@ -162,6 +172,33 @@ class Oscillator:
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         h, h_A, _, _ = self._model.averaged(A)
         return np.asarray(self._model.flow.stability(Omega, A, self._model.m, self.zeta, h, h_A))
+
+    def explain(self, question: str, F_0: float) -> plan.Plan:
+        """What runs for "frequency_response", "amplitudes", "saddle_nodes" or "peak" at F_0, what is skipped, and why.
+
+        Print it. The question itself follows this plan. Raises ValueError for another question or F_0 <= 0.
+        """
+        if question not in plan.QUESTIONS:
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(plan.QUESTIONS)}")
+        return self._plan(question, validate.number("F_0", F_0, above=0.0))
+
+    @cached_property
+    def _onset(self) -> SaddleNodeOnset:
+        return solvers.onset(self._model)
+
+    @cached_property
+    def _detachment(self) -> Detachment:
+        return solvers.detachment(self._model)
+
+    def _plan(self, question: str, F_0: float) -> plan.Plan:
+        # finding the onset takes as long as finding folds: it serves only where it has been asked for already
+        known = self.__dict__.get("_onset")
+        return plan.plan(question, F_0, self._model, self._attached_model, self._detachment.F_cr, known)
+
+    @cached_property
+    def _attached_model(self) -> Model | None:
+        """The first piece alone, where a response to less than F_cr cannot leave it; else None."""
+        return None
 
     def steady_state(
         self, Omega: float, F_0: float, A: float | None = None, *, force: str | None = None
@@ -244,7 +281,10 @@ class Isolator(Oscillator):
         self.r = validate.number("r", r, above=0.0)
         self.delta_h = validate.number("delta_h", delta_h, least=0.0, below=1.0)
         parameters = tuple(float(value) for value in rod_spring.coefficients(self.lam, self.r, self.delta_h))
-        super().__init__(rod_spring, parameters, mu, zeta)
+        if self.delta_h == 0:  # the springs never touch the rod
+            super().__init__(duffing, LINEAR, mu, zeta)
+        else:
+            super().__init__(rod_spring, parameters, mu, zeta)
         self.alpha, self.beta, self.gamma, self.u_cr = parameters
         if self.alpha < 0:
             warnings.warn(
@@ -252,6 +292,16 @@ class Isolator(Oscillator):
                 f"negative stiffness at rest (alpha = {self.alpha:g}); the averaged motion is about u = 0",
                 stacklevel=2,
             )
+
+    @cached_property
+    def _attached_model(self) -> Model | None:
+        # While f(u)/u rises with |u| so does -h/A with A, and with both the least forcing that holds an amplitude: once
+        # F_0 < F_cr leaves u_cr out of reach, it leaves all above out too. A negative averaged stiffness breaks this.
+        model = self._model
+        hardens = self.beta >= 0 and self.gamma >= 0 and all(jump <= 0 for jump in model.jumps)
+        if not model.breakpoints or not hardens or model.averaged(model.breakpoints[0])[0] >= 0:
+            return None
+        return Model(rod_spring_attached, model.parameters, self.mu, self.zeta, attached=True)
 
     def __repr__(self) -> str:
         return f"Isolator(lam={self.lam}, r={self.r}, delta_h={self.delta_h}, mu={self.mu}, zeta={self.zeta})"

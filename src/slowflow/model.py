@@ -31,6 +31,7 @@ class Model:
     kernels    -- generated module of the mechanism
     parameters -- its parameters, in the order of `kernels.PARAMETERS`
     mu, zeta   -- dry friction and viscous damping ratio
+    attached   -- whether the first piece of the force holds at every amplitude, as in the kernels of that scene
     m          -- 4 mu/pi, friction's share of I (23)
     flow       -- generated slow flow of the scene
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
@@ -41,6 +42,7 @@ class Model:
     parameters: tuple[float, ...]
     mu: float
     zeta: float
+    attached: bool = False
     m: float = field(init=False)
     flow: ModuleType = field(init=False)
     breakpoints: tuple[float, ...] = field(init=False)
@@ -51,12 +53,17 @@ class Model:
         flow = importlib.import_module(f"slowflow_kernels.slow_flow_{name}") if name else general_flow
         object.__setattr__(self, "flow", flow)
         object.__setattr__(self, "m", float(general_flow.friction(self.mu)))
-        ends = [float(end) for end in self.kernels.breakpoints(*self.parameters)]
-        jumps = [float(jump) for jump in self.kernels.jumps(*self.parameters)]
+        ends = () if self.attached else map(float, self.kernels.breakpoints(*self.parameters))
+        jumps = () if self.attached else map(float, self.kernels.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
         object.__setattr__(self, "breakpoints", tuple(end for end, _ in kept))
         object.__setattr__(self, "jumps", tuple(jump for _, jump in kept))
+
+    @cached_property
+    def linear(self) -> bool:
+        """Whether the averaged force is proportional to the amplitude."""
+        return not self.breakpoints and bool(self.averaged(1.0)[2] == 0)
 
     @property
     def reach(self) -> float:

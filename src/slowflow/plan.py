@@ -1,0 +1,102 @@
+"""What runs for a question and what does not: in go an oscillator's models and the question, out comes the plan.
+
+The plan is made in one place and obeyed: an oscillator hands its solvers `Plan.model`, and asks for nothing that the
+plan skips. `str(plan)` tells it, step by step, with the reasons.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from slowflow.model import Model, scene
+from slowflow.results import SaddleNodeOnset
+
+#: questions at one forcing, and whether each needs the folds
+QUESTIONS = {"frequency_response": True, "amplitudes": True, "saddle_nodes": True, "peak": False}
+FLOWS = {
+    "": "mu > 0, zeta > 0: F is a quartic in Omega",
+    "mu0": "mu = 0: F is a quadratic in Omega^2, roots in closed form",
+    "zeta0": "zeta = 0: F is a quadratic in Omega^2, roots in closed form",
+    "mu0_zeta0": "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form",
+}
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step: whether it runs, and which variant of it or why not."""
+
+    name: str
+    runs: bool
+    why: str
+
+    def __str__(self) -> str:
+        return f"{self.name:14}{'runs' if self.runs else 'skipped':9}{self.why}"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The way to an answer.
+
+    model -- what the solvers get; None where nothing has to be solved
+    folds -- whether folds are searched for
+    sticks -- whether the mass stays at rest
+    steps -- the same in words
+    """
+
+    question: str
+    F_0: float
+    model: Model | None
+    folds: bool
+    steps: tuple[Step, ...]
+
+    @property
+    def sticks(self) -> bool:
+        return self.model is None
+
+    def __str__(self) -> str:
+        return "\n".join([f"{self.question} at F_0 = {self.F_0:g}", *(f"  {step}" for step in self.steps)])
+
+
+def plan(
+    question: str, F_0: float, whole: Model, attached: Model | None, F_cr: float | None, onset: SaddleNodeOnset | None
+) -> Plan:
+    """The plan for one of `QUESTIONS` at F_0 > 0.
+
+    whole    -- the oscillator with all pieces of its force
+    attached -- the first piece alone, if a response to F_0 < F_cr is known to stay on it; else None
+    F_cr     -- the lowest forcing that reaches the first breakpoint, if it is known
+    onset    -- the onset of folds, if it is known: finding it takes as long as finding the folds
+    """
+    needs_folds = QUESTIONS[question]
+    if F_0 <= whole.m:
+        stuck = f"the mass sticks: F_0 does not exceed 4 mu/pi = {whole.m:g}"
+        return Plan(
+            question,
+            F_0,
+            None,
+            False,
+            tuple(Step(name, False, stuck) for name in ("force", "slow flow", "curve", "folds")),
+        )
+    if whole.linear:
+        model, force = whole, Step("force", True, "linear: one piece, no angles, no corner")
+    elif not whole.breakpoints:
+        model, force = whole, Step("force", True, "one piece: no angles, no corner")
+    elif attached is not None and F_cr is not None and F_0 < F_cr:
+        model, force = attached, Step("force", True, f"attached only, no angles, no corner: F_0 < F_cr = {F_cr:g}")
+    else:
+        model, force = whole, Step("force", True, "all pieces")
+    flow = Step("slow flow", True, FLOWS[scene(whole.mu, whole.zeta)])
+    if not needs_folds:
+        folds = Step("folds", False, "not needed for this question")
+    elif whole.linear:
+        folds = Step("folds", False, "a linear oscillator has none")
+    elif onset is not None and onset.F_SN is not None and F_0 < onset.F_SN and not onset.message:
+        folds = Step("folds", False, f"F_0 < F_SN = {onset.F_SN:g}: there is none")
+    else:
+        folds = Step("folds", True, "level crossings of the fold locus, and corners")
+    steps = [force, flow, folds]
+    if question != "saddle_nodes":
+        steps.insert(2, Step("curve", True, "events, arcs and pieces between them"))
+    if question in ("frequency_response", "amplitudes"):
+        steps.append(Step("phase", False, "computed when .phi is first read"))
+    return Plan(question, F_0, model, folds.runs, tuple(steps))

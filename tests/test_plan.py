@@ -1,0 +1,127 @@
+"""Scenes: what the plan says, that it is obeyed, and that a scene's answer is the general path's."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from slowflow_kernels import rod_spring
+
+from slowflow import Duffing, Isolator, backend, solvers
+from slowflow.model import Model
+
+pytestmark = pytest.mark.both_backends
+
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+RANDOM = json.loads((Path(__file__).parent / "data" / "random_isolators.json").read_text())
+SAMPLE = RANDOM[:: 1 if backend.SOLVER is not None else 40]
+
+
+def isolator(**changes):
+    return Isolator(**{**TABLE_1, **changes})
+
+
+def runs(plan):
+    return {step.name: step.runs for step in plan.steps}
+
+
+def same_folds(one, other):
+    assert len(one) == len(other)
+    assert (one.kind == other.kind).all() and (one.corner == other.corner).all()
+    assert np.allclose(one.Omega, other.Omega, rtol=1e-12, atol=0) and np.allclose(one.A, other.A, rtol=1e-12, atol=0)
+
+
+# ---- the plan -------------------------------------------------------------------------------------------------------
+
+
+def test_nothing_runs_where_the_mass_sticks():
+    plan = isolator().explain("frequency_response", 0.015)
+    assert plan.sticks and not any(runs(plan).values())
+    assert "sticks" in str(plan)
+
+
+def test_below_the_detachment_only_the_attached_piece_runs():
+    plan = isolator().explain("frequency_response", 0.025)
+    assert plan.model.attached and "attached only" in str(plan)
+    assert not isolator().explain("frequency_response", 0.04).model.attached
+    # with a negative averaged stiffness at u_cr the springs may be off at a lower forcing than at u_cr
+    with pytest.warns(UserWarning):
+        buckled = isolator(delta_h=0.9, r=10.0)
+    assert buckled.explain("saddle_nodes", 0.9 * buckled.detachment().F_cr).model.attached is False
+
+
+def test_the_fold_search_is_skipped_where_the_onset_is_known_to_lie_above():
+    oscillator = isolator()
+    assert runs(oscillator.explain("saddle_nodes", 0.02))["folds"]
+    oscillator.saddle_node_onset()
+    assert not runs(oscillator.explain("saddle_nodes", 0.02))["folds"]
+    assert runs(oscillator.explain("saddle_nodes", 0.022))["folds"]
+    same_folds(oscillator.saddle_nodes(0.02), isolator().saddle_nodes(0.02))
+    # folds at rest lie below the onset of a softening spring: there the search must go on
+    softening = Duffing(1.0, -1.0, 0.0, 0.05)
+    before = softening.saddle_nodes(0.02)
+    softening.saddle_node_onset()
+    same_folds(softening.saddle_nodes(0.02), before)
+    assert len(before) == 1
+
+
+def test_no_preload_is_a_linear_oscillator():
+    plan = isolator(delta_h=0).explain("saddle_nodes", 0.04)
+    assert "linear" in str(plan) and not plan.folds
+
+
+@pytest.mark.parametrize(("mu", "zeta", "name"), [(0, 0.02, "mu0"), (0.012, 0, "zeta0"), (0, 0, "mu0_zeta0")])
+def test_a_damping_scene_has_kernels_of_its_own(mu, zeta, name):
+    plan = isolator(mu=mu, zeta=zeta).explain("amplitudes", 0.04)
+    assert plan.model.flow.__name__ == f"slowflow_kernels.slow_flow_{name}"
+    assert "closed form" in str(plan)
+
+
+def test_a_phase_nobody_reads_is_not_computed():
+    states = isolator().amplitudes(0.9, 0.04)
+    assert "phi" not in states.__dict__
+    assert states.phi.shape == states.A.shape and "phi" in states.__dict__
+
+
+def test_an_unknown_question_is_named():
+    with pytest.raises(ValueError, match="question = 'isolas' is not allowed"):
+        isolator().explain("isolas", 0.04)
+
+
+# ---- the answers ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("record", SAMPLE, ids=[str(k) for k in range(len(SAMPLE))])
+def test_the_attached_scene_gives_what_the_whole_force_gives(record):
+    values = {name: float.fromhex(value[0]) for name, value in record["parameters"].items()}
+    oscillator = Isolator(**values)
+    whole = Model(rod_spring, oscillator._model.parameters, oscillator.mu, oscillator.zeta)
+    F_cr = oscillator.detachment().F_cr
+    for share in (0.3, 0.9, 0.999):
+        F_0 = whole.m + share * (F_cr - whole.m)
+        plan = oscillator.explain("amplitudes", F_0)
+        assert plan.model.attached
+        same_folds(solvers.saddle_nodes(plan.model, F_0), solvers.saddle_nodes(whole, F_0))
+        Omega = np.linspace(0.3, 1.5, 7)
+        one, other = solvers.amplitudes(plan.model, Omega, F_0), solvers.amplitudes(whole, Omega, F_0)
+        assert (one.Omega == other.Omega).all() and (one.stable == other.stable).all()
+        assert np.allclose(one.A, other.A, rtol=1e-11, atol=0)
+        assert other.A.max() < oscillator.u_cr
+
+
+def test_the_linear_scene_gives_what_the_whole_force_gives():
+    linear = isolator(delta_h=0)
+    whole = Model(rod_spring, rod_spring.coefficients(3.0, TABLE_1["r"], 0.0), linear.mu, linear.zeta)
+    Omega = np.linspace(0.3, 1.5, 25)
+    one, other = linear.amplitudes(Omega, 0.04), solvers.amplitudes(whole, Omega, 0.04)
+    assert np.allclose(one.A, other.A, rtol=1e-13, atol=0) and np.allclose(one.phi, other.phi, rtol=1e-12, atol=0)
+
+
+@pytest.mark.parametrize(("mu", "zeta"), [(0, 0.02), (0.012, 0), (0, 0)])
+def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
+    """Against the general kernels with the vanishing parameter next to zero, which is all that it changes."""
+    Omega = np.array([0.5, 0.7, 1.3, 1.5])
+    scene = isolator(mu=mu, zeta=zeta).amplitudes(Omega, 0.03)
+    general = isolator(mu=mu or 1e-18, zeta=zeta or 1e-18).amplitudes(Omega, 0.03)
+    lower = [general.A[general.Omega == w].min() for w in Omega]
+    assert np.allclose([scene.A[scene.Omega == w].min() for w in Omega], lower, rtol=1e-13, atol=0)
