@@ -1,0 +1,98 @@
+"""What each skip of a scene saves: in goes nothing, out come rows with the time with and without it, in one run.
+
+    python -m benchmarks.bench_scenes
+
+A ratio below 1 pays. `slowflow.plan` decides the skips; a skip that does not pay is taken out there.
+"""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from slowflow_kernels import duffing, rod_spring, rod_spring_attached
+
+from slowflow import Isolator, backend, solvers
+from slowflow.model import Model
+
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+WINDOW = (0.0, 2.0)
+
+
+def paired(general: Callable[[], Any], scene: Callable[[], Any], repeats: int) -> tuple[float, float, float]:
+    """Median seconds of both, taken in turn, and the median of their ratios scene/general."""
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        general()
+        middle = time.perf_counter()
+        scene()
+        times.append((middle - start, time.perf_counter() - middle))
+    without, with_ = zip(*times, strict=True)
+    return (
+        statistics.median(without),
+        statistics.median(with_),
+        statistics.median(b / a for a, b in times),
+    )
+
+
+def rows(repeats: int | None = None) -> list[dict[str, Any]]:
+    """One row for each skip and question: names, seconds without and with it, ratio."""
+    repeats = repeats or (300 if backend.SOLVER is not None else 15)
+    whole = Isolator(**TABLE_1)._model
+    p, mu, zeta = whole.parameters, whole.mu, whole.zeta
+    attached = Model(rod_spring_attached, p, mu, zeta, attached=True)
+    no_preload = Model(rod_spring, rod_spring.coefficients(3.0, TABLE_1["r"], 0.0), mu, zeta)
+    linear = Model(duffing, (1.0, 0.0), mu, zeta)
+    knows = Isolator(**TABLE_1)
+    knows.saddle_node_onset()
+    Omega = np.array([0.8])
+
+    def curve(model: Model, F_0: float) -> Callable[[], Any]:
+        return lambda: solvers.frequency_response(model, F_0, 1000, WINDOW)
+
+    def folds(model: Model, F_0: float) -> Callable[[], Any]:
+        return lambda: solvers.saddle_nodes(model, F_0)
+
+    def states(model: Model, F_0: float) -> Callable[[], Any]:
+        return lambda: solvers.amplitudes(model, Omega, F_0)
+
+    pairs = [
+        ("A < u_cr: no angles", "frequency_response", curve(whole, 0.025), curve(attached, 0.025)),
+        ("A < u_cr: no angles", "saddle_nodes", folds(whole, 0.025), folds(attached, 0.025)),
+        ("A < u_cr: no angles", "amplitudes", states(whole, 0.025), states(attached, 0.025)),
+        ("delta_h = 0: linear", "frequency_response", curve(no_preload, 0.04), curve(linear, 0.04)),
+        ("delta_h = 0: linear", "amplitudes", states(no_preload, 0.04), states(linear, 0.04)),
+        ("F_0 < F_SN, known", "saddle_nodes", folds(whole, 0.02), lambda: knows.saddle_nodes(0.02)),
+        ("F_0 < 4 mu/pi: sticks", "frequency_response", curve(whole, 0.0153), lambda: knows.frequency_response(0.0152)),
+        (
+            "phase not asked for",
+            "frequency_response",
+            lambda: solvers.frequency_response(whole, 0.04, 1000, WINDOW).phi,
+            curve(whole, 0.04),
+        ),
+    ]
+    for name, m, z in (("mu = 0", 0.0, zeta), ("zeta = 0", mu, 0.0), ("mu = zeta = 0", 0.0, 0.0)):
+        pairs.append((name, "frequency_response", curve(whole, 0.04), curve(Model(rod_spring, p, m, z), 0.04)))
+    return [
+        {
+            "skip": skip,
+            "question": question,
+            **dict(zip(("without", "with", "ratio"), paired(a, b, repeats), strict=True)),
+        }
+        for skip, question, a, b in pairs
+    ]
+
+
+def main() -> None:
+    print(f"{'skip':24}{'question':20}{'without':>10}{'with':>10}{'ratio':>7}   backend: {backend.NAME}")
+    for row in rows():
+        without, with_ = (f"{1e6 * row[key]:.0f} us" for key in ("without", "with"))
+        print(f"{row['skip']:24}{row['question']:20}{without:>10}{with_:>10}{row['ratio']:7.2f}")
+
+
+if __name__ == "__main__":
+    main()
