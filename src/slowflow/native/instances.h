@@ -9,33 +9,12 @@
 #define SF_KERNEL(name) rod_spring_##name
 #define SF_NAME "rod_spring"
 #define SF_DESIGN_SIZE 3
-#define SF_IS_DESIGN(x) \
-    (x[0] > 0 && x[1] > 0 && x[2] >= 0 && x[2] < 1 && x[0] < HUGE_VAL && x[1] < HUGE_VAL)
+#define SF_IS_DESIGN(x) (x[0] > 0 && x[1] > 0 && x[2] >= 0 && x[2] < 1 && x[0] < HUGE_VAL && x[1] < HUGE_VAL)
 #define SF_PARAMETERS_OF(x, p) rod_spring_coefficients(x[0], x[1], x[2], p)
 #define SF_PARAMETERS ROD_SPRING_PARAMETERS
 #define SF_BREAKPOINTS ROD_SPRING_BREAKPOINTS
 #define SF_REACH 1.0
 #include "mechanism.h"
-#undef SF_M
-#undef SF_KERNEL
-#undef SF_NAME
-#undef SF_BREAKPOINTS
-
-/* the same where no amplitude exceeds the first breakpoint: slowflow.plan knows when */
-#define SF_M(name) rod_spring_attached_solver_##name
-#define SF_KERNEL(name) rod_spring_attached_##name
-#define SF_NAME "rod_spring_attached"
-#define SF_BREAKPOINTS 0
-#include "mechanism.h"
-#undef SF_M
-#undef SF_KERNEL
-#undef SF_NAME
-#undef SF_DESIGN_SIZE
-#undef SF_IS_DESIGN
-#undef SF_PARAMETERS_OF
-#undef SF_PARAMETERS
-#undef SF_BREAKPOINTS
-#undef SF_REACH
 
 #define SF_M(name) duffing_solver_##name
 #define SF_KERNEL(name) duffing_##name
@@ -48,6 +27,18 @@
 #define SF_REACH HUGE_VAL
 #include "mechanism.h"
 
-/* by the order of SF_ROD_SPRING, SF_ROD_SPRING_ATTACHED, SF_DUFFING */
-const sf_solver *const SF_TABLE[SF_MECHANISMS] = {&rod_spring_solver_solver, &rod_spring_attached_solver_solver,
-                                                  &duffing_solver_solver};
+/* the first piece alone, for a response that cannot leave it: no angle is ever evaluated */
+#define SF_M(name) rod_spring_attached_solver_##name
+#define SF_KERNEL(name) rod_spring_attached_##name
+#define SF_NAME "rod_spring_attached"
+#define SF_DESIGN_SIZE 3
+#define SF_IS_DESIGN(x) (x[0] > 0 && x[1] > 0 && x[2] >= 0 && x[2] < 1 && x[0] < HUGE_VAL && x[1] < HUGE_VAL)
+#define SF_PARAMETERS_OF(x, p) rod_spring_coefficients(x[0], x[1], x[2], p)
+#define SF_PARAMETERS ROD_SPRING_PARAMETERS
+#define SF_BREAKPOINTS 0
+#define SF_REACH 1.0
+#include "mechanism.h"
+
+/* by the order of their numbers in interface.h */
+const sf_solver *const SF_TABLE[SF_MECHANISMS] = {&rod_spring_solver_solver, &duffing_solver_solver,
+                                                  &rod_spring_attached_solver_solver};

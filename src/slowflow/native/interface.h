@@ -38,8 +38,8 @@ typedef struct {
     sf_many many[SF_MANY];
 } sf_solver;
 
-/* by the order of sf_mechanisms; the second for processors with fma */
-enum { SF_ROD_SPRING, SF_ROD_SPRING_ATTACHED, SF_DUFFING, SF_MECHANISMS };
+/* mechanisms, and behind those that a user designs the scenes of one; the second table is for processors with fma */
+enum { SF_ROD_SPRING, SF_DUFFING, SF_DESIGNED, SF_ROD_SPRING_ATTACHED = SF_DESIGNED, SF_MECHANISMS };
 extern const sf_solver *const sf_solvers_baseline[SF_MECHANISMS];
 extern const sf_solver *const sf_solvers_fma[SF_MECHANISMS];
 

@@ -314,7 +314,7 @@ static int SF_M(polish_fold)(const sf_model *model, double F_0, const double A_r
             return 1;
         last = moved;
     }
-    return 1;
+    return last <= 1e-13;
 }
 
 static void SF_M(order)(double range[2], double a, double b) {
@@ -330,6 +330,8 @@ static sf_point SF_M(settled_fold)(const sf_model *model, double F_0, const doub
     int i, n, place = 0;
     SF_M(sample)(model, found.A, &at);
     n = sf_response_roots(at.A, at.h, model->m, model->zeta, F_0, w);
+    if (n == 0) /* beyond the tip of the curve by rounding: Omega from F_A = 0 after all */
+        n = sf_fold_roots(at.A, at.h, at.h_A, model->m, model->zeta, w);
     for (i = 0; i < n; i++) {
         const double off = fmax(w_range[0] - w[i], fmax(w[i] - w_range[1], 0));
         if (off < nearest)

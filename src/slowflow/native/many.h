@@ -6,17 +6,21 @@
 
 /* The rest of a model whose parameters are set. */
 static void SF_M(prepare)(double m, double zeta, double reach, sf_model *model) {
-    double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
-    int i;
     model->m = m, model->zeta = zeta, model->reach = reach;
     model->breaks = 0;
-    SF_KERNEL(breakpoints)(model->p, b);
-    SF_KERNEL(jumps)(model->p, jump);
-    for (i = 0; i < SF_BREAKPOINTS; i++)
-        if (b[i] > 0) { /* a piece of no width is no piece */
-            model->b[model->breaks] = b[i];
-            model->jump[model->breaks++] = jump[i];
-        }
+#if SF_BREAKPOINTS > 0
+    {
+        double b[SF_BREAKPOINTS], jump[SF_BREAKPOINTS];
+        int i;
+        SF_KERNEL(breakpoints)(model->p, b);
+        SF_KERNEL(jumps)(model->p, jump);
+        for (i = 0; i < SF_BREAKPOINTS; i++)
+            if (b[i] > 0) { /* a piece of no width is no piece */
+                model->b[model->breaks] = b[i];
+                model->jump[model->breaks++] = jump[i];
+            }
+    }
+#endif
 }
 
 static double SF_M(input)(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k) {
@@ -35,6 +39,7 @@ static void SF_M(output_code)(char **args, const ptrdiff_t *steps, int i, ptrdif
 static int SF_M(design_at)(char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_model *model) {
     double design[SF_DESIGN_SIZE], mu, zeta;
     int i;
+    memset(model, 0, sizeof *model);
     for (i = 0; i < SF_DESIGN_SIZE; i++)
         design[i] = SF_M(input)(args, steps, i, k);
     mu = SF_M(input)(args, steps, i, k), zeta = SF_M(input)(args, steps, i + 1, k);

@@ -36,3 +36,13 @@ static const sf_solver SF_M(solver) = {
     SF_M(draw_locus),
     {SF_M(many_detachment), SF_M(many_onsets), SF_M(many_folds), SF_M(many_peaks)},
 };
+
+#undef SF_M
+#undef SF_KERNEL
+#undef SF_NAME
+#undef SF_DESIGN_SIZE
+#undef SF_IS_DESIGN
+#undef SF_PARAMETERS_OF
+#undef SF_PARAMETERS
+#undef SF_BREAKPOINTS
+#undef SF_REACH

@@ -408,7 +408,7 @@ static struct {
     PyUFuncGenericFunction loop;
     void *data;
     char name[64], signature[96], types[MOST_OPERANDS];
-} made[SF_MECHANISMS][BATCHES];
+} made[SF_DESIGNED][BATCHES];
 
 /* The ufunc many_<question>_<mechanism>. */
 static int add_batch(PyObject *module, int mechanism, int k)
@@ -442,7 +442,7 @@ int sf_add_answers(PyObject *module)
     choose_solvers();
     if (PyModule_AddFunctions(module, functions) < 0)
         return -1;
-    for (int i = 0; i < SF_MECHANISMS; i++)
+    for (int i = 0; i < SF_DESIGNED; i++)
         for (int k = 0; k < BATCHES; k++)
             if (add_batch(module, i, k) < 0)
                 return -1;
