@@ -297,7 +297,9 @@ def assert_on_curve(oscillator, curve):
     h = model.averaged(curve.A)[0]
     R, I = model.flow.R(curve.Omega, curve.A, h), model.flow.I(curve.Omega, curve.A, model.m, model.zeta)
     terms = curve.A * (1 + curve.Omega**2) + np.abs(I)  # h has terms of the size of A, which may cancel
-    assert (np.abs(np.hypot(R, I) - curve.F_0) <= 1e-12 * (terms + curve.F_0)).all()
+    # an ulp above u_cr h has a vertical tangent: amplitudes that are u_cr to rounding are left out
+    away = np.abs(curve.A - np.array(model.breakpoints)) > 1e-14 * curve.A
+    assert (np.abs(np.hypot(R, I) - curve.F_0)[away] <= 1e-12 * (terms + curve.F_0)[away]).all()
 
 
 @compiled_only
