@@ -7,8 +7,8 @@
     folds, peak  at a forcing, batches                                                no target
 
 All are called from Python. The batches of Table 1 vary lam; the random ones draw every parameter, so that the onset
-lies in either regime or on the corner. All jobs are timed in turn in every round. `python -m benchmarks.bench_solver` prints
-the table; `rows` gives it.
+lies in either regime or on the corner. All jobs are timed in turn in every round. `python -m benchmarks.bench_solver`
+prints the table; `rows` gives it.
 """
 
 from __future__ import annotations
