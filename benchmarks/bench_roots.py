@@ -1,6 +1,6 @@
 """Omega roots of one response quartic: scenes in, time per quartic and error in u (1 + kappa) of each method out.
 
-Methods: the C solver (built as a package builds it, with a clone for fma, and without), the NumPy solver, a loop over
+Methods: the C solver (with a clone for fma, and without), the installed ufunc, the NumPy solver, a loop over
 `numpy.roots` and batched companion eigenvalues, the last two on the expanded coefficients of (24).  All methods are
 timed in turn in every round, each after a call that warms the caches for it, and the medians are compared.
 `python -m benchmarks.bench_roots` prints the table; `rows` gives it.
@@ -18,7 +18,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.roots import response_roots
+from slowflow import backend
+from slowflow.roots import numpy_roots, response_roots
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from native_roots import build, why_not
@@ -58,9 +59,14 @@ def companion_eigenvalues(rows: np.ndarray) -> np.ndarray:
     return np.linalg.eigvals(matrices)
 
 
+def installed(rows: np.ndarray) -> np.ndarray:
+    """What `slowflow.roots` runs: compiled where it was built."""
+    return response_roots(*rows.T)[0]
+
+
 def structured(rows: np.ndarray) -> np.ndarray:
     """The NumPy path of slowflow."""
-    return response_roots(*rows.T)[0]
+    return numpy_roots("response_roots", *rows.T)[0]
 
 
 def positive(found: np.ndarray) -> np.ndarray:
@@ -92,6 +98,7 @@ def rows(count: int = 5000, repeats: int = 7, seed: int = 3) -> list[dict[str, A
                 solve = build(Path(directory), clones)
                 methods[name] = lambda parameters, solve=solve: solve("response", parameters)[0]
         methods |= {
+            f"installed: {backend.NAME}": installed,
             "NumPy": structured,
             "companion eigenvalues, batched": companion_eigenvalues,
             "numpy.roots loop": numpy_roots_loop,

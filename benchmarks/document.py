@@ -1,0 +1,148 @@
+"""The tables in words: measured rows in, lines of text, JSON files and docs/benchmarks.md out."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+RESULTS = Path(__file__).resolve().parent / "results"
+DOCS = Path(__file__).resolve().parents[1] / "docs"
+
+HEAD = """# Measured speed and error
+
+Written by `make bench` and `make bench-peers` from the measurements that they make; the same numbers stand in
+[benchmarks/results](../benchmarks/results).
+"""
+
+
+#: parts of a second
+PARTS = ((1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
+
+
+def save(path: Path, content: Any) -> None:
+    """Write JSON, keys in the order of writing."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def quantity(value: float, unit: str) -> str:
+    """A number with three digits and its unit; seconds in a unit that fits."""
+    if unit == "s" and abs(value) < 1:
+        scale, unit = next((pair for pair in PARTS if abs(value) >= pair[0]), PARTS[-1])
+        value /= scale
+    if value and abs(value) >= 1e5:
+        power = math.floor(math.log10(abs(value)))
+        return f"{value / 10**power:.2f}e{power} {unit}".strip()
+    return f"{value:.3g} {unit}".strip()
+
+
+def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
+    """A Markdown table, its columns filled with blanks so that it reads well as text."""
+    width = [max(len(row[i]) for row in (head, *rows)) for i in range(len(head))]
+    lines = [head, tuple("-" * n for n in width), *rows]
+    return ["| " + " | ".join(cell.ljust(n) for cell, n in zip(line, width, strict=True)) + " |" for line in lines]
+
+
+def bench_table(rows: list[dict[str, Any]]) -> list[str]:
+    """Job, target, measured median, ratio, error, reached."""
+    cells = []
+    for row in rows:
+        reached = row.get("reached")
+        cells.append(
+            (
+                row["job"],
+                f"{'≤' if row['at_most'] else '≥'} {quantity(row['target'], row['unit'])}",
+                quantity(row["measured"], row["unit"]),
+                row.get("ratio", ""),
+                row.get("error", ""),
+                "yes" if reached else "NO",
+            )
+        )
+    return table(("job", "target", "median", "beside it", "error", "reached"), cells)
+
+
+def environment_lines(environment: dict[str, Any]) -> list[str]:
+    """Topics and values in one paragraph."""
+    return ["; ".join(f"{topic} {value}" for topic, value in environment.items()) + "."]
+
+
+def peers_table(rows: list[dict[str, Any]]) -> list[str]:
+    """Peer, variant, time, ratio, points, folds, error; or why not."""
+    cells = []
+    for row in rows:
+        name = f"{row['peer']} ({', '.join(f'{k} {v}' for k, v in row.get('versions', {}).items())})"
+        name = name.removesuffix(" ()")
+        if "failure" in row:
+            cells.append((name, row.get("variant", ""), "-", "-", "-", "-", row["failure"]))
+            continue
+        error = "-" if row["fold_error"] is None else f"{row['fold_error']:.1e}"
+        folds = f"{row['folds_found']} of 2" + (
+            f", {row['folds_reported'] - row['folds_found']} false"
+            if row["folds_reported"] > row["folds_found"]
+            else ""
+        )
+        cells.append(
+            (
+                name,
+                row["variant"],
+                quantity(row["seconds"], "s"),
+                f"{row['ratio']:.3g}" if "ratio" in row else "-",
+                str(row["points"]),
+                folds,
+                error,
+            )
+        )
+    return table(("tool", "variant", "time", "times slowflow's", "points", "folds", "error of the folds' Omega"), cells)
+
+
+def precision_table(scene: dict[str, Any]) -> list[str]:
+    """Method, time, error and what was missed of one scene of the work-precision diagram."""
+    cells = [
+        (
+            row["method"],
+            row["variant"],
+            quantity(row["seconds"], "s"),
+            "-" if row["error"] is None else f"{row['error']:.1e}",
+            "-" if row["error_max"] is None else f"{row['error_max']:.1e}",
+            f"{row['missed']} of {scene['sought']}",
+            str(row["false"]),
+        )
+        for row in scene["rows"]
+    ]
+    return table(("method", "variant", "time", "median error", "largest error", "missed", "false"), cells)
+
+
+def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
+    """Write docs/benchmarks.md from whatever results there are."""
+    lines = [HEAD]
+    bench, precision, peers = (_read(results / f"{name}.json") for name in ("bench", "work_precision", "peers"))
+    if bench:
+        lines += ["## Targets", "", *environment_lines(bench["environment"]), "", *bench_table(bench["rows"]), ""]
+        if bench["limits"]:
+            lines += ["Where the limits are:", "", *(f"- {limit}" for limit in bench["limits"]), ""]
+    if precision:
+        lines += ["## Error against time", "", "![Error against time](work_precision.png)", ""]
+        lines += ["Scenes: Table 1 with F_0 = 0.04. Errors are relative, against values certified to 40 digits.", ""]
+        for scene in precision["scenes"]:
+            lines += [f"### {scene['title']}", "", *precision_table(scene), ""]
+        lines += ["## How cost grows", "", "![Cost against size](scaling.png)", ""]
+    if peers:
+        lines += ["## Beside other tools", "", *PEERS_WORDS, "", *environment_lines(peers["environment"]), ""]
+        lines += [*peers_table(peers["rows"]), ""]
+        ways = dict.fromkeys((row["peer"], row["what"]) for row in peers["rows"])
+        lines += ["What each does:", "", *(f"- {peer}: {what}." for peer, what in ways), ""]
+    docs.mkdir(parents=True, exist_ok=True)
+    (docs / "benchmarks.md").write_text("\n".join(lines), encoding="utf-8")
+
+
+PEERS_WORDS = (
+    "Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, all in one run and in turn.",
+    "A fold counts as found within 1 %; the error is the larger of the two found. Each tool runs in an environment of its",
+    "own; `benchmarks/peers/` holds one short adapter for each.",
+)
+
+
+def _read(path: Path) -> dict[str, Any] | None:
+    return dict(json.loads(path.read_text(encoding="utf-8"))) if path.exists() else None

@@ -1,0 +1,74 @@
+"""What slowflow costs beside its work: seconds of its import beyond NumPy's, memory of a batch beyond its own arrays."""
+
+from __future__ import annotations
+
+import re
+import statistics
+import subprocess
+import sys
+from typing import Any
+
+IMPORTING = """
+import time
+start = time.perf_counter()
+import numpy
+between = time.perf_counter()
+import slowflow
+print(between - start, time.perf_counter() - between)
+"""
+
+REMEMBERING = """
+import sys
+import numpy as np
+from slowflow import Isolator
+
+def pages(key):
+    with open("/proc/self/status") as lines:
+        return next(int(line.split()[1]) * 1024 for line in lines if line.startswith(key))
+
+count = int(sys.argv[1])
+r, zeta = np.empty(count), np.empty(count)
+for column, low, high in ((r, 1.0, 2.0), (zeta, 0.005, 0.05)):
+    for start in range(0, count, 100000):
+        part = column[start:start + 100000]
+        part[:] = np.linspace(low, high, part.size)
+Isolator.many(lam=3, r=r[:10], delta_h=0.08, mu=0.012, zeta=zeta[:10]).detachment()
+before = pages("VmRSS")
+found = Isolator.many(lam=3, r=r, delta_h=0.08, mu=0.012, zeta=zeta).detachment()
+beyond = pages("VmHWM") - before
+answers = sum(array.nbytes for array in vars(found).values())
+assert not found.status.any()
+print(beyond - answers, answers)
+"""
+
+
+def run(code: str, *arguments: str) -> list[float]:
+    """Numbers printed by a fresh interpreter."""
+    done = subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True)
+    return [float(word) for word in done.stdout.split()]
+
+
+def importing(times: int = 15) -> tuple[float, float]:
+    """Median seconds of `import slowflow` after NumPy, and of NumPy itself, in the same fresh processes."""
+    run(IMPORTING)  # bytecode written, files in the cache
+    numpy, slowflow = zip(*(run(IMPORTING) for _ in range(times)), strict=True)
+    return statistics.median(slowflow), statistics.median(numpy)
+
+
+def modules(count: int = 4) -> list[tuple[str, float]]:
+    """The modules that take longest on the way, with their own seconds."""
+    done = subprocess.run(
+        [sys.executable, "-X", "importtime", "-c", "import numpy; import slowflow"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    after_numpy = re.split(r"\|\s*numpy\n", done.stderr)[1]
+    own = re.findall(r"import time:\s*(\d+) \|\s*\d+ \|\s*(\S+)", after_numpy)
+    return sorted(((name, int(us) / 1e6) for us, name in own), key=lambda pair: -pair[1])[:count]
+
+
+def memory(count: int) -> dict[str, Any]:
+    """Bytes at the peak beyond inputs and answers of one batch, and those of the answers; Linux only."""
+    beyond, answers = run(REMEMBERING, str(count))
+    return {"designs": count, "beyond": beyond, "answers": answers}

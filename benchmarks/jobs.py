@@ -1,0 +1,145 @@
+"""What the targets are measured on, for `benchmarks.remote`: slowflow's public interface on whichever backend it loads.
+
+Jobs on Table 1 answer with the numbers that `benchmarks.targets` checks against certified values; batches answer with a
+rate's denominator only, and `certified` answers with the critical forcings of the 200 certified isolators.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from slowflow_kernels import rod_spring
+
+from benchmarks import certified
+from slowflow import Isolator
+from slowflow.roots import response_roots
+
+Job = tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]
+SAMPLES = 1000
+CHECKED = 40
+
+
+def designs(count: int, seed: int = 3) -> dict[str, Any]:
+    """A design map at random around Table 1: softer and harder springs, all preloads below zero stiffness."""
+    rng = np.random.default_rng(seed)
+    r = rng.uniform(1, 3, count)
+    return {
+        "lam": 3.0,
+        "r": r,
+        "delta_h": rng.uniform(0.1, 0.98, count) / (3 * r),
+        "mu": rng.uniform(0, 0.02, count),
+        "zeta": rng.uniform(0.005, 0.05, count),
+    }
+
+
+def of_folds(found: tuple[Any, Any]) -> dict[str, Any]:
+    """Points of the curve, and its folds."""
+    curve, folds = found
+    return {"points": len(curve.A), "folds": np.column_stack([folds.Omega, folds.A]).tolist()}
+
+
+def of_locus(found: tuple[Any, Any]) -> dict[str, Any]:
+    """Some points of the locus, evenly, and its lowest cusp."""
+    locus, cusps = found
+    some = np.linspace(0, len(locus) - 1, CHECKED).astype(int)
+    return {
+        "points": len(locus),
+        "some": np.column_stack([locus.Omega, locus.A])[some].tolist(),
+        "cusp": [float(cusps.F_0.min()), *(float(x[cusps.F_0.argmin()]) for x in (cusps.Omega, cusps.A))],
+    }
+
+
+def amplitudes(count: int) -> np.ndarray:
+    """From above 0 to beyond the highest peak of Table 1 at F_0 = 0.04."""
+    return np.linspace(0.0, 0.65, count + 1)[1:]
+
+
+def of_rows(found: Any) -> dict[str, Any]:
+    """Roots Omega of each amplitude."""
+    return {"found": [list(map(float, row)) for row in found]}
+
+
+def of_pairs(found: Any) -> dict[str, Any]:
+    """(Omega, A) of each fold."""
+    return {"found": [list(map(float, pair)) for pair in found]}
+
+
+def of_pair(found: Any) -> dict[str, Any]:
+    """F_SN, Omega, A."""
+    return {"found": [list(map(float, found))]}
+
+
+def of_response(found: tuple[np.ndarray, np.ndarray]) -> dict[str, Any]:
+    """Roots of each amplitude without the unused places."""
+    return {"found": [row[:count].tolist() for row, count in zip(*found, strict=True)]}
+
+
+def of_saddle_nodes(found: Any) -> dict[str, Any]:
+    """(Omega, A) of each fold."""
+    return {"found": np.column_stack([found.Omega, found.A]).tolist()}
+
+
+def of_onset(found: Any) -> dict[str, Any]:
+    """F_SN, Omega, A."""
+    return {"found": [[found.F_SN, found.Omega, found.A]]}
+
+
+def response(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Every Omega at each amplitude."""
+    iso = table_1()
+    h, _ = rod_spring.averaged_2(at, iso.alpha, iso.beta, iso.gamma, iso.u_cr)
+    return response_roots(at, h, iso.sticking_forcing, iso.zeta, certified.F_0)
+
+
+def table_1() -> Isolator:
+    """Made for each question, since an isolator remembers some of its answers."""
+    return Isolator(**certified.TABLE_1)
+
+
+def prepare() -> dict[str, Job]:
+    """Jobs by name."""
+
+    def curve() -> tuple[Any, Any]:
+        iso = table_1()
+        return iso.frequency_response(certified.F_0, samples=SAMPLES), iso.saddle_nodes(certified.F_0)
+
+    def locus() -> tuple[Any, Any]:
+        iso = table_1()
+        return iso.fold_locus(samples=SAMPLES), iso.cusps()
+
+    jobs: dict[str, Job] = {
+        "curve": (curve, of_folds),
+        "locus": (locus, of_locus),
+        "certified detachment": (
+            lambda: Isolator.many(**certified.designs().parameters).detachment(),
+            lambda found: {"found": np.column_stack([found.F_cr, found.Omega_cr]).tolist()},
+        ),
+        "certified onset": (
+            lambda: Isolator.many(**certified.designs().parameters).saddle_node_onset(),
+            lambda found: {"found": np.column_stack([found.F_SN, found.Omega, found.A]).tolist()},
+        ),
+    }
+    jobs["response"] = partial(response, amplitudes(SAMPLES)), of_response
+    jobs["folds"] = lambda: table_1().saddle_nodes(certified.F_0), of_saddle_nodes
+    jobs["onset"] = lambda: table_1().saddle_node_onset(), of_onset
+    for power in range(7):
+        count = 10**power
+        jobs[f"response {count}"] = partial(response, amplitudes(count)), lambda found: {"points": len(found[0])}
+        for name in ("detachment", "saddle_node_onset"):
+            jobs[f"{name} {count}"] = batch(name, count), lambda found: {"status": int(found.status.max())}
+    return jobs
+
+
+def batch(question: str, count: int) -> Callable[[], Any]:
+    """A question to so many designs, which are made when it is first asked."""
+    made: list[Any] = []
+
+    def ask() -> Any:
+        if not made:
+            made.append(Isolator.many(**designs(count)))
+        return getattr(made[0], question)()
+
+    return ask

@@ -1,0 +1,107 @@
+"""Why a target is not reached: what a missed target's kind is in, sentences with measured limits out.
+
+Single libm calls are timed in C; instructions are counted by valgrind. Where gcc or valgrind is not there, the sentence
+says so.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from benchmarks import footprint
+from benchmarks.document import quantity
+from benchmarks.remote import ROOT
+
+CALLS = 2_000_000
+FUNCTIONS = ("sqrt", "cbrt", "atan2", "acos", "cos")
+SOURCE = """
+#include <math.h>
+#include <time.h>
+#define CALL_sqrt(x) sqrt(x)
+#define CALL_cbrt(x) cbrt(x)
+#define CALL_atan2(x) atan2(x, 0.7)
+#define CALL_acos(x) acos(x)
+#define CALL_cos(x) cos(x)
+#define TIME(f) double time_##f(long n) { \\
+    struct timespec a, b; volatile double sink; double x = 0.1, step = 0.8 / n; \\
+    clock_gettime(CLOCK_MONOTONIC, &a); \\
+    for (long i = 0; i < n; i++) { sink = CALL_##f(x); x += step; } \\
+    clock_gettime(CLOCK_MONOTONIC, &b); (void)sink; \\
+    return ((b.tv_sec - a.tv_sec) + 1e-9 * (b.tv_nsec - a.tv_nsec)) / n; }
+"""
+COUNTED = """
+import sys
+from slowflow import Isolator
+from benchmarks import certified, jobs
+iso, count = Isolator(**certified.TABLE_1), int(sys.argv[1])
+many = Isolator.many(**jobs.designs(200))
+for _ in range(count):
+    {}
+"""
+#: by kind: what is done, in words and code, and how many answers it gives
+WORK = {
+    "curve": ("one response curve with folds", "iso.frequency_response(0.04), iso.saddle_nodes(0.04)", 1),
+    "locus": ("one fold locus with cusps", "iso.fold_locus(1000), iso.cusps()", 1),
+    "detachment": ("one F_cr", "many.detachment()", 200),
+    "saddle_node_onset": ("one F_SN", "many.saddle_node_onset()", 200),
+}
+
+
+def libm() -> list[str]:
+    """What one call costs."""
+    if shutil.which("gcc") is None:
+        return ["the cost of a libm call was not measured: there is no gcc"]
+    with tempfile.TemporaryDirectory() as folder:
+        source, library = Path(folder) / "calls.c", Path(folder) / "calls.so"
+        source.write_text(SOURCE + "\n".join(f"TIME({name})" for name in FUNCTIONS))
+        flags = ["-O2", "-fno-math-errno", "-shared", "-fPIC"]
+        subprocess.run(["gcc", *flags, str(source), "-o", str(library), "-lm"], check=True)
+        loaded = ctypes.CDLL(str(library))
+        costs = []
+        for name in FUNCTIONS:
+            time = getattr(loaded, f"time_{name}")
+            time.restype = ctypes.c_double
+            costs.append(f"{name} {quantity(min(time(ctypes.c_long(CALLS)) for _ in range(3)), 's')}")
+    return [f"one call of libm: {', '.join(costs)}"]
+
+
+def instructions(kinds: set[str]) -> list[str]:
+    """Instructions of an answer of each kind, on average, beyond those of a run that asks once."""
+    if kinds and shutil.which("valgrind") is None:
+        return ["instructions were not counted: there is no valgrind"]
+    out = []
+    for kind in sorted(kinds):
+        name, code, answers = WORK[kind]
+        beyond = _counted(code, 11) - _counted(code, 1)
+        out.append(f"{name}: {beyond / (10 * answers):,.0f} instructions")
+    return out
+
+
+def _counted(code: str, times: int) -> int:
+    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", sys.executable, "-c"]
+    done = subprocess.run(
+        [*command, COUNTED.format(code), str(times)], capture_output=True, text=True, check=True, cwd=ROOT
+    )
+    return int(re.search(r"Collected : (\d+)", done.stderr)[1])
+
+
+def imports() -> list[str]:
+    """The modules that an import spends longest on."""
+    own = ", ".join(f"{name} {quantity(seconds, 's')}" for name, seconds in footprint.modules())
+    return [f"import slowflow, the modules that take longest by themselves (under -X importtime): {own}"]
+
+
+def of(kinds: set[str]) -> list[str]:
+    """Sentences about the limits of these kinds of target."""
+    out = []
+    if "import" in kinds:
+        out += imports()
+    if kinds & {"quartic", "kernel", *WORK}:
+        out += libm()
+    return out + instructions(kinds & WORK.keys())

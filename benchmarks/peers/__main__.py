@@ -1,0 +1,129 @@
+"""Peers on the same problem in one run: each in an environment of its own under .venv-peers, a peer that fails is a row.
+
+In:  nothing but what pip can install. Out: a table, benchmarks/results/peers.json, docs/benchmarks.md.
+All that run are asked in turn in every round, so that medians and ratios come from the same minutes.
+`make bench-peers`, or `python -m benchmarks.peers [--rounds N] [peer ...]`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import venv
+from pathlib import Path
+from typing import Any
+
+from benchmarks import certified, document, environment
+from benchmarks.remote import ROOT, Failure, Remote, in_turn
+
+ENVIRONMENTS = ROOT / ".venv-peers"
+PEERS = ("slowflow", "numba", "bifpy", "scipy", "pyharm", "pydstool", "skhippr")
+#: the longest that an installation may take, in seconds
+PATIENCE = 900
+#: a fold is found if its Omega is right to this part
+FOUND = 0.01
+
+
+def plain(text: str) -> str:
+    """The telling line of an error, without folders and addresses."""
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    telling = [line for line in lines if re.match(r"(ERROR|error|\w*Error)\b", line)] or lines or ["no message"]
+    return re.sub(r"\s*\(?(\w+://|/)[\w./+:-]{3,}\)?", "", telling[-1])[:300]
+
+
+def interpreter(name: str, packages: tuple[str, ...]) -> str:
+    """The Python of a peer's environment, its packages installed; slowflow has none and runs in the present one."""
+    if not packages:
+        return sys.executable
+    python = ENVIRONMENTS / name / "bin" / "python"
+    if not python.exists():
+        venv.create(ENVIRONMENTS / name, with_pip=True)
+    command = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *packages]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+    except subprocess.TimeoutExpired:
+        raise Failure(f"does not install within {PATIENCE} s") from None
+    if done.returncode:
+        raise Failure(f"does not install: {plain(done.stderr)}")
+    return str(python)
+
+
+def versions(python: str, packages: tuple[str, ...]) -> dict[str, str]:
+    """What is installed there of these packages."""
+    names = [re.split(r"[<>=]", package)[0] for package in packages]
+    code = "import importlib.metadata as m, json, sys; print(json.dumps({n: m.version(n) for n in sys.argv[1:]}))"
+    done = subprocess.run([python, "-c", code, *names], capture_output=True, text=True, check=True)
+    return dict(json.loads(done.stdout))
+
+
+def judged(folds: list[list[float]]) -> tuple[int, float | None]:
+    """How many of the certified folds were found, and the largest relative error of their Omega."""
+    errors = []
+    for Omega, _ in certified.folds():
+        nearest = min((certified.relative_error(found[0], Omega) for found in folds), default=1.0)
+        errors += [nearest] if nearest < FOUND else []
+    return len(errors), max(errors, default=None)
+
+
+def measure(peers: list[str], rounds: int) -> list[dict[str, Any]]:
+    """One dictionary for each variant of each peer, or for each peer that does not take part, with the reason."""
+    rows: dict[str, dict[str, Any]] = {}
+    jobs: dict[str, tuple[Remote, str]] = {}
+    with tempfile.TemporaryDirectory() as home:
+        for name in peers:
+            adapter = importlib.import_module(f"benchmarks.peers.{name}")
+            row = {"peer": adapter.NAME, "what": adapter.WHAT}
+            print(f"{adapter.NAME} ...", file=sys.stderr, flush=True)
+            try:
+                python = interpreter(name, adapter.PACKAGES)
+                row["versions"] = versions(python, adapter.PACKAGES)
+                # some peers write settings into the home folder
+                remote = Remote(f"benchmarks.peers.{name}", python, HOME=home)
+            except Failure as failure:
+                rows[adapter.NAME] = {**row, "failure": plain(str(failure))}
+                continue
+            for variant in remote.jobs:
+                rows[f"{adapter.NAME}, {variant}"] = {**row, "variant": variant}
+                jobs[f"{adapter.NAME}, {variant}"] = remote, variant
+        answers, failures = in_turn(jobs, rounds)
+        for remote, _ in jobs.values():
+            remote.stop()
+    for key, failure in failures.items():
+        rows[key]["failure"] = plain(failure)
+    for key, answer in answers.items():
+        found, error = judged(answer["folds"])
+        rows[key] |= {
+            "seconds": answer["seconds"],
+            "points": answer["points"],
+            "folds_found": found,
+            "folds_reported": len(answer["folds"]),
+            "fold_error": error,
+        }
+    ours = [row["seconds"] for row in rows.values() if row["peer"] == "slowflow" and "seconds" in row]
+    for row in rows.values():
+        if ours and "seconds" in row:
+            row["ratio"] = row["seconds"] / ours[-1]
+    return list(rows.values())
+
+
+def main() -> None:
+    """Measure, print, write."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("peers", nargs="*", default=PEERS, help=f"some of {', '.join(PEERS)}; all by default")
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--results", type=Path, default=document.RESULTS, help="folder for peers.json")
+    parser.add_argument("--docs", type=Path, default=document.DOCS, help="folder for benchmarks.md")
+    options = parser.parse_args()
+    rows = measure(list(options.peers), options.rounds)
+    document.save(options.results / "peers.json", {"environment": environment.describe(), "rows": rows})
+    print("\n".join(document.peers_table(rows)))
+    document.write(options.results, options.docs)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,24 @@
+"""slowflow itself, as it is installed for this repository."""
+
+NAME = "slowflow"
+PACKAGES = ()
+WHAT = "whole curve with stability and folds, one call; F_A = 0 solved by level crossing"
+
+
+def prepare():
+    """Variants by name; see `benchmarks.remote`."""
+    from slowflow import Isolator, backend
+
+    from benchmarks.peers.problem import DELTA_H, F_0, LAM, MU, OMEGA_MAX, OMEGA_MIN, R_STIFF, ZETA, answer
+
+    def curve(samples):
+        # anew each time, since an isolator remembers some of its answers
+        iso = Isolator(lam=LAM, r=R_STIFF, delta_h=DELTA_H, mu=MU, zeta=ZETA)
+        found = iso.frequency_response(F_0, samples=samples, Omega=(OMEGA_MIN, OMEGA_MAX))
+        folds = iso.saddle_nodes(F_0)
+        return found.A.size, zip(folds.Omega, folds.A, strict=True)
+
+    return {
+        f"{backend.NAME}, {samples} samples": (lambda samples=samples: curve(samples), answer)
+        for samples in (300, 1000)
+    }

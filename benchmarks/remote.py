@@ -1,0 +1,141 @@
+"""Measuring in a process of its own: `Remote` asks, `python -m benchmarks.remote <module>` answers, in lines of JSON.
+
+The module has `prepare()`, which gives jobs by name: pairs of a function that is timed and one that makes of its answer
+a dictionary for JSON. A request names a job; the reply adds `seconds`, the median of its calls. The process may be another
+interpreter with another environment: nothing but the standard library is imported here.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import queue
+import statistics
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+#: a fast job is repeated within one request for this long, in seconds
+WHILE = 0.05
+#: the longest that an answer may take, in seconds
+PATIENCE = 180
+
+
+class Failure(Exception):
+    """What a process said instead of an answer."""
+
+
+class Remote:
+    """Jobs of one module in one process; see above. Raises Failure where there is no answer."""
+
+    def __init__(self, module: str, python: str = sys.executable, **settings: str) -> None:
+        # measured on one core: threads of a linear algebra library would only disturb each other on small matrices
+        threads = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+        self._process = subprocess.Popen(
+            [python, "-m", "benchmarks.remote", module],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            cwd=ROOT,
+            env={**os.environ, "PYTHONPATH": str(ROOT), **threads, **settings},
+        )
+        self._answers: queue.Queue[str] = queue.Queue()
+        threading.Thread(target=self._read, daemon=True).start()
+        self.jobs: list[str] = self._answer()["jobs"]
+
+    def ask(self, job: str) -> dict[str, Any]:
+        """The job's answer, and `seconds`."""
+        self._process.stdin.write(json.dumps(job) + "\n")
+        self._process.stdin.flush()
+        return self._answer()
+
+    def stop(self) -> None:
+        """End the process."""
+        self._process.kill()
+        self._process.wait()
+        self._process.stdin.close()
+
+    def _read(self) -> None:
+        with self._process.stdout as lines:
+            for line in lines:
+                self._answers.put(line)
+        self._answers.put("")
+
+    def _answer(self) -> dict[str, Any]:
+        try:
+            line = self._answers.get(timeout=PATIENCE)
+        except queue.Empty:
+            self.stop()
+            raise Failure(f"no answer within {PATIENCE} s") from None
+        if not line:
+            raise Failure("its process ended without an answer")
+        answer: dict[str, Any] = json.loads(line)
+        if "error" in answer:
+            raise Failure(answer["error"])
+        return answer
+
+
+def in_turn(jobs: dict[str, tuple[Remote, str]], rounds: int) -> tuple[dict[str, dict[str, Any]], dict[str, str]]:
+    """Every job in every round: last answers with the median of `seconds`, and failures, by the keys of `jobs`."""
+    answers: dict[str, dict[str, Any]] = {}
+    seconds: dict[str, list[float]] = {key: [] for key in jobs}
+    failures: dict[str, str] = {}
+    for _ in range(rounds):
+        for key, (remote, job) in jobs.items():
+            if key in failures:
+                continue
+            try:
+                answers[key] = remote.ask(job)
+            except (Failure, OSError) as failure:
+                failures[key] = str(failure)
+                continue
+            seconds[key].append(answers[key]["seconds"])
+    done = {key: {**answer, "seconds": statistics.median(seconds[key])} for key, answer in answers.items()}
+    return {key: answer for key, answer in done.items() if key not in failures}, failures
+
+
+def timed(job: Callable[[], Any]) -> tuple[float, Any]:
+    """Median seconds of a call after one that warms up, and its answer."""
+    answer = job()
+    times: list[float] = []
+    while sum(times) < WHILE:
+        start = time.perf_counter()
+        job()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times), answer
+
+
+def main() -> None:
+    """Answer requests until the input ends."""
+    # what a library prints must not be taken for an answer
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)
+
+    def answer(**values: Any) -> None:
+        print(json.dumps(values), file=answers, flush=True)
+
+    try:
+        module = importlib.import_module(sys.argv[1])
+        jobs = module.prepare()
+        answer(jobs=list(jobs))
+    except Exception as error:
+        answer(error=f"{type(error).__name__}: {error}")
+        return
+    for line in sys.stdin:
+        try:
+            run, describe = jobs[json.loads(line)]
+            seconds, found = timed(run)
+            answer(**describe(found), seconds=seconds)
+        except Exception as error:
+            answer(error=f"{type(error).__name__}: {error}")
+
+
+if __name__ == "__main__":
+    main()

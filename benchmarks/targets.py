@@ -1,0 +1,253 @@
+"""The numbers to reach: each measured on the installed package, beside what it is compared with, in one run.
+
+Out: one dictionary for each target: job, target, measured, reached; `ratio` and `error` are texts.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass
+from functools import partial
+from typing import Any
+
+from slowflow import backend
+
+from benchmarks import bench_kernels, bench_roots, certified, footprint
+from benchmarks.document import quantity
+from benchmarks.remote import Remote, in_turn
+
+
+@dataclass(frozen=True)
+class Size:
+    """How much is measured."""
+
+    quartics: int = 5000
+    points: int = 10**6
+    rounds: int = 7
+    detachments: int = 10**6
+    onsets: int = 10**5
+    imports: int = 15
+    memory: int = 10**7
+
+
+SMALL = Size(200, 20000, 2, 10**4, 10**3, 3, 10**6)
+
+
+@dataclass(frozen=True)
+class Target:
+    """One line of the table; `limit` names what `benchmarks.limits` explains if it is not reached."""
+
+    job: str
+    target: float
+    measured: float
+    unit: str
+    at_most: bool
+    ratio: str
+    error: str
+    limit: str
+    sound: bool = True
+
+    @property
+    def reached(self) -> bool:
+        """Whether the measured value is within the target and the answers are as right as they have to be."""
+        within = self.measured <= self.target if self.at_most else self.measured >= self.target
+        return within and self.sound
+
+
+def measure(size: Size) -> list[dict[str, Any]]:
+    """All targets."""
+    found: list[Target] = []
+    for part in (quartics, kernels, curves, batches, starting, remembering):
+        print(f"{part.__name__} ...", file=sys.stderr, flush=True)
+        found += part(size)
+    return [{**asdict(row), "reached": row.reached} for row in found]
+
+
+def quartics(size: Size) -> list[Target]:
+    """The installed solver in the scene where it does worst."""
+    rows = bench_roots.rows(size.quartics, size.rounds)
+    of = {(row["scene"], row["method"]): row for row in rows}
+    ours = f"installed: {backend.NAME}"
+    slowest = max((of[scene, ours] for scene in bench_roots.SCENES), key=lambda row: row["ns"])
+    out = []
+    job = "Ω roots of one quartic"
+    wrong = sum(of[scene, ours]["wrong_counts"] for scene in bench_roots.SCENES)
+    largest = max(of[scene, ours]["error_max"] for scene in bench_roots.SCENES)
+    error = f"{largest:.2g} u(1+κ), {wrong} wrong counts"
+    sound = wrong == 0 and largest <= 1
+    out.append(
+        Target(
+            f"{job}, slowest of {len(bench_roots.SCENES)} scenes",
+            *(250e-9, slowest["ns"] * 1e-9, "s", True),
+            f"NumPy path {quantity(of[slowest['scene'], 'NumPy']['ns'] * 1e-9, 's')}",
+            *(error, "quartic", sound),
+        )
+    )
+    for method, least in (("numpy.roots loop", 60), ("companion eigenvalues, batched", 8)):
+        ratios = {scene: of[scene, method]["ns"] / of[scene, ours]["ns"] for scene in bench_roots.SCENES}
+        scene = min(ratios, key=ratios.__getitem__)
+        theirs = [of[s, method] for s in bench_roots.SCENES]
+        out.append(
+            Target(
+                f"{job}: {method} over ours, least of {len(ratios)} scenes",
+                *(least, ratios[scene], "×", False),
+                f"{quantity(of[scene, method]['ns'] * 1e-9, 's')} ({scene})",
+                f"theirs {max(row['error_max'] for row in theirs):.2g} u(1+κ), "
+                f"{sum(row['wrong_counts'] for row in theirs)} wrong counts of {size.quartics * len(theirs)}",
+                "quartic",
+            )
+        )
+    return out
+
+
+def kernels(size: Size) -> list[Target]:
+    """H and H' together, attached and detached."""
+    rows = bench_kernels.rows(size.points, size.rounds)
+    ours = "native" if any(row["method"] == "native" for row in rows) else "NumPy"
+    out = []
+    for regime, at_most in (("attached", 2e-9), ("detached", 20e-9)):
+        of = {(row["scene"], row["method"]): row for row in rows if row["scene"].startswith(regime)}
+        scenes = list(dict.fromkeys(scene for scene, _ in of))
+        slowest = max(scenes, key=lambda scene: of[scene, ours]["ns"])
+        ratios = [of[scene, "lambdify(cse=True)"]["ns"] / of[scene, ours]["ns"] for scene in scenes]
+        error = f"{max(of[scene, ours]['error_max'] for scene in scenes):.2g} u(1+κ)"
+        job = f"H and H′, {regime}, a point"
+        out.append(
+            Target(
+                f"{job}, slowest of {len(scenes)} scenes" if len(scenes) > 1 else job,
+                *(at_most, of[slowest, ours]["ns"] * 1e-9, "s", True),
+                f"NumPy path {quantity(of[slowest, 'NumPy']['ns'] * 1e-9, 's')}",
+                *(error, "kernel"),
+            )
+        )
+        theirs = f"{max(of[scene, 'lambdify(cse=True)']['error_max'] for scene in scenes):.2g} u(1+κ)"
+        out.append(
+            Target(
+                f"H and H′, {regime}: lambdify(cse=True) over ours",
+                *(10, min(ratios), "×", False),
+                quantity(of[slowest, "lambdify(cse=True)"]["ns"] * 1e-9, "s"),
+                *(f"theirs {theirs}", "kernel"),
+            )
+        )
+    return out
+
+
+def both(jobs: Iterable[tuple[str, str]], rounds: int) -> dict[str, dict[str, dict[str, Any]]]:
+    """Answers to jobs on the backend in use and on NumPy, each in a process of its own, asked in turn.
+
+    A job is a pair of names, as a batch may be smaller for NumPy. Keys: the first name, then "here" and "NumPy".
+    """
+    remotes = {"here": Remote("benchmarks.jobs"), "NumPy": Remote("benchmarks.jobs", SLOWFLOW_BACKEND="numpy")}
+    try:
+        asked = {
+            f"{names[0]}|{where}": (remote, name)
+            for names in jobs
+            for (where, remote), name in zip(remotes.items(), names, strict=True)
+        }
+        answers, failures = in_turn(asked, rounds)
+    finally:
+        for remote in remotes.values():
+            remote.stop()
+    if failures:
+        raise RuntimeError(f"jobs failed: {failures}")
+    out: dict[str, dict[str, dict[str, Any]]] = {}
+    for key, answer in answers.items():
+        name, where = key.split("|")
+        out.setdefault(name, {})[where] = answer
+    return out
+
+
+def curves(size: Size) -> list[Target]:
+    """The response curve with its folds, the fold locus with its cusps."""
+    answers = both([("curve", "curve"), ("locus", "locus")], size.rounds)
+    curve, locus = answers["curve"], answers["locus"]
+    folds = [
+        certified.relative_error(value, exact)
+        for found, wanted in zip(curve["here"]["folds"], certified.folds(), strict=True)
+        for value, exact in zip(found, wanted, strict=True)
+    ]
+    table_1 = certified.Table1()
+    on_locus = [
+        min(certified.relative_error(Omega, root) for root in table_1.fold(A)) for Omega, A in locus["here"]["some"]
+    ]
+    cusp = [
+        certified.relative_error(value, exact)
+        for value, exact in zip(locus["here"]["cusp"], certified.onset(), strict=True)
+    ]
+    return [
+        Target(
+            f"whole response curve, {curve['here']['points']} points, stability, folds",
+            *(0.5e-3, curve["here"]["seconds"], "s", True),
+            f"NumPy path {quantity(curve['NumPy']['seconds'], 's')}",
+            f"folds {max(folds):.1e} relative",
+            "curve",
+            max(folds) <= 1e-13,
+        ),
+        Target(
+            f"fold locus, {locus['here']['points']} points, and cusps",
+            *(0.5e-3, locus["here"]["seconds"], "s", True),
+            f"NumPy path {quantity(locus['NumPy']['seconds'], 's')}",
+            f"points {max(on_locus):.1e}, cusp {max(cusp):.1e} relative",
+            "locus",
+        ),
+    ]
+
+
+def batches(size: Size) -> list[Target]:
+    """Critical forcings of many designs on one core."""
+    count = {"detachment": size.detachments, "saddle_node_onset": size.onsets}
+    names = [(f"{name} {n}", f"{name} 10") for name, n in count.items()]
+    answers = both([*names, ("certified detachment",) * 2, ("certified onset",) * 2], min(size.rounds, 3))
+    known = certified.designs()
+    out = []
+    for (name, n), (title, least, key, exact) in zip(
+        count.items(),
+        (
+            ("F_cr and Ω_cr", 2e6, "certified detachment", known.detachment),
+            ("F_SN with (Ω, A)", 1e5, "certified onset", known.onset),
+        ),
+        strict=True,
+    ):
+        answer = answers[f"{name} {n}"]
+        rate, slower = n / answer["here"]["seconds"], 10 / answer["NumPy"]["seconds"]
+        errors = [
+            max(certified.relative_error(value, digits) for value, digits in zip(found, row, strict=True))
+            for found, row in zip(answers[key]["here"]["found"], exact, strict=True)
+        ]
+        certified_rate = len(exact) / answers[key]["here"]["seconds"]
+        out.append(
+            Target(
+                f"{title}, {n} designs, one core",
+                *(least, rate, "a second", False),
+                f"NumPy path {quantity(slower, 'a second')}; the certified isolators {quantity(certified_rate, 'a second')}",
+                f"{max(errors):.1e} relative, {len(exact)} certified isolators",
+                *(name, answer["here"]["status"] == 0),
+            )
+        )
+    return out
+
+
+def starting(size: Size) -> list[Target]:
+    """The import."""
+    ours, numpy = footprint.importing(size.imports)
+    return [
+        Target(
+            "import slowflow beyond NumPy's own import",
+            *(30e-3, ours, "s", True, f"NumPy's own {quantity(numpy, 's')}", "", "import"),
+        )
+    ]
+
+
+def remembering(size: Size) -> list[Target]:
+    """Memory of a batch of F_cr; a tenth of the designs should need as much."""
+    tenth, whole = (footprint.memory(n) for n in (size.memory // 10, size.memory))
+    megabyte: Callable[[float], str] = partial(quantity, unit="MB")
+    return [
+        Target(
+            f"memory of a batch of {size.memory:.0e} designs, beyond inputs and answers",
+            *(1.0, whole["beyond"] / 1e6, "MB", True),
+            f"a tenth of the designs {megabyte(tenth['beyond'] / 1e6)}; answers {megabyte(whole['answers'] / 1e6)}",
+            *("", "memory"),
+        )
+    ]

@@ -1,0 +1,127 @@
+"""Error against time, and time against size: methods on the same scenes in one run.
+
+Out: `measure` gives scenes with one row for each method and variant, `scaling` times by size. Errors are relative, to
+values certified at 40 digits; the error of a fold is the larger of its Omega's and its A's, that of the onset the largest
+of F_SN, Omega and A. A value that is not found to 1 % counts as missed, one that is not wanted as false.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from slowflow import backend
+
+from benchmarks import certified, jobs
+from benchmarks.baselines import METHODS
+from benchmarks.remote import Remote, in_turn
+
+MISSED = 0.01
+OURS = {"here": f"slowflow, {backend.NAME}", "NumPy": "slowflow, NumPy path"}
+TITLES = {
+    "response": "response: every Ω at 1000 amplitudes",
+    "folds": "both folds at F₀ = 0.04",
+    "onset": "onset: lowest F₀ that has a fold",
+}
+#: how far a method's time is followed, in amplitudes and in designs
+AMPLITUDES = {**dict.fromkeys(OURS.values(), 6), METHODS[0]: 4, METHODS[1]: 4}
+DESIGNS = {
+    OURS["here"]: {"detachment": 6, "saddle_node_onset": 5},
+    OURS["NumPy"]: {"detachment": 3, "saddle_node_onset": 2},
+}
+QUESTIONS = {"detachment": "F_cr", "saddle_node_onset": "F_SN"}
+
+
+class Processes:
+    """Both paths of slowflow and the other methods, each in a process."""
+
+    def __init__(self) -> None:
+        self.paths = {"here": Remote("benchmarks.jobs"), "NumPy": Remote("benchmarks.jobs", SLOWFLOW_BACKEND="numpy")}
+        if backend.NAME == "numpy":
+            self.paths.pop("NumPy").stop()
+        self.others = Remote("benchmarks.baselines")
+
+    def stop(self) -> None:
+        """End them."""
+        for remote in (*self.paths.values(), self.others):
+            remote.stop()
+
+
+def judge(found: Sequence[Sequence[float]], wanted: Sequence[Sequence[Any]]) -> tuple[list[float], int, int]:
+    """Errors of the vectors found, how many were missed, how many are false."""
+    errors, left = [], list(found)
+    for exact in wanted:
+        distances = [
+            max(certified.relative_error(value, digits) for value, digits in zip(vector, exact, strict=True))
+            for vector in left
+        ]
+        if distances and min(distances) < MISSED:
+            errors.append(min(distances))
+            left.pop(int(np.argmin(distances)))
+    return errors, len(wanted) - len(errors), len(left)
+
+
+def wanted(samples: int) -> dict[str, list[list[list[Any]]]]:
+    """By scene: lists of certified vectors, one list for each amplitude of the response."""
+    table_1 = certified.Table1()
+    return {
+        "response": [[[Omega] for Omega in table_1.response(A)] for A in jobs.amplitudes(samples).tolist()],
+        "folds": [[list(fold) for fold in certified.folds()]],
+        "onset": [[list(certified.onset())]],
+    }
+
+
+def measure(processes: Processes, rounds: int) -> list[dict[str, Any]]:
+    """Scenes."""
+    asked = {f"{scene} | {OURS[k]} | ": (remote, scene) for scene in TITLES for k, remote in processes.paths.items()}
+    asked |= {job: (processes.others, job) for job in processes.others.jobs if job.split(" | ")[0] in TITLES}
+    answers, failures = in_turn(asked, rounds)
+    if failures:
+        raise RuntimeError(f"jobs failed: {failures}")
+    certain = wanted(jobs.SAMPLES)
+    scenes = []
+    for scene, title in TITLES.items():
+        rows = []
+        for key, answer in answers.items():
+            of, method, variant = key.split(" | ")
+            if of != scene:
+                continue
+            found = [[[x] for x in row] for row in answer["found"]] if scene == "response" else [answer["found"]]
+            judged = [judge(f, w) for f, w in zip(found, certain[scene], strict=True)]
+            errors = [error for each, _, _ in judged for error in each]
+            rows.append(
+                {
+                    **{"method": method, "variant": variant, "seconds": answer["seconds"]},
+                    "error": statistics.median(errors) if errors else None,
+                    "error_max": max(errors, default=None),
+                    "missed": sum(missed for _, missed, _ in judged),
+                    "false": sum(false for _, _, false in judged),
+                }
+            )
+        scenes.append({"scene": scene, "title": title, "sought": sum(map(len, certain[scene])), "rows": rows})
+    return scenes
+
+
+def scaling(processes: Processes, rounds: int) -> dict[str, list[dict[str, Any]]]:
+    """Seconds by number of amplitudes (the response at them), and by number of designs (F_cr, F_SN)."""
+    asked: dict[str, tuple[Remote, str]] = {}
+    for k, remote in processes.paths.items():
+        for power in range(AMPLITUDES[OURS[k]] + 1):
+            asked[f"amplitudes | {OURS[k]} | {10**power}"] = remote, f"response {10**power}"
+        for question, last in DESIGNS[OURS[k]].items():
+            for power in range(last + 1):
+                asked[f"designs | {QUESTIONS[question]}: {OURS[k]} | {10**power}"] = remote, f"{question} {10**power}"
+    for method in METHODS[:2]:
+        for power in range(AMPLITUDES[method] + 1):
+            asked[f"amplitudes | {method} | {10**power}"] = processes.others, f"response {10**power} | {method}"
+    answers, failures = in_turn(asked, rounds)
+    if failures:
+        raise RuntimeError(f"jobs failed: {failures}")
+    out: dict[str, list[dict[str, Any]]] = {"amplitudes": [], "designs": []}
+    for key, answer in answers.items():
+        panel, method, size = key.split(" | ")
+        out[panel].append({"method": method, "size": int(size), "seconds": answer["seconds"]})
+    return out
