@@ -20,7 +20,7 @@ HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED / "c") for path in f
 STABLE_ABI = not sysconfig.get_config_var("Py_GIL_DISABLED")
 FLAGS = {
     # strict IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps
-    "unix": ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fvisibility=hidden"],
+    "unix": ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fvisibility=hidden", "-g0"],
     "mingw32": ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"],
     "msvc": ["/std:c11", "/O2", "/fp:precise"],
 }

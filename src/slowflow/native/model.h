@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "isolate.h"
+#include "slow_flow.h"
 
 /* the words are in slowflow.many.STATUS */
 typedef enum {
@@ -46,29 +47,29 @@ typedef struct {
     double Omega, A;
 } sf_point;
 
-/* R, I, and F's derivatives: F_A/2, F_AA/2, F_AAA/2, F_Omega/(4 A), F_AOmega/4, F_OmegaOmega/4 */
-static inline double sf_R(const sf_sample *at, double w) { return at->A * w * w + at->h; }
+/* R, I and F's derivatives at a sample: the generated slow flow, scaled by powers of two: F_A/2, F_AA/2, F_AAA/2, F_AOmega/4.
+ * Those that follow, F_Omega/(4 A), F_AAOmega/2 and F_OmegaOmega/4, are put together from R, I and T = w^2 + h_A. */
+static inline double sf_R(const sf_sample *at, double w) { return slow_flow_R(w, at->A, at->h); }
 static inline double sf_I(const sf_model *model, const sf_sample *at, double w) {
-    return 2 * model->zeta * at->A * w + model->m;
+    return slow_flow_I(w, at->A, model->m, model->zeta);
 }
 static inline double sf_half_F_A(const sf_model *model, const sf_sample *at, double w) {
-    return sf_R(at, w) * (w * w + at->h_A) + 2 * model->zeta * w * sf_I(model, at, w);
+    return 0.5 * slow_flow_F_A(w, at->A, model->m, model->zeta, at->h, at->h_A);
 }
 static inline double sf_half_F_AA(const sf_model *model, const sf_sample *at, double w) {
-    const double T = w * w + at->h_A;
-    return T * T + sf_R(at, w) * at->h_AA + 4 * model->zeta * model->zeta * w * w;
+    return 0.5 * slow_flow_F_AA(w, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA);
 }
 static inline double sf_half_F_AAA(const sf_sample *at, double w) {
-    return sf_R(at, w) * at->h_AAA + 3 * at->h_AA * (w * w + at->h_A);
+    return 0.5 * slow_flow_F_AAA(w, at->A, 0, 0, at->h, at->h_A, at->h_AA, at->h_AAA);
+}
+static inline double sf_quarter_F_AOmega(const sf_model *model, const sf_sample *at, double w) {
+    return 0.25 * slow_flow_F_AOmega(w, at->A, model->m, model->zeta, at->h, at->h_A);
 }
 static inline double sf_half_F_AAOmega(const sf_model *model, const sf_sample *at, double w) {
     return 2 * w * (2 * (w * w + at->h_A) + at->A * at->h_AA + 4 * model->zeta * model->zeta);
 }
 static inline double sf_F_Omega_4A(const sf_model *model, const sf_sample *at, double w) {
     return w * sf_R(at, w) + model->zeta * sf_I(model, at, w);
-}
-static inline double sf_quarter_F_AOmega(const sf_model *model, const sf_sample *at, double w) {
-    return sf_F_Omega_4A(model, at, w) + at->A * w * (w * w + at->h_A + 2 * model->zeta * model->zeta);
 }
 static inline double sf_quarter_F_OmegaOmega(const sf_model *model, const sf_sample *at, double w) {
     return at->A * (sf_R(at, w) + 2 * at->A * w * w + 2 * model->zeta * model->zeta * at->A);
