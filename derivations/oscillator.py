@@ -1,8 +1,9 @@
 """Step 1, equations (1)-(7): the equation of motion made dimensionless, the force's Taylor polynomial, its breakpoints.
 
 In:  a `Mechanism`.
-Out: `Oscillator`: the dimensionless equation of motion, the exact pieces of the force, the polynomial pieces in named
-     coefficients, and those coefficients and breakpoints in the mechanism's dimensionless ratios.
+Out: `Oscillator`: the dimensionless equation of motion, the exact pieces of the force, the pieces to average in named
+     coefficients (polynomials, unless the force is not to be truncated), and those coefficients and breakpoints in the
+     mechanism's dimensionless ratios.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ class Oscillator:
     groups      -- the dimensionless groups by their definitions (4)
     exact       -- F_k(u) of each piece, untruncated (5)
     exact_ends  -- |u| at which each piece but the last ends, in the ratios (5)
-    polynomials -- u + F_k(u) of each piece as a polynomial in named coefficients (6)
+    polynomials -- u + F_k(u) of each piece in named coefficients: a polynomial (6), or all of it where `order` is oo
     definitions -- those coefficients and breakpoints in the ratios (7)
     """
 
@@ -119,6 +120,34 @@ def taylor_polynomial(force: sp.Expr, order: int) -> dict[int, sp.Expr]:
     return coefficients
 
 
+def untruncated(mechanism: Mechanism, force: sp.Expr, names: dict[int, sp.Symbol]) -> tuple[sp.Expr, dict]:
+    """u + F_k(u) in the names of its first two coefficients, and their definitions, for F_k = u (a + b/sqrt(1 - u^2)).
+
+    (5) has this form: a spring's force that turns with a rod of length 1.
+    """
+    root = sp.sqrt(1 - u**2)
+    constant, inverse = sp.symbols("constant inverse")
+    ratio = sp.expand(sp.expand(1 + force / u).subs(root, 1 / inverse))
+    if ratio.has(u) or sp.degree(ratio, inverse) != 1 or set(names) != {1, 3}:
+        raise ArithmeticError(f"{mechanism.name}: {force} is not u (a + b/sqrt(1 - u^2)) with names for powers 1 and 3")
+    form = u * (constant + inverse / root)
+    taylor = taylor_polynomial(form, 3)
+    in_names = sp.solve([taylor[power] - name for power, name in names.items()], [constant, inverse])
+    given = {constant: ratio.coeff(inverse, 0), inverse: ratio.coeff(inverse, 1)}
+    definitions = {name: sp.factor(taylor[power].subs(given)) for power, name in names.items()}
+    return form.subs(in_names), definitions
+
+
+def check_continuous(mechanism: Mechanism) -> None:
+    """Proof that an untruncated force does not jump where a piece ends: the condition `until` makes it that of the next."""
+    root = sp.sqrt(mechanism.length**2 - mechanism.x**2)
+    height = sp.Symbol("height", positive=True)
+    for piece, following in zip(mechanism.pieces, mechanism.pieces[1:], strict=False):
+        jump, until = (e.subs(root, height) for e in (piece.force - following.force, piece.until))
+        if any(sp.cancel(jump.subs(height, end)) != 0 for end in sp.solve(until, height, check=False)):
+            raise ArithmeticError(f"{mechanism.name}: the force jumps where a piece ends")
+
+
 def oscillator(mechanism: Mechanism) -> Oscillator:
     """All of step 1 for one mechanism."""
     exact = tuple(dimensionless_force(mechanism, piece.force) for piece in mechanism.pieces)
@@ -126,8 +155,18 @@ def oscillator(mechanism: Mechanism) -> Oscillator:
 
     definitions: dict[sp.Symbol, sp.Expr] = {}
     polynomials = []
+    whole_force = mechanism.order == sp.oo
+    if whole_force:
+        check_continuous(mechanism)
     for force, names in zip(exact, mechanism.coefficients, strict=True):
-        taylor = taylor_polynomial(force, mechanism.order)
+        if whole_force and names:
+            piece, named = untruncated(mechanism, force, names)
+            polynomials.append(piece)
+            definitions |= named
+            continue
+        if whole_force and force != 0:
+            raise ArithmeticError(f"{mechanism.name}: an untruncated force {force} without names")
+        taylor = {} if whole_force else taylor_polynomial(force, mechanism.order)
         whole = {power: taylor.get(power, sp.Integer(0)) + (1 if power == 1 else 0) for power in (1, *taylor)}
         unnamed = sorted(set(taylor) - set(names)) if names else sorted(taylor)
         if unnamed:

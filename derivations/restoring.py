@@ -65,14 +65,24 @@ class Regime:
 
 
 @dataclass(frozen=True)
+class Case:
+    """A form of the average to evaluate, where every left <= right of its guards and no earlier case holds."""
+
+    name: str
+    guards: tuple[tuple[sp.Expr, sp.Expr], ...]
+    regime: Regime
+
+
+@dataclass(frozen=True)
 class Restoring:
     """The averaged restoring force of an oscillator.
 
-    pieces      -- the polynomials, by rising |u|
+    pieces      -- the force, by rising |u|
     breakpoints -- where they end
     jumps       -- f just below each breakpoint less f just above: what the truncation leaves there
     regimes     -- the average, one exact `Regime` for 0, 1, ... breakpoints passed
     far_regimes -- the average to working precision, by numbers of breakpoints (passed, passed by far)
+    cases       -- all forms to evaluate, by how many breakpoints are passed; none where those above are meant
     """
 
     pieces: tuple[sp.Expr, ...]
@@ -80,6 +90,7 @@ class Restoring:
     jumps: tuple[sp.Expr, ...]
     regimes: tuple[Regime, ...]
     far_regimes: dict[tuple[int, int], Regime]
+    cases: tuple[Case, ...] = ()
 
 
 @functools.cache

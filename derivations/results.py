@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from derivations import resultants
+from derivations import elliptic, resultants
 from derivations.averaging import Averaged, averaged
 from derivations.den_hartog import DenHartog, den_hartog
 from derivations.mechanisms import Mechanism, all_mechanisms
@@ -27,8 +27,8 @@ class OfMechanism:
     oscillator        -- dimensionless force, coefficients, breakpoints
     whole             -- h and its derivatives: the average of the whole restoring force u + F_k
     beside_vertical   -- H and its derivatives: the average of F_k alone
-    saddle_node_onset -- (33), by scene
-    saddle_nodes      -- Res_Omega(F, F_A), by scene
+    saddle_node_onset -- (33), by scene; none where h is no polynomial
+    saddle_nodes      -- Res_Omega(F, F_A), by scene; likewise
     """
 
     oscillator: Oscillator
@@ -59,13 +59,15 @@ class Results:
 def of_mechanism(mechanism: Mechanism, flows: dict[str, SlowFlow]) -> OfMechanism:
     """Steps that need the mechanism."""
     dimensionless = oscillator(mechanism)
-    whole = restoring(dimensionless.polynomials, mechanism.breakpoints)
+    polynomial = all(piece.is_polynomial(u) for piece in dimensionless.polynomials)
+    average = restoring if polynomial else elliptic.restoring
+    whole = average(dimensionless.polynomials, mechanism.breakpoints)
     return OfMechanism(
         dimensionless,
         whole,
-        restoring([piece - u for piece in dimensionless.polynomials], mechanism.breakpoints),
-        {scene: resultants.saddle_node_onset(flow, whole) for scene, flow in flows.items()},
-        {scene: resultants.saddle_nodes(flow, whole) for scene, flow in flows.items()},
+        average([piece - u for piece in dimensionless.polynomials], mechanism.breakpoints),
+        {scene: resultants.saddle_node_onset(flow, whole) for scene, flow in flows.items() if polynomial},
+        {scene: resultants.saddle_nodes(flow, whole) for scene, flow in flows.items() if polynomial},
     )
 
 

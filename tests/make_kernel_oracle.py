@@ -22,11 +22,12 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from flint import fmpq, fmpq_poly
+from flint import arb, arb_series, ctx, fmpq, fmpq_poly
 from mpmath import mp, mpf
 
 DIGITS = 40
 mp.dps = 60
+ctx.prec = 300
 STEP = mpf(10) ** -20
 EXACT_STEP = fmpq(1, 2**70)
 OUT = Path(__file__).parent / "data" / "kernel_oracle.json"
@@ -297,8 +298,21 @@ def pieces(name: str, p: Sequence):
     if name == "duffing":
         alpha, beta = p
         return [lambda u: alpha * u + beta * u**3], []
+    if name == "rod_spring_exact":
+        alpha, beta, u_cr = p
+        return [lambda u: alpha * u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1), lambda u: u], [u_cr]
     alpha, beta, gamma, u_cr = p
     return [lambda u: alpha * u + beta * u**3 + gamma * u**5, lambda u: u], [u_cr]
+
+
+def joined(name: str, p: Sequence):
+    """The pieces once their end is exceeded. The untruncated force is continuous there: alpha follows from the rest."""
+    forces, ends = pieces(name, p)
+    if name == "rod_spring_exact":
+        _, beta, u_cr = p
+        below = lambda u: u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1 / mp.sqrt(1 - u_cr**2))  # noqa: E731
+        forces = [below, *forces[1:]]
+    return forces, ends
 
 
 def average(name: str, p: Sequence, passed: int, less_vertical: bool) -> Callable:
@@ -321,8 +335,50 @@ def average(name: str, p: Sequence, passed: int, less_vertical: bool) -> Callabl
 
 
 @functools.cache
+def gauss(count: int) -> list[tuple[arb, arb]]:
+    """Nodes and weights on [0, 1]."""
+    pairs = [arb.legendre_p_root(count, k, weight=True) for k in range(count)]
+    return [((1 + x) / 2, w / 2) for x, w in pairs]
+
+
+def untruncated_family(passed: int, less_vertical: bool, A, *p) -> list:
+    """The same by Gauss's rule on Taylor series in A, on panels finer towards the end, where the force is nearly singular.
+
+    In balls, because mpmath takes seconds for these.
+    """
+    before, ctx.cap = ctx.cap, 4
+    alpha, beta, u_cr = map(ball, p)
+    amplitude = arb_series([ball(A), 1])
+    end = (u_cr / amplitude).asin() if passed else arb_series([arb.pi() / 2])
+    # continuous at its end: alpha follows from the rest
+    constant = 1 - 2 * beta / (1 - u_cr**2).sqrt() if passed else alpha - 2 * beta
+    total = arb_series([0 if less_vertical else arb.pi() / 4])
+    panels = [*(1 - arb(4) ** -k for k in range(7)), arb(1)]
+    for low, high in itertools.pairwise(panels):
+        for x, w in gauss(64):
+            s = (end * (low + (high - low) * x)).sin()
+            beside_vertical = constant + 2 * beta / (1 - (amplitude * s) ** 2).sqrt() - 1
+            total += end * ((high - low) * w) * beside_vertical * s**2
+    taylor = -4 / arb.pi() * amplitude * total
+    ctx.cap = before
+    values = []
+    for k in range(4):
+        man, exp = (int(part) for part in taylor[k].mid().man_exp())
+        values.append(mp.factorial(k) * mp.ldexp(man, exp))
+    return values
+
+
+def ball(x) -> arb:
+    """A number of mpmath, exactly."""
+    sign, man, exp, _ = mpf(x)._mpf_
+    return arb((-int(man) if sign else int(man), int(exp)))
+
+
+@functools.cache
 def family(name: str, passed: int, less_vertical: bool, A, *p):
     """The average and its first three derivatives by A."""
+    if name == "rod_spring_exact":
+        return untruncated_family(passed, less_vertical, A, *p)
     taylor = mp.taylor(average(name, p, passed, less_vertical), A, 3)
     return [mp.factorial(k) * c for k, c in enumerate(taylor)]
 
@@ -349,6 +405,11 @@ def rod_coefficients(lam, r, delta_h):
     # the spring is at its free length where the rod has drawn back by delta_h
     u_cr = mp.sqrt((1 - (1 - delta_h)) * (1 + (1 - delta_h)))
     return [1 + taylor[1], taylor[3], taylor[5], u_cr]
+
+
+def untruncated_coefficients(lam, r, delta_h):
+    alpha, beta, _, u_cr = rod_coefficients(lam, r, delta_h)
+    return [alpha, beta, u_cr]
 
 
 def duffing_coefficients(kappa_1, kappa_3):
@@ -439,6 +500,7 @@ RANGES = {
 
 TABLE_1 = (3.0, 3747 / 1848, 1848 / (6 * 3747))
 DESIGNS = (TABLE_1, (1.0, 0.5, 0.05), (4.0, 4.0, 0.0606), (1.0, 1.0, 0.9), (2.0, 1.5, 0.5), (3.0, 2.0, 1e-6))
+STEEP_DESIGNS = (*DESIGNS, (1.0, 0.8, 0.33), (1.0, 1.2, 0.34), (1.0, 1.0, 0.99))
 DUFFINGS = ((1.0, 0.3), (0.2, 2.5), (-0.1, 1.0), (1.0, -0.4))
 
 
@@ -453,6 +515,11 @@ def around(u_cr: float, thorough: bool) -> list[float]:
     if thorough:
         factors += [1e-3, 0.9, 1 + 1e-9, 1.001, 1.5, 3.0, 10.0, 1e4]
     return [u_cr * factor for factor in factors]
+
+
+def close_to_one(u_cr: float) -> list[float]:
+    """Amplitudes about 1, where elliptic integrals change their kind."""
+    return [A for A in (0.699, 0.75, 0.99, 1 - 1e-9, 1.0, 1 + 1e-9, 1.1) if A > 0.9 * u_cr]
 
 
 def points(rng: random.Random, names: str, count: int) -> list[list[float]]:
@@ -594,19 +661,23 @@ def resultant_table(rng: random.Random, name: str, scene: str, parameters: list[
 
 def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
     """Parameters, breakpoints, jumps and the force itself."""
-    coefficients = rod_coefficients if name == "rod_spring" else duffing_coefficients
+    coefficients = {
+        "rod_spring": rod_coefficients,
+        "rod_spring_exact": untruncated_coefficients,
+        "duffing": duffing_coefficients,
+    }[name]
     table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), d) for d in designs]}
     table["breakpoints"] = [entry(lambda *q: list(pieces(name, q)[1]), p) for p in parameters]
 
     def jumps(*q):
-        forces, ends = pieces(name, q)
+        forces, ends = joined(name, q)
         return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
 
     table["jumps"] = [entry(jumps, p) for p in parameters]
-    table["force"], table["exact_force"] = [], []
+    table["force"], table["untruncated_force"] = [], []
     for design, p in zip(designs, parameters, strict=True):
         for factor in (-0.9, 1e-6, 0.7, 0.999, -1.2):
-            u = factor * (p[-1] if name == "rod_spring" else 1.0)
+            u = factor * (1.0 if name == "duffing" else p[-1])
             k = passed_by(name, abs(u), p)
             table["force"].append(entry(lambda v, *q, k=k: [pieces(name, q)[0][k](v)], [u, *p]))
             if abs(u) < 1:
@@ -616,7 +687,7 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
                         return [v + d[0] * v + d[1] * v**3]
                     return [v + (0 if k else rod_force(*d)(v))]
 
-                table["exact_force"].append(entry(exact, [u, *design]))
+                table["untruncated_force"].append(entry(exact, [u, *design]))
     return table
 
 
@@ -627,6 +698,14 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
     made["den_hartog"] = den_hartog_table
     isolators = [parameters_of(design) for design in DESIGNS]
+    untruncated = [(alpha, beta, u_cr) for alpha, beta, _, u_cr in map(parameters_of, STEEP_DESIGNS)]
+    made |= mechanism_tables(
+        "rod_spring_exact",
+        STEEP_DESIGNS,
+        untruncated,
+        [(A, p) for p in untruncated for A in (*around(p[-1], False), *close_to_one(p[-1]))],
+        [(A * p[-1], p) for p in untruncated[::2] for A in (0.5, 1.1, 2.2)],
+    )
     made |= mechanism_tables(
         "rod_spring",
         DESIGNS,
@@ -649,7 +728,9 @@ def mechanism_tables(name: str, designs, parameters, amplitudes: Amplitudes, som
     """The modules of a mechanism: its averages at all `amplitudes`, the composed functions at `some`."""
 
     def table(rng: random.Random, scene: str) -> dict:
-        own = composed_table(rng, name, scene, some) | resultant_table(rng, name, scene, parameters)
+        own = composed_table(rng, name, scene, some)
+        if name != "rod_spring_exact":  # its average is no polynomial: there is no resultant
+            own |= resultant_table(rng, name, scene, parameters)
         if scene:
             return own
         return own | family_table(name, amplitudes) | data_table(name, designs, parameters)

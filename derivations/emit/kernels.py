@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from derivations import den_hartog as dh
+from derivations.elliptic import evaluable
 from derivations.mechanisms import Mechanism
 from derivations.oscillator import without_cancellation
 from derivations.restoring import FAR, Regime, Restoring
@@ -355,6 +356,11 @@ def regime_branches(restoring: Restoring, orders: Sequence[int], attached_only: 
         name = f"passed_{passed}" + (f"_far_{far}" if far else "")
         return Branch(name, tuple(guards), regime.lets, tuple(regime.derivatives[order] for order in orders))
 
+    if restoring.cases:
+        return tuple(
+            Branch(c.name, c.guards, c.regime.lets, tuple(c.regime.derivatives[order] for order in orders))
+            for c in restoring.cases
+        )
     if attached_only:
         return (branch(restoring.regimes[0], ()),)
     branches = []
@@ -433,24 +439,31 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
         )
     for name, values, doc, equation in (
         ("breakpoints", whole.breakpoints, "The |u| at which a piece of the force ends.", "(5)"),
-        ("jumps", whole.jumps, "What the truncated force loses at each breakpoint: f below less f above.", "(6)"),
+        (
+            "jumps",
+            whole.jumps,
+            "What the force loses at each breakpoint: f below less f above.",
+            "(5)" if whole.cases else "(6)",
+        ),
     ):
         kernels.append(plain(name, parameters, values, doc, equation, "any parameters", parameters=count))
     kernels.append(
         Kernel(
             "force",
             (u, *parameters),
-            force_branches([sp.horner(piece, u) for piece in whole.pieces], whole.breakpoints),
-            "Whole dimensionless restoring force u + F_k(u), truncated.",
-            "(3), (6)",
-            "any u",
+            force_branches(
+                [evaluable(piece) if whole.cases else sp.horner(piece, u) for piece in whole.pieces], whole.breakpoints
+            ),
+            f"Whole dimensionless restoring force u + F_k(u), {'un' if whole.cases else ''}truncated.",
+            "(3), (5)" if whole.cases else "(3), (6)",
+            f"|u| < {mechanism.reach}" if whole.cases else "any u",
             parameters=count,
         )
     )
     if ratios:
         kernels.append(
             Kernel(
-                "exact_force",
+                "untruncated_force",
                 (u, *ratios),
                 force_branches(
                     [u + without_cancellation(force) for force in dimensionless.exact], dimensionless.exact_ends
@@ -464,7 +477,9 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
 
 
 def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:
-    """Coefficients of the resultants of one scene."""
+    """Coefficients of the resultants of one scene, where there are any."""
+    if not derived.saddle_nodes:
+        return []
     parameters = derived.oscillator.mechanism.parameters
     first = derived.whole.breakpoints[:1]
     # the resultants hold for the first regime: its breakpoint does not enter
@@ -521,7 +536,7 @@ def compositions(flow: Module, mechanism: Mechanism) -> list[Composition]:
 
 
 def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> list[Module]:
-    """The modules of one mechanism: general, one for each damping scene, and attached-only where it has breakpoints."""
+    """The modules of one mechanism: general, one for each damping scene, and attached-only for polynomials."""
     derived = results.mechanisms[name]
     mechanism = derived.oscillator.mechanism
     title = mechanism.title[0].upper() + mechanism.title[1:]
@@ -551,7 +566,8 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
                 mechanism=mechanism,
             )
         )
-    if mechanism.breakpoints:
+    # an untruncated force ends at the reach: its first piece alone has no average beyond
+    if mechanism.breakpoints and not derived.whole.cases:
         data = tuple(kernel.name for kernel in data_kernels(derived))
         modules.append(
             Module(

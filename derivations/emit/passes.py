@@ -163,7 +163,10 @@ def _power_chains(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list
         result.append((symbol, chained(value)))
     outputs = [chained(output) for output in outputs]
     # a common subexpression that was a mere power is now another name for the chain's
-    aliases = {symbol: value for symbol, value in result if value.is_Symbol}
+    aliases: dict[sp.Symbol, sp.Symbol] = {}
+    for symbol, value in result:
+        if value.is_Symbol:
+            aliases[symbol] = aliases.get(value, value)
     result = [(symbol, value.xreplace(aliases)) for symbol, value in result if symbol not in aliases]
     return result, [output.xreplace(aliases) for output in outputs]
 

@@ -35,8 +35,8 @@ class Mechanism:
     pieces       -- the force F_k(x), piece by piece, by rising |x|
     ratios       -- dimensionless design parameters by their definitions, e.g. {r: k_h/k_v}
     dimensional  -- how the dimensional parameters follow from the ratios, e.g. {k_h: r*k_v}
-    order        -- degree of the Taylor polynomial that stands for each piece
-    coefficients -- names of the odd coefficients of u + F_k(u), by power, of each piece that has any
+    order        -- degree of the Taylor polynomial that stands for each piece; `sp.oo` for the force as it is
+    coefficients -- names of the odd Taylor coefficients of u + F_k(u), by power, of each piece that has any
     breakpoints  -- names of the dimensionless ends of the pieces but the last
     reach        -- largest |u| that the mechanism can take, in the ratios, or `sp.oo`
     reach_reason -- what happens there, in words
@@ -50,7 +50,7 @@ class Mechanism:
     pieces: tuple[Piece, ...]
     ratios: dict[sp.Symbol, sp.Expr]
     dimensional: dict[sp.Symbol, sp.Expr]
-    order: int
+    order: int | sp.Expr
     coefficients: tuple[dict[int, sp.Symbol], ...]
     breakpoints: tuple[sp.Symbol, ...] = ()
     reach: sp.Expr = sp.oo

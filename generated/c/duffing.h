@@ -149,7 +149,7 @@ static inline void duffing_breakpoints(const double *p, double *out)
     (void)(out);
 }
 
-/* What the truncated force loses at each breakpoint: f below less f above.
+/* What the force loses at each breakpoint: f below less f above.
    Equation (6). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
@@ -173,7 +173,7 @@ static inline double duffing_force(double u, double alpha, double beta)
    Equation (3), (5). Domain: any u.
    Operations where piece_1: 6 structured, 6 common subexpressions, 6 power chains
  */
-static inline double duffing_exact_force(double u, double kappa_1, double kappa_3)
+static inline double duffing_untruncated_force(double u, double kappa_1, double kappa_3)
 {
     const double u2 = u * u;
     const double u3 = u * u2;

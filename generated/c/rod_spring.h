@@ -987,7 +987,7 @@ static inline void rod_spring_breakpoints(const double *p, double *out)
     out[0] = u_cr;
 }
 
-/* What the truncated force loses at each breakpoint: f below less f above.
+/* What the force loses at each breakpoint: f below less f above.
    Equation (6). Domain: any parameters.
    Operations: 8 structured, 7 common subexpressions, 7 power chains
  */
@@ -1034,14 +1034,14 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
    Operations where piece_1: 15 structured, 11 common subexpressions, 11 power chains
    Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline double rod_spring_exact_force_piece_1(double u, double lam, double r, double delta_h)
+static inline double rod_spring_untruncated_force_piece_1(double u, double lam, double r, double delta_h)
 {
     const double t0 = u * u;
     const double t1 = sqrt(1.0 - t0);
     return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u;
 }
 
-static inline double rod_spring_exact_force_piece_2(double u, double lam, double r, double delta_h)
+static inline double rod_spring_untruncated_force_piece_2(double u, double lam, double r, double delta_h)
 {
     (void)(lam);
     (void)(r);
@@ -1049,11 +1049,11 @@ static inline double rod_spring_exact_force_piece_2(double u, double lam, double
     return u;
 }
 
-static inline double rod_spring_exact_force(double u, double lam, double r, double delta_h)
+static inline double rod_spring_untruncated_force(double u, double lam, double r, double delta_h)
 {
     if (fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h))
-        return rod_spring_exact_force_piece_1(u, lam, r, delta_h);
-    return rod_spring_exact_force_piece_2(u, lam, r, delta_h);
+        return rod_spring_untruncated_force_piece_1(u, lam, r, delta_h);
+    return rod_spring_untruncated_force_piece_2(u, lam, r, delta_h);
 }
 
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.

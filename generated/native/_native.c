@@ -27,6 +27,10 @@ extern const sf_module sf_module_rod_spring_mu0;
 extern const sf_module sf_module_rod_spring_zeta0;
 extern const sf_module sf_module_rod_spring_mu0_zeta0;
 extern const sf_module sf_module_rod_spring_attached;
+extern const sf_module sf_module_rod_spring_exact;
+extern const sf_module sf_module_rod_spring_exact_mu0;
+extern const sf_module sf_module_rod_spring_exact_zeta0;
+extern const sf_module sf_module_rod_spring_exact_mu0_zeta0;
 
 static const sf_module *const modules[] = {
     &sf_module_slow_flow,
@@ -43,6 +47,10 @@ static const sf_module *const modules[] = {
     &sf_module_rod_spring_zeta0,
     &sf_module_rod_spring_mu0_zeta0,
     &sf_module_rod_spring_attached,
+    &sf_module_rod_spring_exact,
+    &sf_module_rod_spring_exact_mu0,
+    &sf_module_rod_spring_exact_zeta0,
+    &sf_module_rod_spring_exact_mu0_zeta0,
 };
 
 static char all_double[SF_MOST_OPERANDS];

@@ -241,7 +241,7 @@ static const sf_loop duffing_force_loops[] = {
     duffing_force_loop,
 };
 
-SF_WIDE void duffing_exact_force_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void duffing_untruncated_force_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict u = in[0];
     const double *restrict kappa_1 = in[1];
@@ -249,12 +249,12 @@ SF_WIDE void duffing_exact_force_loop(ptrdiff_t n, const double *const *in, doub
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = duffing_exact_force(u[i], kappa_1[i], kappa_3[i]);
+        out_0[i] = duffing_untruncated_force(u[i], kappa_1[i], kappa_3[i]);
     }
 }
 
-static const sf_loop duffing_exact_force_loops[] = {
-    duffing_exact_force_loop,
+static const sf_loop duffing_untruncated_force_loops[] = {
+    duffing_untruncated_force_loop,
 };
 
 SF_WIDE void duffing_saddle_node_onset_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -581,9 +581,9 @@ static const sf_kernel kernels[] = {
     {"force",
      "Whole dimensionless restoring force u + F_k(u), truncated. Equation (3), (6). Domain: any u.",
      3, 1, 1, 's', NULL, duffing_force_loops},
-    {"exact_force",
+    {"untruncated_force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: any u.",
-     3, 1, 1, 's', NULL, duffing_exact_force_loops},
+     3, 1, 1, 's', NULL, duffing_untruncated_force_loops},
     {"saddle_node_onset",
      "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset. "
      "Equation (33). Domain: roots with A > 0.",

@@ -797,7 +797,7 @@ static const sf_loop rod_spring_force_loops[] = {
     rod_spring_force_piece_2_loop,
 };
 
-SF_WIDE void rod_spring_exact_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict u = in[0];
     const double *restrict lam = in[1];
@@ -806,11 +806,11 @@ SF_WIDE void rod_spring_exact_force_piece_1_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_force_piece_1(u[i], lam[i], r[i], delta_h[i]);
+        out_0[i] = rod_spring_untruncated_force_piece_1(u[i], lam[i], r[i], delta_h[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_force_piece_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_force_piece_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict u = in[0];
     const double *restrict lam = in[1];
@@ -819,11 +819,11 @@ SF_WIDE void rod_spring_exact_force_piece_2_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_force_piece_2(u[i], lam[i], r[i], delta_h[i]);
+        out_0[i] = rod_spring_untruncated_force_piece_2(u[i], lam[i], r[i], delta_h[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict u_ = in[0];
     const double *restrict delta_h_ = in[3];
@@ -835,9 +835,9 @@ static SF_WIDE void rod_spring_exact_force_regime(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop rod_spring_exact_force_loops[] = {
-    rod_spring_exact_force_piece_1_loop,
-    rod_spring_exact_force_piece_2_loop,
+static const sf_loop rod_spring_untruncated_force_loops[] = {
+    rod_spring_untruncated_force_piece_1_loop,
+    rod_spring_untruncated_force_piece_2_loop,
 };
 
 SF_WIDE void rod_spring_saddle_node_onset_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1615,14 +1615,14 @@ static const sf_kernel kernels[] = {
      "The |u| at which a piece of the force ends. Equation (5). Domain: any parameters.",
      4, 1, 1, 't', NULL, rod_spring_breakpoints_loops},
     {"jumps",
-     "What the truncated force loses at each breakpoint: f below less f above. Equation (6). Domain: any parameters.",
+     "What the force loses at each breakpoint: f below less f above. Equation (6). Domain: any parameters.",
      4, 1, 1, 't', NULL, rod_spring_jumps_loops},
     {"force",
      "Whole dimensionless restoring force u + F_k(u), truncated. Equation (3), (6). Domain: any u.",
      5, 1, 2, 's', rod_spring_force_regime, rod_spring_force_loops},
-    {"exact_force",
+    {"untruncated_force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: |u| < 1.",
-     4, 1, 2, 's', rod_spring_exact_force_regime, rod_spring_exact_force_loops},
+     4, 1, 2, 's', rod_spring_untruncated_force_regime, rod_spring_untruncated_force_loops},
     {"saddle_node_onset",
      "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset. "
      "Equation (33). Domain: roots with 0 < A <= u_cr.",

@@ -43,7 +43,6 @@ __all__ = [
     "breakpoints",
     "coefficients",
     "equivalent_damping",
-    "exact_force",
     "force",
     "h",
     "h_A",
@@ -57,6 +56,7 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
+    "untruncated_force",
 ]
 
 
@@ -203,7 +203,7 @@ def breakpoints(alpha, beta):
 
 
 def jumps(alpha, beta):
-    """What the truncated force loses at each breakpoint: f below less f above.
+    """What the force loses at each breakpoint: f below less f above.
 
     Equation (6). Domain: any parameters.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
@@ -222,7 +222,7 @@ def force(u, alpha, beta):
     return u * (alpha + beta * u * u)
 
 
-def exact_force(u, kappa_1, kappa_3):
+def untruncated_force(u, kappa_1, kappa_3):
     """Whole dimensionless restoring force u + F_k(u), untruncated.
 
     Equation (3), (5). Domain: any u.

@@ -27,13 +27,13 @@ from slowflow_kernels.duffing import (
     averaged_3,
     breakpoints,
     coefficients,
-    exact_force,
     force,
     h,
     h_A,
     h_AA,
     h_AAA,
     jumps,
+    untruncated_force,
 )
 
 __all__ = [
@@ -59,7 +59,6 @@ __all__ = [
     "breakpoints",
     "coefficients",
     "equivalent_damping",
-    "exact_force",
     "force",
     "h",
     "h_A",
@@ -73,6 +72,7 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
+    "untruncated_force",
 ]
 
 

@@ -46,7 +46,6 @@ __all__ = [
     "breakpoints",
     "coefficients",
     "equivalent_damping",
-    "exact_force",
     "force",
     "h",
     "h_A",
@@ -60,6 +59,7 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
+    "untruncated_force",
 ]
 
 
@@ -1030,7 +1030,7 @@ def breakpoints(alpha, beta, gamma, u_cr):
 
 
 def jumps(alpha, beta, gamma, u_cr):
-    """What the truncated force loses at each breakpoint: f below less f above.
+    """What the force loses at each breakpoint: f below less f above.
 
     Equation (6). Domain: any parameters.
     Operations: 8 structured, 7 common subexpressions, 7 power chains.
@@ -1069,7 +1069,7 @@ def force(u, alpha, beta, gamma, u_cr):
     return by_regime(guards, bodies, arguments, 1)[0]
 
 
-def _exact_force_piece_1(u, lam, r, delta_h):
+def _untruncated_force_piece_1(u, lam, r, delta_h):
     # operations: 15 structured, 11 common subexpressions, 11 power chains
     t0 = u * u
     t1 = np.sqrt(1.0 - t0)
@@ -1078,14 +1078,14 @@ def _exact_force_piece_1(u, lam, r, delta_h):
     )
 
 
-def _exact_force_piece_2(u, lam, r, delta_h):
+def _untruncated_force_piece_2(u, lam, r, delta_h):
     # operations: 0 structured, 0 common subexpressions, 0 power chains
     return (
         u,
     )
 
 
-def exact_force(u, lam, r, delta_h):
+def untruncated_force(u, lam, r, delta_h):
     """Whole dimensionless restoring force u + F_k(u), untruncated.
 
     Equation (3), (5). Domain: |u| < 1.
@@ -1093,7 +1093,7 @@ def exact_force(u, lam, r, delta_h):
     arguments = floats(u, lam, r, delta_h)
     u, lam, r, delta_h = arguments
     guards = (np.abs(u) <= np.sqrt(delta_h) * np.sqrt(2.0 - delta_h),)
-    bodies = (_exact_force_piece_1, _exact_force_piece_2)
+    bodies = (_untruncated_force_piece_1, _untruncated_force_piece_2)
     return by_regime(guards, bodies, arguments, 1)[0]
 
 

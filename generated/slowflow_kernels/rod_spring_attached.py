@@ -22,11 +22,11 @@ from slowflow_kernels.rod_spring import (
     REACH_REASON,
     breakpoints,
     coefficients,
-    exact_force,
     force,
     jumps,
     saddle_node_onset,
     saddle_nodes,
+    untruncated_force,
 )
 
 __all__ = [
@@ -52,7 +52,6 @@ __all__ = [
     "breakpoints",
     "coefficients",
     "equivalent_damping",
-    "exact_force",
     "force",
     "h",
     "h_A",
@@ -66,6 +65,7 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
+    "untruncated_force",
 ]
 
 

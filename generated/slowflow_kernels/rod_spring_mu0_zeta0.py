@@ -28,13 +28,13 @@ from slowflow_kernels.rod_spring import (
     averaged_3,
     breakpoints,
     coefficients,
-    exact_force,
     force,
     h,
     h_A,
     h_AA,
     h_AAA,
     jumps,
+    untruncated_force,
 )
 
 __all__ = [
@@ -60,7 +60,6 @@ __all__ = [
     "breakpoints",
     "coefficients",
     "equivalent_damping",
-    "exact_force",
     "force",
     "h",
     "h_A",
@@ -74,6 +73,7 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
+    "untruncated_force",
 ]
 
 

@@ -12,7 +12,7 @@ from slowflow.bounds import amplitude_bound, least_forcing
 from slowflow.loci import Spans, fold_locus, peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
 from slowflow.results import Detachment, Peak, SaddleNodeOnset, SaddleNodes
-from slowflow.roots import peak_roots, response_roots
+from slowflow.roots import fold_roots, peak_roots, response_roots
 
 #: what is said where there is no answer
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
@@ -122,14 +122,27 @@ def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
             if level <= located.level[row, 0] and level <= located.level[row + 1, 1]:
                 candidates.append((level, float(located.Omega[row, 1]), float(located.A[row, 1]), kind))
     for b, jump in zip(model.breakpoints, model.jumps, strict=True):
-        if jump != 0:
-            candidates += [(*point, b, "corner") for point in _corner_candidates(model, b, located)]
+        points = _corner_candidates(model, b, located) if jump != 0 else _joints(model, b)
+        candidates += [(*point, b, "corner") for point in points]
     if not candidates:
         return SaddleNodeOnset(None, None, None, "", "no saddle node")
     F_SN, Omega, A, kind = min(candidates)
     # a softening force has folds at rest: the locus ends at Omega = 0 where the averaged force vanishes, at the level m
     at_rest = bool(((located.mark == "zero") & (located.level < F_SN)).any())
     return SaddleNodeOnset(F_SN, Omega, A, kind, AT_REST.format(model.m) if at_rest else "")
+
+
+def _joints(model: Model, b: float) -> list[tuple[float, float]]:
+    """Level and Omega of the folds at a breakpoint where the force does not jump.
+
+    The locus goes on there, but its level may turn: h_AA jumps.
+    """
+    A = np.array([b])
+    h, h_A, _, _ = model.averaged(A)
+    roots, count = fold_roots(A, h, h_A, model.m, model.zeta)
+    Omega = roots[0, : count[0]]
+    level = np.hypot(model.flow.R(Omega, b, h), model.flow.I(Omega, b, model.m, model.zeta))
+    return list(zip(level.tolist(), Omega.tolist(), strict=True))
 
 
 def _corner_candidates(model: Model, b: float, located: Spans) -> list[tuple[float, float]]:

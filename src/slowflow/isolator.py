@@ -9,12 +9,12 @@ from __future__ import annotations
 import dataclasses
 import math
 import warnings
-from functools import cached_property
+from functools import cached_property, partial
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
-from slowflow_kernels import duffing, rod_spring, rod_spring_attached
+from slowflow_kernels import duffing, rod_spring, rod_spring_attached, rod_spring_exact
 
 from slowflow import plan, solvers, validate
 from slowflow.folds import NO_FOLD
@@ -42,6 +42,8 @@ Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes)
 #: alpha and beta of the cubic oscillator that is linear
 LINEAR = (1.0, 0.0)
 
+#: what may be averaged: (6) or (5)
+FORCES = ("truncated", "exact")
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
 #: the same for the equation of motion, whose cycle has ever more stops as Omega tends to 0
@@ -274,9 +276,14 @@ class Isolator(Oscillator):
     delta_h -- preload of the horizontal springs over the rod length, in [0, 1); 0 is a linear oscillator, and more than
                1/(lam r) is a negative stiffness at rest, which works with a warning
     mu, zeta -- dry friction and viscous damping ratio, >= 0
+    force    -- what is averaged: "truncated" is the fifth-order polynomial (6), which jumps at u_cr, "exact" the force as
+               the geometry gives it (5)
     """
 
-    def __init__(self, *, lam: float, r: float, delta_h: float, mu: float = 0.0, zeta: float = 0.0) -> None:
+    def __init__(
+        self, *, lam: float, r: float, delta_h: float, mu: float = 0.0, zeta: float = 0.0, force: str = "truncated"
+    ) -> None:
+        self.force = validate.choice("force", force, FORCES)
         self.lam = validate.number("lam", lam, above=0.0)
         self.r = validate.number("r", r, above=0.0)
         self.delta_h = validate.number("delta_h", delta_h, least=0.0, below=1.0)
@@ -284,7 +291,9 @@ class Isolator(Oscillator):
         if self.delta_h == 0:  # the springs never touch the rod
             super().__init__(duffing, LINEAR, mu, zeta)
         else:
-            super().__init__(rod_spring, parameters, mu, zeta)
+            kernels = rod_spring_exact if self.force == "exact" else rod_spring
+            own = kernels.coefficients(self.lam, self.r, self.delta_h)
+            super().__init__(kernels, tuple(map(float, own)), mu, zeta)
         self.alpha, self.beta, self.gamma, self.u_cr = parameters
         if self.alpha < 0:
             warnings.warn(
@@ -299,28 +308,38 @@ class Isolator(Oscillator):
         # F_0 < F_cr leaves u_cr out of reach, it leaves all above out too. A negative averaged stiffness breaks this.
         model = self._model
         hardens = self.beta >= 0 and self.gamma >= 0 and all(jump <= 0 for jump in model.jumps)
-        if not model.breakpoints or not hardens or model.averaged(model.breakpoints[0])[0] >= 0:
+        if (
+            self.force == "exact"
+            or not model.breakpoints
+            or not hardens
+            or model.averaged(model.breakpoints[0])[0] >= 0
+        ):
             return None
         return Model(rod_spring_attached, model.parameters, self.mu, self.zeta, attached=True)
 
     def __repr__(self) -> str:
-        return f"Isolator(lam={self.lam}, r={self.r}, delta_h={self.delta_h}, mu={self.mu}, zeta={self.zeta})"
+        force = "" if self.force == "truncated" else f", force={self.force!r}"
+        return f"Isolator(lam={self.lam}, r={self.r}, delta_h={self.delta_h}, mu={self.mu}, zeta={self.zeta}{force})"
 
     def _restoring_force(self, which: str | None) -> Force:
         from slowflow.exact import force
 
-        if validate.choice("force", which or "truncated", ("truncated", "exact")) == "exact":
+        if validate.choice("force", which or self.force, FORCES) == "exact":
             return force.rod_spring_exact(self.lam, self.r, self.delta_h)
         return force.rod_spring(self.alpha, self.beta, self.gamma, self.u_cr)
 
     @classmethod
-    def many(cls, *, lam: Any, r: Any, delta_h: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs:
+    def many(
+        cls, *, lam: Any, r: Any, delta_h: Any, mu: Any = 0.0, zeta: Any = 0.0, force: str = "truncated"
+    ) -> Designs:
         """Many isolators at once, from arrays that broadcast; see `slowflow.many`.
 
         Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
         design: each answer has a status.
         """
-        return Designs(cls, "rod_spring", {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta})
+        suffix = "_exact" if validate.choice("force", force, FORCES) == "exact" else ""
+        values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
+        return Designs(partial(cls, force=force), "rod_spring" + suffix, values)
 
 
 class Duffing(Oscillator):
@@ -342,7 +361,7 @@ class Duffing(Oscillator):
         from slowflow.exact import force
 
         # its force is a polynomial: nothing was truncated
-        validate.choice("force", which or "exact", ("truncated", "exact"))
+        validate.choice("force", which or "exact", FORCES)
         return force.duffing(self.alpha, self.beta)
 
     @classmethod

@@ -100,11 +100,11 @@ def rod_spring(alpha: float, beta: float, gamma: float, u_cr: float) -> Force:
 def rod_spring_exact(lam: float, r: float, delta_h: float) -> Force:
     """Untruncated force (5) plus u; the springs detach at u_cr (7)."""
     u_cr = float(rod_spring_kernels.coefficients(lam, r, delta_h)[-1])
-    return from_kernels(rod_spring_kernels, "exact_force", (float(lam), float(r), float(delta_h)), (u_cr,))
+    return from_kernels(rod_spring_kernels, "untruncated_force", (float(lam), float(r), float(delta_h)), (u_cr,))
 
 
 def from_kernels(kernels: ModuleType, name: str, constants: tuple[float, ...], breakpoints: tuple[float, ...]) -> Force:
-    """The pieces that the derivation generated for `name` ("force" or "exact_force").
+    """The pieces that the derivation generated for `name` ("force" or "untruncated_force").
 
     A breakpoint at 0 (no preload) leaves only what lies beyond. Raises AttributeError if the module has no such pieces.
     """

@@ -4,6 +4,7 @@
 #include "duffing.h"
 #include "rod_spring.h"
 #include "rod_spring_attached.h"
+#include "rod_spring_exact.h"
 
 #define SF_M(name) rod_spring_solver_##name
 #define SF_KERNEL(name) rod_spring_##name
@@ -27,6 +28,18 @@
 #define SF_REACH HUGE_VAL
 #include "mechanism.h"
 
+/* the force as the geometry gives it */
+#define SF_M(name) rod_spring_exact_solver_##name
+#define SF_KERNEL(name) rod_spring_exact_##name
+#define SF_NAME "rod_spring_exact"
+#define SF_DESIGN_SIZE 3
+#define SF_IS_DESIGN(x) (x[0] > 0 && x[1] > 0 && x[2] >= 0 && x[2] < 1 && x[0] < HUGE_VAL && x[1] < HUGE_VAL)
+#define SF_PARAMETERS_OF(x, p) rod_spring_exact_coefficients(x[0], x[1], x[2], p)
+#define SF_PARAMETERS ROD_SPRING_EXACT_PARAMETERS
+#define SF_BREAKPOINTS ROD_SPRING_EXACT_BREAKPOINTS
+#define SF_REACH 1.0
+#include "mechanism.h"
+
 /* the first piece alone, for a response that cannot leave it: no angle is ever evaluated */
 #define SF_M(name) rod_spring_attached_solver_##name
 #define SF_KERNEL(name) rod_spring_attached_##name
@@ -41,4 +54,5 @@
 
 /* by the order of their numbers in interface.h */
 const sf_solver *const SF_TABLE[SF_MECHANISMS] = {&rod_spring_solver_solver, &duffing_solver_solver,
+                                                  &rod_spring_exact_solver_solver,
                                                   &rod_spring_attached_solver_solver};

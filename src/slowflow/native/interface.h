@@ -39,7 +39,7 @@ typedef struct {
 } sf_solver;
 
 /* mechanisms, and behind those that a user designs the scenes of one; the second table is for processors with fma */
-enum { SF_ROD_SPRING, SF_DUFFING, SF_DESIGNED, SF_ROD_SPRING_ATTACHED = SF_DESIGNED, SF_MECHANISMS };
+enum { SF_ROD_SPRING, SF_DUFFING, SF_ROD_SPRING_EXACT, SF_DESIGNED, SF_ROD_SPRING_ATTACHED = SF_DESIGNED, SF_MECHANISMS };
 extern const sf_solver *const sf_solvers_baseline[SF_MECHANISMS];
 extern const sf_solver *const sf_solvers_fma[SF_MECHANISMS];
 

@@ -54,9 +54,13 @@ static void SF_M(consider_corner)(const sf_model *model, int k, sf_onset *best) 
     sf_sample at, above;
     double w[3];
     int i, n;
-    if (model->jump[k] == 0)
-        return;
     SF_M(sample)(model, model->b[k], &at);
+    if (model->jump[k] == 0) { /* the locus goes on, but its level turns where h_AA jumps */
+        n = sf_fold_roots(at.A, at.h, at.h_A, model->m, model->zeta, w);
+        for (i = 0; i < n; i++)
+            SF_M(consider)(model, &at, w[i], SF_CORNER_KIND, best);
+        return;
+    }
     SF_M(sample)(model, nextafter(model->b[k], HUGE_VAL), &above);
     n = sf_fold_roots(at.A, at.h, at.h_A, model->m, model->zeta, w);
     for (i = 0; i < n; i++)

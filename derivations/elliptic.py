@@ -1,0 +1,374 @@
+"""Step 3 for a force that is not truncated, equations (5), (20), (31): averages that are elliptic integrals.
+
+In:  two pieces of a force, u (a_1 + b (1/sqrt(1 - u^2) - 1)) up to |u| = u_cr and a_2 u beyond, continuous at u_cr.
+Out: `Restoring`: H and its slope in closed form by Carlson's R_D, and the forms that are evaluated, each with the
+     amplitudes and breakpoints for which it is meant.
+
+With t = pi/2 - psi, m = A^2, Delta = sqrt(1 - m sin^2 t), c = sqrt(1 - u_cr^2) and sin(theta) = min(1, u_cr/A) the
+average and its slope hold int sin^2 t/Delta dt and int sin^2 t/Delta^3 dt over 0 < t < theta, which are
+
+    (sin^3 theta/3) R_D(cos^2 theta, 1 - m sin^2 theta, 1)    and    (sin^3 theta/3) R_D(cos^2 theta, 1, 1 - m sin^2 theta).
+
+The closed form is a difference of nearly equal numbers wherever u is small: the force is u^3 there, the integrals are
+not. And reducing the higher derivatives to the same two integrals divides by 1 - m, though nothing happens at A = 1.
+What is evaluated instead has positive terms:
+
+attached            theta = pi/2. K = pi/(2 M), M the limit of the arithmetic-geometric mean of 1 and sqrt(1 - m), and
+                    with its differences c_n, B = int cos^2/Delta and D = int sin^2/Delta:
+                    D - B = K sum 2^n c_n^2/m, 1 - M = sum c_n. So D - pi/4 is a sum without a difference.
+detached            s = sin t is rational in tau = tan(t/2), and the integrands are even in it: Gauss's rule on
+                    |tau| <= tan(theta/2). Their singularities tau = +-i and u = +-1 stay away for u_cr <= `MODERATE`.
+detached, steep     the duplication theorem of R_D, carried along with its derivatives by the second argument: as R_D is
+                    completely monotone in it, every derivative is a sum of terms of one sign, also across A = 1.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Sequence
+
+import sympy as sp
+from flint import arb, ctx
+
+from derivations.restoring import ORDERS, Case, Regime, Restoring
+from derivations.symbols import A, u
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+#: amplitude up to which a mean of few steps serves
+FEW = sp.Rational(7, 10)
+#: breakpoint up to which Gauss's rule serves
+MODERATE = sp.Rational(3, 4)
+#: steps of the mean up to A = FEW, and up to the last double below 1: its differences fall quadratically
+STEPS, STEPS_STEEP = 4, 8
+#: nodes on 0 < tau < tan(theta/2); the worst point is A = u_cr = MODERATE
+NODES = 15
+#: duplications: each divides the spread of the arguments by 4, of which the sixth power is left out
+DUPLICATIONS = 6
+# digits of nodes and weights, more than a double holds
+DIGITS = 40
+
+#: Carlson's symmetric integral of the second kind
+R_D = sp.Function("R_D")
+
+ROOT = sp.sqrt(1 - u**2)
+
+
+def parts(piece: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """a and b of a piece u (a + b (1/sqrt(1 - u^2) - 1)); an error if it is none."""
+    inverse = sp.Symbol("inverse", positive=True)
+    ratio = sp.expand(sp.expand(piece / u).subs(ROOT, 1 / inverse))
+    if ratio.has(u) or sp.degree(ratio, inverse) > 1:
+        raise ArithmeticError(f"no average is known for the force {piece}")
+    b = ratio.coeff(inverse, 1)
+    return sp.expand(ratio.coeff(inverse, 0) + b), b
+
+
+def evaluable(piece: sp.Expr) -> sp.Expr:
+    """A piece without the difference 1/sqrt(1 - u^2) - 1."""
+    a, b = parts(piece)
+    root = sp.sqrt((1 - u) * (1 + u))
+    return u * (a + b * u**2 / (root * (1 + root))) if b != 0 else a * u
+
+
+# --- attached: the arithmetic-geometric mean ---
+
+
+def attached(a: sp.Expr, b: sp.Expr, steps: int) -> Regime:
+    """A <= u_cr: (4/pi) times B, C = (D - B)/m and P = D - pi/4 from the mean, and the derivatives in B and C."""
+    m, k_c, k = sp.symbols("m k_c k", positive=True)
+    B, C, P, e, tau = sp.symbols("B C P e tau", positive=True)
+    a_n, b_n, e_n = (sp.symbols(f"{name}_1:{steps + 1}", positive=True) for name in "abe")
+    lets: list[Let] = [(m, A**2), (k_c, sp.sqrt((1 - A) * (1 + A))), (k, (1 - A) * (1 + A))]
+    # e_n = c_n/m
+    lets += [(a_n[0], (1 + k_c) / 2), (b_n[0], sp.sqrt(k_c)), (e_n[0], 1 / (4 * a_n[0]))]
+    for n in range(1, steps):
+        lets += [
+            (a_n[n], (a_n[n - 1] + b_n[n - 1]) / 2),
+            (b_n[n], sp.sqrt(a_n[n - 1] * b_n[n - 1])),
+            (e_n[n], m * e_n[n - 1] ** 2 / (4 * a_n[n])),
+        ]
+    lets += [
+        (e, sum(reversed(e_n))),
+        (tau, sum(2 ** (n + 1) * e_n[n] ** 2 for n in reversed(range(steps)))),
+        (P, m * (e + tau) / a_n[-1]),
+        (B, (1 - m * tau) / a_n[-1]),
+        (C, 2 * tau / a_n[-1]),
+    ]
+
+    def by_m(expression: sp.Expr) -> sp.Expr:
+        """d/dm, where dD/dm = (B/(1 - m) - C)/2, dB/dm = C/2, dC/dm = (B/(1 - m)/2 - 2 C)/m."""
+        B_m, P_m = C / 2, (B / (1 - m) - C) / 2
+        C_m = (B / (2 * (1 - m)) - 2 * C) / m
+        return sum(sp.diff(expression, x) * dx for x, dx in ((m, 1), (B, B_m), (C, C_m), (P, P_m)))
+
+    def in_B_and_C(expression: sp.Expr) -> sp.Expr:
+        """A sum of B, C and P, each times a polynomial in m over a power of k = 1 - m."""
+        total = sp.Integer(0)
+        for symbol in (B, C, P):
+            numerator, denominator = sp.fraction(sp.cancel(sp.expand(expression).coeff(symbol, 1)))
+            power = sp.degree(denominator, m)
+            scale = sp.cancel(denominator / (1 - m) ** power)
+            total += symbol * sp.horner(sp.expand(numerator / scale), m) / k**power
+        return total
+
+    # A^(order - 1) d^order/dA^order of A P, with d/dA = 2 A d/dm
+    forms, current = [P], P
+    for order in range(1, ORDERS + 1):
+        # current stands for A^parity times a function of m
+        odd = order % 2
+        current = sp.cancel(current + 2 * m * by_m(current)) if odd else sp.cancel(2 * by_m(current))
+        forms.append(in_B_and_C(current))
+    rest = [a * A, a, 0, 0]
+    derivatives = [-(rest[n] + b * (forms[n] * A if n % 2 == 0 else forms[n])) for n in range(ORDERS + 1)]
+    return Regime((), (), tuple(lets), tuple(derivatives))
+
+
+# --- detached: Gauss's rule ---
+
+
+@functools.cache
+def gauss(nodes: int) -> tuple[tuple[sp.Rational, sp.Rational], ...]:
+    """Positive nodes and their weights of Gauss's rule with 2 `nodes` on [-1, 1], to `DIGITS` digits."""
+
+    def exact(ball: arb) -> sp.Rational:
+        scaled = (ball * arb(10) ** DIGITS + arb("0.5")).floor().unique_fmpz()
+        return sp.Rational(int(scaled), 10**DIGITS)
+
+    before = ctx.prec
+    ctx.prec = 4 * DIGITS
+    try:
+        pairs = [arb.legendre_p_root(2 * nodes, k, weight=True) for k in range(nodes)]
+        return tuple((exact(x), exact(w)) for x, w in pairs)
+    finally:
+        ctx.prec = before
+
+
+class _Detached:
+    """The quarter cycle's part 0 < t < theta, u_cr = A sin(theta)."""
+
+    def __init__(self, b: sp.Symbol) -> None:
+        self.b = b
+        self.root = sp.Symbol("root", nonnegative=True)
+        self.c, self.T, self.T2 = sp.symbols("c T T2", positive=True)
+        self.lets: list[Let] = [
+            (self.root, sp.sqrt((A - b) * (A + b))),
+            (self.c, sp.sqrt((1 - b) * (1 + b))),
+            # tan(theta/2)
+            (self.T, b / (A + self.root)),
+            (self.T2, self.T**2),
+        ]
+        self.g = sp.symbols(f"g_1:{NODES + 1}", positive=True)
+        self.lets += [(g, 1 / (1 + x**2 * self.T2)) for g, (x, _) in zip(self.g, gauss(NODES), strict=True)]
+
+    def by_gauss(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
+        """int sin^2 (1/c - 1/Delta), int sin^4/Delta^3, int sin^4/Delta^5, int sin^4 (1 + 4 u^2)/Delta^7."""
+        T, T2, c = self.T, self.T2, self.c
+        U2 = sp.Symbol("U2", positive=True)
+        # u = 2 A T v, sin t = 2 T v, dt = 2 T g dx
+        self.lets.append((U2, (2 * A * T) ** 2))
+        sums = [[], [], [], []]
+        for k, (g, (x, weight)) in enumerate(zip(self.g, gauss(NODES), strict=True), start=1):
+            v2, square, delta, f = sp.symbols(f"v2_{k} square_{k} delta_{k} f_{k}", positive=True)
+            self.lets += [
+                (v2, (x * g) ** 2),
+                (square, 1 - U2 * v2),
+                (delta, sp.sqrt(square)),
+                (f, weight * g * v2 / delta),
+            ]
+            # u_cr - u and u_cr + u over u_cr: in this form nothing cancels at the end of the interval
+            below, above = (1 - x) * (1 - x * T2) * g, 1 + x * (1 + T2) * g
+            sums[0].append(f * below * above / (c + delta))
+            fall = sp.Symbol(f"fall_{k}", positive=True)
+            self.lets.append((fall, f * v2 / square))
+            sums[1].append(fall)
+            sums[2].append(fall / square)
+            sums[3].append(fall * (1 + 4 * U2 * v2) / square**2)
+        names = sp.symbols("sum_0:4", positive=True)
+        # the smallest terms first: they are those next to zero
+        self.lets += [(name, sp.Add(*terms[::-1])) for name, terms in zip(names, sums, strict=True)]
+        scale = 32 * T**5
+        return 8 * T**3 * self.b**2 / c * names[0], scale * names[1], scale * names[2], scale * names[3]
+
+    def by_duplication(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
+        """The same, from R_D and its derivatives by the second argument."""
+        x2, y2, third = sp.symbols("x2 y2 third", positive=True)
+        self.lets += [(x2, (self.b / A) ** 2), (y2, (self.root / A) ** 2), (third, x2 * self.b / (3 * A))]
+        taylor = _Taylor(self.lets)
+        r = taylor.duplicated(y2, (1 - self.b) * (1 + self.b))
+        moment = sp.Symbol("S_1", positive=True)
+        terms = [w * (x * g) ** 2 * g for g, (x, w) in zip(self.g, gauss(NODES), strict=True)]
+        self.lets.append((moment, 8 * self.T**3 * sp.Add(*terms[::-1])))
+        # d^n/dm^n of D, as the second argument falls by sin^2(theta) dm; int sin^(2n+2)/Delta^(2n+1) from it
+        V = [sp.Symbol(f"V{2 * n + 2}", positive=True) for n in range(ORDERS + 1)]
+        for n in range(ORDERS + 1):
+            falling = sp.Integer(1)
+            for j in range(n):
+                falling *= sp.Rational(2 * j + 1, 2)
+            self.lets.append((V[n], third * (-x2) ** n * math.factorial(n) / falling * r[n]))
+        m = A**2
+        return (
+            moment / self.c - V[0],
+            V[1],
+            V[1] + m * V[2],
+            V[1] + m * (6 * V[2] + 5 * m * V[3]),
+        )
+
+
+class _Taylor:
+    """Truncated Taylor series in the second argument of R_D, as symbols; every operation adds lets."""
+
+    def __init__(self, lets: list[Let]) -> None:
+        self.lets = lets
+
+    def named(self, name: str, values: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Lets for coefficients that are no numbers."""
+        result = []
+        for k, value in enumerate(values):
+            if value.is_number or value.is_Symbol:
+                result.append(value)
+                continue
+            symbol = sp.Symbol(f"{name}_{k}", real=True)
+            self.lets.append((symbol, value))
+            result.append(symbol)
+        return result
+
+    def sqrt(self, name: str, f: Sequence[sp.Expr]) -> list[sp.Expr]:
+        if f[1:] == [0] * ORDERS:
+            return [*self.named(name, [sp.sqrt(f[0])]), *f[1:]]
+        roots = self.named(name, [sp.sqrt(f[0])])
+        (half,) = self.named(name + "_half", [1 / (2 * roots[0])])
+        for k in range(1, ORDERS + 1):
+            inner = sum(roots[i] * roots[k - i] for i in range(1, k))
+            roots += [self.named(f"{name}{k}", [(f[k] - inner) * half])[0]]
+        return roots
+
+    def reciprocal(self, name: str, f: Sequence[sp.Expr]) -> list[sp.Expr]:
+        result = self.named(name, [1 / f[0]])
+        for k in range(1, ORDERS + 1):
+            inner = sum(f[i] * result[k - i] for i in range(1, k + 1))
+            result += [self.named(f"{name}{k}", [-result[0] * inner])[0]]
+        return result
+
+    def duplicated(self, x: sp.Expr, y: sp.Expr) -> list[sp.Expr]:
+        """Taylor coefficients of R_D(x, y, 1) by y (DLMF 19.26.20, 19.36.2)."""
+        zeros = [sp.Integer(0)] * ORDERS
+        X = self.named("X", [x]) + zeros
+        Y = [*self.named("Y", [y]), sp.Integer(1), *zeros[1:]]
+        Z = [sp.Integer(1), *zeros]
+        shares = []
+        for n in range(DUPLICATIONS):
+            a, b, c = self.sqrt(f"a{n}", X), self.sqrt(f"b{n}", Y), self.sqrt(f"c{n}", Z)
+            lam = self.named(f"lam{n}", _plus(_times(a, b), _times(c, _plus(a, b))))
+            below = self.named(f"below{n}", _times(c, self.named(f"q{n}", _plus(Z, lam))))
+            shares.append([3 * value / 4**n for value in self.reciprocal(f"term{n}", below)])
+            X, Y, Z = (
+                self.named(f"{name}{n}", [(p + q) / 4 for p, q in zip(values, lam, strict=True)])
+                for name, values in (("X", X), ("Y", Y), ("Z", Z))
+            )
+        mean = self.named("mean", [(p + q + 3 * s) / 5 for p, q, s in zip(X, Y, Z, strict=True)])
+        over = self.reciprocal("over", mean)
+        dx, dy = (self.named(name, _times(_minus(mean, f), over)) for name, f in (("dx", X), ("dy", Y)))
+        dz = self.named("dz", [-(p + q) / 3 for p, q in zip(dx, dy, strict=True)])
+        xy, zz = self.named("xy", _times(dx, dy)), self.named("zz", _times(dz, dz))
+        E2 = self.named("E2", [p - 6 * q for p, q in zip(xy, zz, strict=True)])
+        E3 = self.named("E3", _times([3 * p - 8 * q for p, q in zip(xy, zz, strict=True)], dz))
+        E4 = self.named("E4", _times([3 * (p - q) for p, q in zip(xy, zz, strict=True)], zz))
+        E5 = self.named("E5", _times(_times(xy, zz), dz))
+        numbers = ((-3, 14, E2), (1, 6, E3), (9, 88, _times(E2, E2)), (-3, 22, E4), (-9, 52, _times(E2, E3)))
+        series = [sp.Integer(1), *zeros]
+        for p, q, values in (*numbers, (3, 26, E5)):
+            series = _plus(series, [sp.Rational(p, q) * value for value in values])
+        series = self.named("series", series)
+        last = self.named("last", _times(series, self.named("power", _times(over, self.sqrt("sq", over)))))
+        total = [value / 4**DUPLICATIONS for value in last]
+        for share in reversed(shares):
+            total = _plus(total, share)
+        return self.named("R", total)
+
+
+def _times(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:
+    return [sum(f[i] * g[k - i] for i in range(k + 1)) for k in range(ORDERS + 1)]
+
+
+def _plus(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:
+    return [p + q for p, q in zip(f, g, strict=True)]
+
+
+def _minus(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:
+    return [p - q for p, q in zip(f, g, strict=True)]
+
+
+def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
+    """A > u_cr, where u (a + b (1/Delta - 1/c)) is averaged over 0 < t < theta, a u beyond."""
+    quarter = _Detached(end)
+    W, V3, V5, V7 = quarter.by_duplication() if steep else quarter.by_gauss()
+    root, c = quarter.root, quarter.c
+    whole = u * (1 / ROOT - 1 / c)
+
+    def boundary(order: int) -> sp.Expr:
+        """jump of f^(order) at u_cr over b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -u_cr/(A root)"""
+        power = 2 * order + 1
+        jump = sp.expand(c**power * sp.diff(whole, u, order).subs(ROOT, c).subs(u, end))
+        numerator = sp.factor(sp.rem(sp.Poly(jump, c), sp.Poly(c**2 + end**2 - 1, c)).as_expr())
+        return -numerator * end ** (order + 2) / (c**power * A ** (order + 2) * root)
+
+    def slope(expression: sp.Expr) -> sp.Expr:
+        return sp.diff(expression, A) + sp.diff(expression, root) * A / root
+
+    if boundary(0) != 0:
+        raise ArithmeticError("the force jumps at the breakpoint")
+    # f'' = 3 u/Delta^5 and f''' = 3 (1 + 4 u^2)/Delta^7, times sin^3 and sin^4
+    for order, expected in ((2, 3 * u / ROOT**5), (3, 3 * (1 + 4 * u**2) / ROOT**7)):
+        if sp.simplify(sp.diff(whole, u, order) - expected) != 0:
+            raise ArithmeticError("the derivatives of u/sqrt(1 - u^2)")
+    forms = (
+        -A * W,
+        -(W - A**2 * V3),
+        3 * A * V5 + boundary(1),
+        3 * V7 + boundary(2) + slope(boundary(1)),
+    )
+    rest = [a * A, a, 0, 0]
+    derivatives = tuple(-(r + 4 / sp.pi * b * form) for r, form in zip(rest, forms, strict=True))
+    return Regime((end,), (), tuple(quarter.lets), derivatives)
+
+
+# --- both ---
+
+
+def closed_forms(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: sp.Symbol) -> tuple[Regime, Regime]:
+    """The average and its slope by R_D, attached and detached."""
+    x, y, c, S_1 = sp.symbols("x y c S_1", positive=True)
+    attached_form = (
+        -a * A - b * A * (4 / (3 * sp.pi) * R_D(0, 1 - A**2, 1) - 1),
+        -a - b * (4 / (3 * sp.pi) * R_D(0, 1, 1 - A**2) - 1),
+    )
+    lets = (
+        (x, end / A),
+        (y, sp.sqrt((A - end) * (A + end)) / A),
+        (c, sp.sqrt((1 - end) * (1 + end))),
+        (S_1, (sp.atan2(x, y) - x * y) / 2),
+    )
+    detached_form = (
+        -rest * A + 4 / sp.pi * b * A * (S_1 / c - x**3 / 3 * R_D(y**2, c**2, 1)),
+        -rest + 4 / sp.pi * b * (S_1 / c - x**3 / 3 * R_D(y**2, 1, c**2)),
+    )
+    return Regime((), (), (), attached_form), Regime((end,), (), lets, detached_form)
+
+
+def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Restoring:
+    """All of step 3 for the pieces of a force. Give u + F_k for h (the whole force), F_k for H."""
+    if len(pieces) != 2:
+        raise ArithmeticError("an untruncated force is averaged for one breakpoint only")
+    (a, b), (rest, none) = (parts(piece) for piece in pieces)
+    if none != 0:
+        raise ArithmeticError("an untruncated force is averaged only if it is linear beyond the breakpoint")
+    (end,) = breakpoints
+    cases = (
+        Case("passed_0", ((A, end), (A, FEW)), attached(a, b, STEPS)),
+        Case("passed_0_steep", ((A, end),), attached(a, b, STEPS_STEEP)),
+        Case("passed_1", ((end, MODERATE),), detached(rest, b, end, steep=False)),
+        Case("passed_1_steep", (), detached(rest, b, end, steep=True)),
+    )
+    return Restoring(tuple(pieces), (end,), (sp.Integer(0),), closed_forms(a, b, rest, end), {}, cases)

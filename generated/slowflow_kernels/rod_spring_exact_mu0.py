@@ -1,0 +1,212 @@
+"""Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not
+truncated, in the scene mu = 0.
+
+Written by `make derive`; never edit.
+Input: derivations/mechanisms/rod_spring_exact.py, sha256 1b3371a6f3bd082d4bd24294ddea9a01f4b0822a58acd7b5b61ebe7b7e44131c
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
+docstring gives equation number, domain and the operations after each pass.
+"""
+
+# a formatter would spread each polynomial over a page
+# fmt: off
+
+from slowflow_kernels import slow_flow_mu0 as flow
+from slowflow_kernels._backend import compiled
+from slowflow_kernels._broadcast import full
+from slowflow_kernels.rod_spring_exact import (
+    H_A,
+    H_AA,
+    PARAMETERS,
+    RATIOS,
+    REACH,
+    REACH_REASON,
+    H,
+    averaged,
+    averaged_2,
+    averaged_3,
+    breakpoints,
+    coefficients,
+    force,
+    h,
+    h_A,
+    h_AA,
+    h_AAA,
+    jumps,
+    untruncated_force,
+)
+
+__all__ = [
+    "F_A",
+    "F_AA",
+    "F_AAA",
+    "H_A",
+    "H_AA",
+    "PARAMETERS",
+    "RATIOS",
+    "REACH",
+    "REACH_REASON",
+    "F",
+    "F_AOmega",
+    "F_Omega",
+    "H",
+    "I",
+    "R",
+    "averaged",
+    "averaged_2",
+    "averaged_3",
+    "backbone",
+    "breakpoints",
+    "coefficients",
+    "equivalent_damping",
+    "force",
+    "h",
+    "h_A",
+    "h_AA",
+    "h_AAA",
+    "jacobian",
+    "jumps",
+    "limit_envelope",
+    "phase",
+    "stability",
+    "transmissibility",
+    "untruncated_force",
+]
+
+
+def R(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """Cosine balance, -F_0 cos phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, u_cr)
+    arguments = (Omega, A, mu, zeta, alpha, beta, u_cr)
+    return full(flow.R(Omega, A, average), arguments)
+
+
+def I(Omega, A, mu, zeta, alpha, beta, u_cr):  # noqa: E743
+    """Sine balance, -F_0 sin phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    arguments = (Omega, A, mu, zeta, alpha, beta, u_cr)
+    return full(flow.I(Omega, A, flow.friction(mu), zeta), arguments)
+
+
+def F(Omega, A, F_0, mu, zeta, alpha, beta, u_cr):
+    """Frequency response; zero at a steady state.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, u_cr)
+    return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
+
+
+def F_A(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """dF/dA; positive where stable.
+
+    Equation (24), (30). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
+
+
+def F_AA(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """d2F/dA2.
+
+    Equation (24), (33). Domain: Omega > 0, A > 0.
+    """
+    average, average_A, average_AA = averaged_3(A, alpha, beta, u_cr)
+    return flow.F_AA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA)
+
+
+def F_AAA(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """d3F/dA3.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average, average_A, average_AA, average_AAA = averaged(A, alpha, beta, u_cr)
+    return flow.F_AAA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
+
+
+def F_Omega(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """dF/dOmega.
+
+    Equation (24), (34). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, u_cr)
+    return flow.F_Omega(Omega, A, flow.friction(mu), zeta, average)
+
+
+def F_AOmega(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """d2F/dA dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    return flow.F_AOmega(Omega, A, flow.friction(mu), zeta, average, average_A)
+
+
+def phase(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """Phase phi of a steady state, from -pi to 0.
+
+    Equation (25). Domain: Omega > 0, A > 0.
+    """
+    average = h(A, alpha, beta, u_cr)
+    return flow.phase(Omega, A, flow.friction(mu), zeta, average)
+
+
+def jacobian(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
+
+    Equation (28). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
+
+
+def stability(Omega, A, mu, zeta, alpha, beta, u_cr):
+    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
+
+    Equation (30). Domain: Omega > 0, A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
+
+
+def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, u_cr):
+    """Fundamental harmonic of the force on the base over F_0, at a steady state.
+
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    """
+    average = h(A, alpha, beta, u_cr)
+    return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
+
+
+def backbone(A, alpha, beta, u_cr):
+    """Frequency on the backbone.
+
+    Equation (26). Domain: A > 0, h <= 0.
+    """
+    average = h(A, alpha, beta, u_cr)
+    return flow.backbone(A, average)
+
+
+def limit_envelope(Omega, F_0, mu, zeta):
+    """Largest amplitude that the forcing can hold at this frequency.
+
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    """
+    return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
+
+
+def equivalent_damping(Omega, A, mu, zeta):
+    """Viscous damping ratio that dissipates as much as zeta and friction together.
+
+    Equation (38). Domain: Omega > 0, A > 0.
+    """
+    return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
+
+
+globals().update(compiled("rod_spring_exact_mu0"))
