@@ -330,6 +330,20 @@ def test_softening_has_folds_down_to_the_friction_limit():
 
 
 @pytest.mark.both_backends
+def test_a_small_loop_of_the_fold_locus_keeps_its_cusp():
+    # alpha slightly below 0: the locus leaves Omega = 0 where h_A = 0, turns at a cusp and comes back where h = 0
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        oscillator = Isolator(
+            lam=1.6172314899701874, r=2.002654154370871, delta_h=0.31049204594233715, zeta=0.0922908151530438
+        )
+    cusps = oscillator.cusps()
+    assert cusps.minimum.tolist() == [False, True]
+    for share, count in ((0.9, 2), (0.999, 2), (1.001, 0)):
+        assert len(oscillator.saddle_nodes(share * cusps.F_0[0])) == count
+
+
+@pytest.mark.both_backends
 def test_without_damping_the_folds_are_those_of_the_closed_form():
     oscillator = Duffing(1.0, 0.5)
     F_0 = 0.3

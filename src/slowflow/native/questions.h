@@ -20,11 +20,12 @@
 typedef enum { SF_STIFFNESS, SF_ISOLA, SF_CUSP, SF_TURN, SF_UNDAMPED, SF_PEAK, SF_REST } sf_question;
 
 /* Up to two functions (channels) of A. exists: whether each is defined here; Omega: what its zero has for Omega;
- * edge: positive where they are defined, with its slope; merge: the value where a channel ends, if `edge` does not say */
+ * edge: positive where they are defined, with its slope; floor: where its sign changes one of them ends at Omega = 0, with
+ * its slope; merge: the value where a channel ends, if `edge` does not say */
 typedef struct {
     int exists[2];
     double y[2], dy[2], Omega[2];
-    double edge, d_edge, merge;
+    double edge, d_edge, floor, d_floor, merge;
 } sf_answer;
 
 static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
@@ -62,6 +63,7 @@ static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_an
     out->edge = square;
     out->d_edge = 0.5 * e * (at->h_AA + at->A * at->h_AAA) + at->h_AAA * along + at->h_AA * at->A * at->h_AA +
                   zz * at->h_AA;
+    out->floor = c_0, out->d_floor = 3 * at->h_A * at->h_AA + at->h * at->h_AAA;
     out->merge = at->h * at->h_A;
     if (!(square >= 0) || (minus_half_c_1 <= 0 && c_0 >= 0))
         return;
@@ -138,7 +140,7 @@ static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sampl
 
 static inline void sf_ask(sf_question question, const sf_model *model, double F_0, const sf_sample *at,
                           sf_answer *out) {
-    static const sf_answer nothing = {{0, 0}, {0, 0}, {0, 0}, {0, 0}, 1, 0, 0};
+    static const sf_answer nothing = {{0, 0}, {0, 0}, {0, 0}, {0, 0}, 1, 0, 1, 0, 0};
     *out = nothing;
     switch (question) {
     case SF_STIFFNESS:
@@ -212,6 +214,18 @@ static inline int sf_may_touch(double y_0, double dy_0, double y_1, double dy_1,
                                   x * x * ((1 + 2 * z) * y_1 - z * width * dy_1));
     }
     return !(lowest >= 0.3 * fmin(y_0, y_1));
+}
+
+/* Whether a channel that is defined at neither end of an interval may be inside: it comes from Omega = 0 to merge with the
+ * other one, or there is a window. */
+static inline int sf_may_exist(int channel, const sf_answer *a, const sf_answer *b, double width) {
+    const int other = 1 - channel;
+    if ((a->exists[other] && b->edge < 0) || (b->exists[other] && a->edge < 0))
+        return 1;
+    if (a->edge < 0 && b->edge < 0)
+        return sf_may_touch(a->edge, a->d_edge, b->edge, b->d_edge, width);
+    return !(a->edge < 0) && !(b->edge < 0) && !sf_opposite(a->floor, b->floor) &&
+           sf_may_touch(a->floor, a->d_floor, b->floor, b->d_floor, width);
 }
 
 #endif

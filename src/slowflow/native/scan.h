@@ -149,8 +149,7 @@ static int SF_M(suspicious)(const SF_M(search) * search, const SF_M(probe) * a, 
         return !sf_settled(search->question, c, x, y, b->at.A - a->at.A);
     if (y->exists[c])
         return !sf_settled(search->question, c, y, x, a->at.A - b->at.A);
-    return depth < 40 && x->edge < 0 && y->edge < 0 &&
-           sf_may_touch(x->edge, x->d_edge, y->edge, y->d_edge, b->at.A - a->at.A);
+    return depth < 40 && sf_may_exist(c, x, y, b->at.A - a->at.A);
 }
 
 static void SF_M(between)(const SF_M(search) * search, const SF_M(probe) * a, const SF_M(probe) * b, int depth) {
