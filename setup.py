@@ -18,10 +18,11 @@ GENERATED = Path("generated")
 HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED / "c") for path in folder.rglob("*.h"))
 # Without GIL there is no stable ABI yet.
 STABLE_ABI = not sysconfig.get_config_var("Py_GIL_DISABLED")
+# IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps
+STRICT = ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
 FLAGS = {
-    # strict IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps
-    "unix": ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fvisibility=hidden", "-g0"],
-    "mingw32": ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"],
+    "unix": [*STRICT, "-g0", "-fvisibility=hidden"],
+    "mingw32": STRICT,
     "msvc": ["/std:c11", "/O2", "/fp:precise"],
 }
 

@@ -16,12 +16,12 @@ from pathlib import Path
 import mpmath as mp
 import numpy as np
 from scipy.optimize import minimize_scalar, root
-from slowflow_kernels import den_hartog
 
 from slowflow.exact import Oscillator, Response, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import TURN, Forced, follow
 from slowflow.exact.smoothed import direct_integration
+from slowflow_kernels import den_hartog
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 import exact_linear

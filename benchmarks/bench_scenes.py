@@ -13,10 +13,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from slowflow_kernels import duffing, rod_spring, rod_spring_attached
 
 from slowflow import Isolator, backend, solvers
 from slowflow.model import Model
+from slowflow_kernels import duffing, rod_spring, rod_spring_attached
 
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 WINDOW = (0.0, 2.0)

@@ -10,8 +10,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from certified_roots import precision
 from flint import arb, arb_mat, fmpq
+
+from certified_roots import precision
 from oracle import BITS, CORNER, Amplitude, Number, Oscillator, Point, exact
 
 STEP = fmpq(1, 2**100)

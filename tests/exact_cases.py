@@ -3,9 +3,9 @@
 import math
 from dataclasses import dataclass
 
-import exact_brute
 import numpy as np
 
+import exact_brute
 from slowflow.exact import Oscillator, rod_spring, rod_spring_exact
 
 

@@ -18,9 +18,10 @@ from multiprocessing import Pool
 from pathlib import Path
 from typing import Any
 
+from flint import arb
+
 from certified_roots import precision
 from conditioning import Condition, Conditioning
-from flint import arb
 from oracle import BITS, CORNER, Duffing, Number, Oscillator, Point, RodSpring, digits
 
 SEED = "slowflow 2025"

@@ -27,8 +27,9 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
-from certified_roots import isolate, polynomial_roots, precision
 from flint import arb, arb_mat, arb_series, fmpq, fmpq_poly
+
+from certified_roots import isolate, polynomial_roots, precision
 
 BITS = 280  # 84 digits to compute with; 40 are reported
 DIGITS = 40

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+
 from native_roots import FLAGS, HEADERS, HERE, WARNINGS
 
 GENERATED = HERE.parent / "generated" / "c"

@@ -6,12 +6,12 @@ import importlib.util
 import math
 import subprocess
 
-import generated_c
 import numpy as np
 import pytest
 import sympy as sp
 from mpmath import mp, mpf
 
+import generated_c
 from derivations.averaging import averaged
 from derivations.emit.kernels import all_modules
 from derivations.emit.passes import operations, straight_line

@@ -3,17 +3,17 @@
 import collections
 import math
 
-import exact_brute
-import exact_linear
 import mpmath as mp
 import numpy as np
 import pytest
-from exact_cases import isolator, random_cases, table_1
-from slowflow_kernels import den_hartog
 
+import exact_brute
+import exact_linear
+from exact_cases import isolator, random_cases, table_1
 from slowflow.exact import Oscillator, linear, rod_spring, steady_state
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
+from slowflow_kernels import den_hartog
 
 heyoka = pytest.mark.skipif(
     default_integrator().name != "heyoka", reason="heyoka is not installed: there is only SciPy's integrator"

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from exact_cases import table_1
 
+from exact_cases import table_1
 from slowflow import Isolator
 from slowflow.exact.integrate import default_integrator
 

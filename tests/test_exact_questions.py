@@ -5,10 +5,10 @@ import sys
 
 import numpy as np
 import pytest
-from slowflow_kernels import duffing as duffing_kernels
 
 from slowflow import Duffing, Isolator, exact
 from slowflow.exact.integrate import default_integrator
+from slowflow_kernels import duffing as duffing_kernels
 
 pytestmark = pytest.mark.both_backends
 

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from exact_cases import isolator, random_cases, table_1
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
+from exact_cases import isolator, random_cases, table_1
 from slowflow.exact import Oscillator, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import ScipyIntegrator, default_integrator
 

@@ -1,8 +1,8 @@
 """Appendix A's smoothed equation tends to the exact motion as the smoothing sharpens."""
 
 import pytest
-from exact_cases import table_1
 
+from exact_cases import table_1
 from slowflow.exact import Oscillator, linear, steady_state
 from slowflow.exact.smoothed import direct_integration
 

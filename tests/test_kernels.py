@@ -16,9 +16,10 @@ import warnings
 from fractions import Fraction
 from pathlib import Path
 
-import generated_c
 import numpy as np
 import pytest
+
+import generated_c
 
 HERE = Path(__file__).parent
 PACKAGE = HERE.parent / "generated" / "slowflow_kernels"

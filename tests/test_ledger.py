@@ -16,7 +16,6 @@ import mpmath
 import pytest
 import sympy as sp
 from flint import arb
-from oracle import RodSpring
 
 from derivations import ledger
 from derivations.ledger import balls, entries, proofs, render, source
@@ -26,6 +25,7 @@ from derivations.ledger.formulas import Subject, subjects
 from derivations.ledger.judging import judge
 from derivations.ledger.rows import ALLOWED, AMBIGUOUS, DIFFERS, FALSE, IDENTICAL, VOCABULARY, Row
 from derivations.results import Results, derive
+from oracle import RodSpring
 
 PUBLISHED = source.load()
 SOURCE = ast.parse(source.PUBLISHED.read_text(encoding="utf-8"))

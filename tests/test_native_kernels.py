@@ -19,17 +19,17 @@ import warnings
 from fractions import Fraction
 from pathlib import Path
 
-import backends
-import generated_c
 import mpmath
-import native_clones
 import numpy as np
 import pytest
-from slowflow_kernels import MODULES, rod_spring, slow_flow
 
+import backends
+import generated_c
+import native_clones
 from derivations.emit.arctangent import series
 from slowflow import roots
 from slowflow.backend import KERNELS, SOLVER
+from slowflow_kernels import MODULES, rod_spring, slow_flow
 
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53

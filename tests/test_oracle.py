@@ -8,12 +8,13 @@ from itertools import pairwise
 from pathlib import Path
 
 import contourpy
-import make_random_isolators as generator
 import numpy as np
 import pytest
-from certified_roots import isolate, polynomial_roots, precision
 from flint import arb, fmpq, fmpq_poly
 from mpmath import mp, mpf
+
+import make_random_isolators as generator
+from certified_roots import isolate, polynomial_roots, precision
 from oracle import BITS, CORNER, DETACHED, Duffing, Oscillator, RodSpring, _res_quadratic_cubic, _res_quadratic_quartic
 
 DATA = Path(__file__).parent / "data"

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from slowflow_kernels import rod_spring
 
 from slowflow import Duffing, Isolator, backend, solvers
 from slowflow.model import Model
+from slowflow_kernels import rod_spring
 
 pytestmark = pytest.mark.both_backends
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+
 from native_roots import Solver, build, why_not
 from root_oracle import KINDS, U, relative_error, roots, stress_cases
-
 from slowflow.roots import numpy_roots, peak_roots, response_roots
 
 # Less than the promised u (1 + kappa), so that a correction that has become useless is seen.  Rounding the exact root

@@ -14,7 +14,6 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
-from slowflow_kernels import duffing, rod_spring, rod_spring_attached, rod_spring_exact
 
 from slowflow import plan, solvers, validate
 from slowflow.folds import NO_FOLD
@@ -32,6 +31,7 @@ from slowflow.results import (
     SteadyStates,
     words,
 )
+from slowflow_kernels import duffing, rod_spring, rod_spring_attached, rod_spring_exact
 
 if TYPE_CHECKING:
     from slowflow import exact

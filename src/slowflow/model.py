@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+
 from slowflow_kernels import slow_flow as general_flow
 
 Floats = npt.NDArray[np.float64]

@@ -15,6 +15,7 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
+
 from slowflow_kernels import rod_spring as rod_spring_kernels
 
 Expression = Callable[..., Any]

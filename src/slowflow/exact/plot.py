@@ -8,10 +8,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from slowflow_kernels import den_hartog
 
 from slowflow.exact.continuation import exact_response
 from slowflow.exact.force import Oscillator, linear
+from slowflow_kernels import den_hartog
 
 
 def figure_2a(ax: Any, ratios: tuple[float, ...] = (0.2, 0.4, 0.6, 0.7)) -> None:
