@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from native_roots import why_not
-from solver_build import THOROUGH, build
 
+from native_roots import why_not
 from slowflow import Duffing, Isolator, backend, compiled, folds, locus, response
+from solver_build import THOROUGH, build
 
 DATA = Path(__file__).parent / "data"
 UNIT = 2.0**-53
