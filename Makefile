@@ -1,6 +1,7 @@
 # make paper   set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
 # make test    everything that CI runs (second command)
 # make derive  write generated/ anew; make check: compare generated/ with a fresh derivation; make bench: the benchmarks
+# make bench-peers  other tools on the same problem, each installed into an environment of its own under .venv-peers
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -32,9 +33,8 @@ lint: $(INSTALLED)
 bench: $(INSTALLED)
 	$(BIN)/python -m benchmarks
 
-bench-peers:
-	$(PYTHON) -m venv .venv-peers
-	.venv-peers/bin/python benchmarks/peers.py
+bench-peers: $(INSTALLED)
+	$(BIN)/python -m benchmarks.peers
 
 $(INSTALLED): pyproject.toml setup.py $(NATIVE)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "slowflow needs Python 3.11 or newer: make PYTHON=python3.12"; exit 1; }

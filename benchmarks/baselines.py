@@ -2,7 +2,7 @@
 
     numpy.roots     the polynomial (24) or (30) expanded, its companion matrix's eigenvalues; folds bisected in A
     bracketing      sign changes on a grid of Omega, `scipy.optimize.brentq` between them; folds the same way in A
-    the recipe      (33) and its like for folds: the resultant's polynomial in A by numpy.roots, Omega by (30)'s gap to (24)
+    the recipe      (33) and its like for folds: the resultant's polynomial in A by numpy.roots, then Omega
 
 Every one uses the installed kernels for h and h_A, so that it is the method that is compared and not the formula.
 `prepare` makes jobs of them for `benchmarks.remote`, named "scene | method | variant".
@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
-from slowflow_kernels import rod_spring, slow_flow
 
 from benchmarks import certified, jobs
+from slowflow_kernels import rod_spring, slow_flow
 
 F_0, ZETA = certified.F_0, certified.TABLE_1["zeta"]
 M = float(slow_flow.friction(certified.TABLE_1["mu"]))
@@ -187,7 +187,7 @@ def prepare() -> dict[str, jobs.Job]:
         out[f"response {10**power} | {bracketing}"] = partial(cells_for(100, 1e-12), amplitudes), jobs.of_rows
     some = jobs.amplitudes(jobs.SAMPLES)
     out[f"response | {roots} | expanded (24)"] = partial(by_numpy_roots, some), jobs.of_rows
-    for cells, tolerance in ((20, 1e-12), (100, 1e-4), (100, 1e-8), (100, 1e-12), (500, 1e-12)):
+    for cells, tolerance in ((20, 1e-12), (100, 1e-4), (100, 1e-8), (100, 1e-12), (2000, 1e-12)):
         job = partial(cells_for(cells, tolerance), some), jobs.of_rows
         out[f"response | {bracketing} | {cells} cells, xtol {tolerance:.0e}"] = job
     for cells, tolerance in ((30, 1e-12), (100, 1e-4), (100, 1e-8), (100, 1e-12)):
@@ -195,7 +195,7 @@ def prepare() -> dict[str, jobs.Job]:
         inner = {roots: by_numpy_roots, bracketing: cells_for(100, tolerance)}
         for method, omegas in inner.items():
             out[f"folds | {method} | {variant}"] = partial(folds_between, omegas, cells, tolerance), jobs.of_pairs
-    out[f"folds | {recipe} | Res(F, F_A), attached only"] = folds_by_recipe, jobs.of_pairs
+    out[f"folds | {recipe} | attached only, Res(F, F_A)"] = folds_by_recipe, jobs.of_pairs
     for tolerance in (1e-2, 1e-5, 1e-9):
         variant = f"100 amplitudes, xatol {tolerance:.0e}"
         single = {roots: fold_roots_by_numpy, bracketing: partial(fold_roots_by_bracketing, cells=100, tolerance=1e-12)}

@@ -20,6 +20,7 @@ DATA = Path(__file__).resolve().parents[1] / "tests" / "data"
 F_0 = 0.04
 TABLE_1 = {"lam": 3.0, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 DIGITS = 40
+U = 2.0**-53
 Number = Any
 
 
@@ -67,7 +68,7 @@ def relative_error(value: float, exact: Number) -> float:
 
 
 class Table1:
-    """The averaged equations of Table 1 at 40 digits: the removed part of the force integrated over the detached arc."""
+    """The averaged equations of Table 1 at 40 digits, the missing force integrated over the detached arc."""
 
     def __init__(self) -> None:
         with mpmath.workdps(DIGITS):
@@ -117,6 +118,19 @@ class Table1:
         with mpmath.workdps(DIGITS):
             A = mpmath.mpf(A)
             return self._positive([1, 0, h_A + h / A + 4 * self.zeta**2, 2 * self.zeta * self.m / A, h * h_A / A])
+
+    def fold_error(self, Omega: float, A: float) -> float:
+        """Error of a point of the fold locus in u (1 + kappa), kappa the condition of its Omega in A.
+
+        Just above u_cr, kappa is without bound: dh/dA goes to infinity there.
+        """
+        with mpmath.workdps(DIGITS):
+            step = mpmath.mpf(10) ** (-DIGITS // 2)
+            roots = self.fold(A)
+            nearest = min(range(len(roots)), key=lambda i: abs(roots[i] - Omega))
+            exact, moved = roots[nearest], self.fold(mpmath.mpf(A) * (1 + step))[nearest]
+            kappa = abs(moved / exact - 1) / step
+            return float(abs(Omega / exact - 1) / (1 + kappa) / U)
 
     @staticmethod
     def _positive(coefficients: Sequence[Number]) -> list[Number]:

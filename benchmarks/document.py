@@ -139,8 +139,8 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
 
 PEERS_WORDS = (
     "Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, all in one run and in turn.",
-    "A fold counts as found within 1 %; the error is the larger of the two found. Each tool runs in an environment of its",
-    "own; `benchmarks/peers/` holds one short adapter for each.",
+    "A fold counts as found within 1 %; the error is the larger of the two found. Each tool runs in an environment of",
+    "its own; `benchmarks/peers/` holds one short adapter for each.",
 )
 
 

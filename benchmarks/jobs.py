@@ -11,28 +11,17 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from slowflow_kernels import rod_spring
 
 from benchmarks import certified
+from benchmarks.bench_solver import random_designs, table_1_designs
 from slowflow import Isolator
 from slowflow.roots import response_roots
+from slowflow_kernels import rod_spring
 
 Job = tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]
 SAMPLES = 1000
 CHECKED = 40
-
-
-def designs(count: int, seed: int = 3) -> dict[str, Any]:
-    """A design map at random around Table 1: softer and harder springs, all preloads below zero stiffness."""
-    rng = np.random.default_rng(seed)
-    r = rng.uniform(1, 3, count)
-    return {
-        "lam": 3.0,
-        "r": r,
-        "delta_h": rng.uniform(0.1, 0.98, count) / (3 * r),
-        "mu": rng.uniform(0, 0.02, count),
-        "zeta": rng.uniform(0.005, 0.05, count),
-    }
+FAMILIES: dict[str, Callable[[int], Any]] = {"random": partial(random_designs, seed=5), "Table 1": table_1_designs}
 
 
 def of_folds(found: tuple[Any, Any]) -> dict[str, Any]:
@@ -82,6 +71,11 @@ def of_saddle_nodes(found: Any) -> dict[str, Any]:
     return {"found": np.column_stack([found.Omega, found.A]).tolist()}
 
 
+def of_batch(found: Any) -> dict[str, Any]:
+    """The worst status; see `slowflow.many`."""
+    return {"status": int(found.status.max())}
+
+
 def of_onset(found: Any) -> dict[str, Any]:
     """F_SN, Omega, A."""
     return {"found": [[found.F_SN, found.Omega, found.A]]}
@@ -128,18 +122,19 @@ def prepare() -> dict[str, Job]:
     for power in range(7):
         count = 10**power
         jobs[f"response {count}"] = partial(response, amplitudes(count)), lambda found: {"points": len(found[0])}
-        for name in ("detachment", "saddle_node_onset"):
-            jobs[f"{name} {count}"] = batch(name, count), lambda found: {"status": int(found.status.max())}
+        for question in ("detachment", "saddle_node_onset"):
+            for family in FAMILIES:
+                jobs[f"{family} {question} {count}"] = batch(question, family, count), of_batch
     return jobs
 
 
-def batch(question: str, count: int) -> Callable[[], Any]:
+def batch(question: str, family: str, count: int) -> Callable[[], Any]:
     """A question to so many designs, which are made when it is first asked."""
     made: list[Any] = []
 
     def ask() -> Any:
         if not made:
-            made.append(Isolator.many(**designs(count)))
+            made.append(FAMILIES[family](count))
         return getattr(made[0], question)()
 
     return ask

@@ -40,7 +40,7 @@ import sys
 from slowflow import Isolator
 from benchmarks import certified, jobs
 iso, count = Isolator(**certified.TABLE_1), int(sys.argv[1])
-many = Isolator.many(**jobs.designs(200))
+many = jobs.FAMILIES["random"](200)
 for _ in range(count):
     {}
 """

@@ -1,8 +1,8 @@
 """Measuring in a process of its own: `Remote` asks, `python -m benchmarks.remote <module>` answers, in lines of JSON.
 
-The module has `prepare()`, which gives jobs by name: pairs of a function that is timed and one that makes of its answer
-a dictionary for JSON. A request names a job; the reply adds `seconds`, the median of its calls. The process may be another
-interpreter with another environment: nothing but the standard library is imported here.
+The module has `prepare()`, which gives jobs by name: pairs of a function that is timed and one that makes of its
+answer a dictionary for JSON. A request names a job; the reply adds `seconds`, the median of its calls. The process may
+be another interpreter with another environment: nothing but the standard library is imported here.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Error against time, and time against size: methods on the same scenes in one run.
 
-Out: `measure` gives scenes with one row for each method and variant, `scaling` times by size. Errors are relative, to
-values certified at 40 digits; the error of a fold is the larger of its Omega's and its A's, that of the onset the largest
-of F_SN, Omega and A. A value that is not found to 1 % counts as missed, one that is not wanted as false.
+Out: scenes with one row for each method and variant, and times by size. Errors are relative, to
+values certified at 40 digits; the error of a fold is the larger of its Omega's and its A's, that of the onset the
+largest of F_SN, Omega and A. A value that is not found to 1 % counts as missed, one that is not wanted as false.
 """
 
 from __future__ import annotations
@@ -13,16 +13,15 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import backend
-
 from benchmarks import certified, jobs
 from benchmarks.baselines import METHODS
 from benchmarks.remote import Remote, in_turn
+from slowflow import backend
 
 MISSED = 0.01
 OURS = {"here": f"slowflow, {backend.NAME}", "NumPy": "slowflow, NumPy path"}
 TITLES = {
-    "response": "response: every Ω at 1000 amplitudes",
+    "response": "response at 1000 amplitudes: {} roots Ω",
     "folds": "both folds at F₀ = 0.04",
     "onset": "onset: lowest F₀ that has a fold",
 }
@@ -30,7 +29,7 @@ TITLES = {
 AMPLITUDES = {**dict.fromkeys(OURS.values(), 6), METHODS[0]: 4, METHODS[1]: 4}
 DESIGNS = {
     OURS["here"]: {"detachment": 6, "saddle_node_onset": 5},
-    OURS["NumPy"]: {"detachment": 3, "saddle_node_onset": 2},
+    OURS["NumPy"]: {"detachment": 2, "saddle_node_onset": 1},
 }
 QUESTIONS = {"detachment": "F_cr", "saddle_node_onset": "F_SN"}
 
@@ -74,8 +73,17 @@ def wanted(samples: int) -> dict[str, list[list[list[Any]]]]:
     }
 
 
-def measure(processes: Processes, rounds: int) -> list[dict[str, Any]]:
-    """Scenes."""
+def measure(rounds: int) -> dict[str, Any]:
+    """Scenes and scaling."""
+    processes = Processes()
+    try:
+        return {"scenes": precision(processes, rounds), "scaling": scaling(processes, 1)}
+    finally:
+        processes.stop()
+
+
+def precision(processes: Processes, rounds: int) -> list[dict[str, Any]]:
+    """One dictionary for each scene."""
     asked = {f"{scene} | {OURS[k]} | ": (remote, scene) for scene in TITLES for k, remote in processes.paths.items()}
     asked |= {job: (processes.others, job) for job in processes.others.jobs if job.split(" | ")[0] in TITLES}
     answers, failures = in_turn(asked, rounds)
@@ -101,7 +109,8 @@ def measure(processes: Processes, rounds: int) -> list[dict[str, Any]]:
                     "false": sum(false for _, _, false in judged),
                 }
             )
-        scenes.append({"scene": scene, "title": title, "sought": sum(map(len, certain[scene])), "rows": rows})
+        sought = sum(map(len, certain[scene]))
+        scenes.append({"scene": scene, "title": title.format(sought), "sought": sought, "rows": rows})
     return scenes
 
 
@@ -113,7 +122,10 @@ def scaling(processes: Processes, rounds: int) -> dict[str, list[dict[str, Any]]
             asked[f"amplitudes | {OURS[k]} | {10**power}"] = remote, f"response {10**power}"
         for question, last in DESIGNS[OURS[k]].items():
             for power in range(last + 1):
-                asked[f"designs | {QUESTIONS[question]}: {OURS[k]} | {10**power}"] = remote, f"{question} {10**power}"
+                asked[f"designs | {QUESTIONS[question]}: {OURS[k]} | {10**power}"] = (
+                    remote,
+                    f"random {question} {10**power}",
+                )
     for method in METHODS[:2]:
         for power in range(AMPLITUDES[method] + 1):
             asked[f"amplitudes | {method} | {10**power}"] = processes.others, f"response {10**power} | {method}"

@@ -7,9 +7,8 @@ WHAT = "whole curve with stability and folds, one call; F_A = 0 solved by level 
 
 def prepare():
     """Variants by name; see `benchmarks.remote`."""
-    from slowflow import Isolator, backend
-
     from benchmarks.peers.problem import DELTA_H, F_0, LAM, MU, OMEGA_MAX, OMEGA_MIN, R_STIFF, ZETA, answer
+    from slowflow import Isolator, backend
 
     def curve(samples):
         # anew each time, since an isolator remembers some of its answers
