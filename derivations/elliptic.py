@@ -5,9 +5,10 @@ Out: `Restoring`: H and its slope in closed form by Carlson's R_D, and the forms
      amplitudes and breakpoints for which it is meant.
 
 With t = pi/2 - psi, m = A^2, Delta = sqrt(1 - m sin^2 t), c = sqrt(1 - u_cr^2) and sin(theta) = min(1, u_cr/A) the
-average and its slope hold int sin^2 t/Delta dt and int sin^2 t/Delta^3 dt over 0 < t < theta, which are
+average and its slope hold
 
-    (sin^3 theta/3) R_D(cos^2 theta, 1 - m sin^2 theta, 1)    and    (sin^3 theta/3) R_D(cos^2 theta, 1, 1 - m sin^2 theta).
+    int sin^2 t/Delta   dt = (sin^3 theta/3) R_D(cos^2 theta, 1 - m sin^2 theta, 1)    and
+    int sin^2 t/Delta^3 dt = (sin^3 theta/3) R_D(cos^2 theta, 1, 1 - m sin^2 theta)    over 0 < t < theta.
 
 The closed form is a difference of nearly equal numbers wherever u is small: the force is u^3 there, the integrals are
 not. And reducing the higher derivatives to the same two integrals divides by 1 - m, though nothing happens at A = 1.
@@ -18,8 +19,10 @@ attached            theta = pi/2. K = pi/(2 M), M the limit of the arithmetic-ge
                     D - B = K sum 2^n c_n^2/m, 1 - M = sum c_n. So D - pi/4 is a sum without a difference.
 detached            s = sin t is rational in tau = tan(t/2), and the integrands are even in it: Gauss's rule on
                     |tau| <= tan(theta/2). Their singularities tau = +-i and u = +-1 stay away for u_cr <= `MODERATE`.
-detached, steep     the duplication theorem of R_D, carried along with its derivatives by the second argument: as R_D is
+steep               beyond, the duplication theorem of R_D, carried along with its derivatives by the second argument: as R_D is
                     completely monotone in it, every derivative is a sum of terms of one sign, also across A = 1.
+steep, far          the same by the first argument: for A >= `AWAY` u_cr the derivatives above differ little from their
+                    boundary terms, while those of cos t are sums of one sign.
 """
 
 from __future__ import annotations
@@ -40,6 +43,8 @@ Let = tuple[sp.Symbol, sp.Expr]
 FEW = sp.Rational(7, 10)
 #: breakpoint up to which Gauss's rule serves
 MODERATE = sp.Rational(3, 4)
+#: multiple of the breakpoint from which on it lies far below
+AWAY = sp.Rational(21, 20)
 #: steps of the mean up to A = FEW, and up to the last double below 1: its differences fall quadratically
 STEPS, STEPS_STEEP = 4, 8
 #: nodes on 0 < tau < tan(theta/2); the worst point is A = u_cr = MODERATE
@@ -193,20 +198,8 @@ class _Detached:
 
     def by_duplication(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         """The same, from R_D and its derivatives by the second argument."""
-        x2, y2, third = sp.symbols("x2 y2 third", positive=True)
-        self.lets += [(x2, (self.b / A) ** 2), (y2, (self.root / A) ** 2), (third, x2 * self.b / (3 * A))]
-        taylor = _Taylor(self.lets)
-        r = taylor.duplicated(y2, (1 - self.b) * (1 + self.b))
-        moment = sp.Symbol("S_1", positive=True)
-        terms = [w * (x * g) ** 2 * g for g, (x, w) in zip(self.g, gauss(NODES), strict=True)]
-        self.lets.append((moment, 8 * self.T**3 * sp.Add(*terms[::-1])))
-        # d^n/dm^n of D, as the second argument falls by sin^2(theta) dm; int sin^(2n+2)/Delta^(2n+1) from it
-        V = [sp.Symbol(f"V{2 * n + 2}", positive=True) for n in range(ORDERS + 1)]
-        for n in range(ORDERS + 1):
-            falling = sp.Integer(1)
-            for j in range(n):
-                falling *= sp.Rational(2 * j + 1, 2)
-            self.lets.append((V[n], third * (-x2) ** n * math.factorial(n) / falling * r[n]))
+        V = self._moments(by_second=True)
+        (moment,) = self._tangents(1)
         m = A**2
         return (
             moment / self.c - V[0],
@@ -214,6 +207,40 @@ class _Detached:
             V[1] + m * V[2],
             V[1] + m * (6 * V[2] + 5 * m * V[3]),
         )
+
+    def far(self) -> list[sp.Expr]:
+        """int sin^2 tan^(2n) (1/c - 1/Delta) for n = 0, 1, ..., from R_D and its derivatives by the first argument."""
+        Q = self._moments(by_second=False)
+        return [s / self.c - q for s, q in zip(self._tangents(ORDERS + 1), Q, strict=True)]
+
+    def _moments(self, by_second: bool) -> list[sp.Symbol]:
+        """int sin^(2n+2)/Delta^(2n+1), or int sin^(2n+2)/(cos^(2n) Delta), for n = 0, 1, ...
+
+        As 1/sqrt(1 - k sin^2) stands for either factor, they are derivatives of R_D, whose argument falls with k by
+        sin^2(theta) dk.
+        """
+        x2, y2, third = sp.symbols("x2 y2 third", positive=True)
+        self.lets += [(x2, (self.b / A) ** 2), (y2, (self.root / A) ** 2), (third, x2 * self.b / (3 * A))]
+        r = _Taylor(self.lets).duplicated(y2, (1 - self.b) * (1 + self.b), by_second)
+        V = [sp.Symbol(f"V{2 * n + 2}", positive=True) for n in range(ORDERS + 1)]
+        for n in range(ORDERS + 1):
+            weight = math.factorial(n) / sp.rf(sp.Rational(1, 2), n)
+            self.lets.append((V[n], third * (-x2) ** n * weight * r[n]))
+        return V
+
+    def _tangents(self, count: int) -> list[sp.Symbol]:
+        """int sin^2 tan^(2n) dt for n = 0, 1, ..., by Gauss's rule."""
+        names = list(sp.symbols(f"S_0:{count}", positive=True))
+        sums: list[list[sp.Expr]] = [[] for _ in names]
+        for k, (g, (x, weight)) in enumerate(zip(self.g, gauss(NODES), strict=True), start=1):
+            term, tangent = sp.symbols(f"term_{k} tangent_{k}", positive=True)
+            self.lets.append((term, weight * (x * g) ** 2 * g))
+            # tan t = 2 tau/(1 - tau^2)
+            self.lets.append((tangent, (2 * x * self.T / (1 - x**2 * self.T2)) ** 2))
+            for n, terms in enumerate(sums):
+                terms.append(term * tangent**n)
+        self.lets += [(name, 8 * self.T**3 * sp.Add(*t[::-1])) for name, t in zip(names, sums, strict=True)]
+        return names
 
 
 class _Taylor:
@@ -251,11 +278,12 @@ class _Taylor:
             result += [self.named(f"{name}{k}", [-result[0] * inner])[0]]
         return result
 
-    def duplicated(self, x: sp.Expr, y: sp.Expr) -> list[sp.Expr]:
-        """Taylor coefficients of R_D(x, y, 1) by y (DLMF 19.26.20, 19.36.2)."""
+    def duplicated(self, x: sp.Expr, y: sp.Expr, by_second: bool) -> list[sp.Expr]:
+        """Taylor coefficients of R_D(x, y, 1) by y or by x (DLMF 19.26.20, 19.36.2)."""
         zeros = [sp.Integer(0)] * ORDERS
-        X = self.named("X", [x]) + zeros
-        Y = [*self.named("Y", [y]), sp.Integer(1), *zeros[1:]]
+        varied = [sp.Integer(1), *zeros[1:]]
+        X = self.named("X", [x]) + (zeros if by_second else varied)
+        Y = self.named("Y", [y]) + (varied if by_second else zeros)
         Z = [sp.Integer(1), *zeros]
         shares = []
         for n in range(DUPLICATIONS):
@@ -334,6 +362,26 @@ def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     return Regime((end,), (), tuple(quarter.lets), derivatives)
 
 
+def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol) -> Regime:
+    """The same where A exceeds u_cr by far: A is varied where it stands beside u, in A^-1 (A^2 - u^2)^(-1/2) u^2 du.
+
+    That leaves the force undifferentiated, and all terms have one sign.
+    """
+    quarter = _Detached(end)
+    W = quarter.far()
+    q = sp.Symbol("q", positive=True)
+    kernel = 1 / (A * sp.sqrt(A**2 - u**2))
+    rest = [a * A, a, 0, 0]
+    derivatives = []
+    for order in range(ORDERS + 1):
+        # u = A sin t, q = tan^2 t
+        ratio = (sp.diff(kernel, A, order) / kernel).subs(u, A * sp.sqrt(q / (1 + q)))
+        polynomial = sp.Poly(sp.simplify(ratio * A**order), q)
+        total = sum(c * W[n] for (n,), c in polynomial.terms())
+        derivatives.append(-rest[order] + 4 / sp.pi * b * A ** (1 - order) * total)
+    return Regime((end,), (end,), tuple(quarter.lets), tuple(derivatives))
+
+
 # --- both ---
 
 
@@ -369,6 +417,7 @@ def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Re
         Case("passed_0", ((A, end), (A, FEW)), attached(a, b, STEPS)),
         Case("passed_0_steep", ((A, end),), attached(a, b, STEPS_STEEP)),
         Case("passed_1", ((end, MODERATE),), detached(rest, b, end, steep=False)),
+        Case("passed_1_steep_far", ((AWAY * end, A),), far_detached(rest, b, end)),
         Case("passed_1_steep", (), detached(rest, b, end, steep=True)),
     )
     return Restoring(tuple(pieces), (end,), (sp.Integer(0),), closed_forms(a, b, rest, end), {}, cases)

@@ -139,7 +139,7 @@ def untruncated(mechanism: Mechanism, force: sp.Expr, names: dict[int, sp.Symbol
 
 
 def check_continuous(mechanism: Mechanism) -> None:
-    """Proof that an untruncated force does not jump where a piece ends: the condition `until` makes it that of the next."""
+    """Proof that an untruncated force does not jump: where a piece ends it is that of the next."""
     root = sp.sqrt(mechanism.length**2 - mechanism.x**2)
     height = sp.Symbol("height", positive=True)
     for piece, following in zip(mechanism.pieces, mechanism.pieces[1:], strict=False):

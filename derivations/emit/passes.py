@@ -8,6 +8,7 @@ Nothing is expanded, factored or rounded here: the structured forms keep digits 
 
 from __future__ import annotations
 
+import functools
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -31,6 +32,7 @@ class Program:
     counts: dict[str, int]
 
 
+@functools.cache
 def operations(expression: sp.Expr, within_product: bool = False) -> int:
     """Additions, multiplications, divisions, roots and function calls in evaluating the expression as written."""
     if is_constant(expression) or expression.is_Symbol:
@@ -49,6 +51,7 @@ def operations(expression: sp.Expr, within_product: bool = False) -> int:
     return inner + 1
 
 
+@functools.cache
 def is_constant(expression: sp.Basic) -> bool:
     """A number, such as 5/8 or 4/pi: printed as one literal."""
     return isinstance(expression, sp.Expr) and not expression.free_symbols
@@ -70,6 +73,7 @@ def straight_line(lets: Sequence[Let], outputs: Sequence[sp.Expr], reserved: Ite
     return Program(tuple(lets), tuple(outputs), counts)
 
 
+@functools.cache
 def _held(expression: sp.Expr) -> sp.Expr:
     """The expression with 2 (a + b) held as it is: rebuilding it, SymPy would multiply it out."""
     if not expression.args or is_constant(expression):

@@ -9,6 +9,7 @@ object that was not evaluated, a power that is not a chain.
 
 from __future__ import annotations
 
+import functools
 from typing import ClassVar
 
 import sympy as sp
@@ -123,7 +124,16 @@ class _Rules:
     _print_not_supported = emptyPrinter
 
     def doprint(self, expr: sp.Expr, assign_to: None = None) -> str:
-        """Source text of one expression."""
+        """Source text of one expression; kept, because kernels of one family share most of theirs."""
+        if expr not in self._kept:
+            self._kept[expr] = self._checked(expr)
+        return self._kept[expr]
+
+    @functools.cached_property
+    def _kept(self) -> dict[sp.Expr, str]:
+        return {}
+
+    def _checked(self, expr: sp.Expr) -> str:
         for node in sp.preorder_traversal(expr):
             number = getattr(node, "is_Rational", False) or node in (sp.pi, sp.oo)
             built = isinstance(node, sp.Symbol | sp.Add | sp.Mul | sp.Pow | sp.UnevaluatedExpr)

@@ -91,6 +91,28 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_loop(ptrdiff_t n, const double *
     }
 }
 
+SF_WIDE void rod_spring_exact_averaged_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], u_cr[i]};
+        double values[4];
+        rod_spring_exact_averaged_passed_1_steep_far(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
 SF_WIDE void rod_spring_exact_averaged_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -121,7 +143,7 @@ static SF_WIDE void rod_spring_exact_averaged_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -129,6 +151,7 @@ static const sf_loop rod_spring_exact_averaged_loops[] = {
     rod_spring_exact_averaged_passed_0_loop,
     rod_spring_exact_averaged_passed_0_steep_loop,
     rod_spring_exact_averaged_passed_1_loop,
+    rod_spring_exact_averaged_passed_1_steep_far_loop,
     rod_spring_exact_averaged_passed_1_steep_loop,
 };
 
@@ -192,6 +215,26 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_1_loop(ptrdiff_t n, const double
     }
 }
 
+SF_WIDE void rod_spring_exact_averaged_3_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], u_cr[i]};
+        double values[3];
+        rod_spring_exact_averaged_3_passed_1_steep_far(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+    }
+}
+
 SF_WIDE void rod_spring_exact_averaged_3_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -220,7 +263,7 @@ static SF_WIDE void rod_spring_exact_averaged_3_regime(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -228,6 +271,7 @@ static const sf_loop rod_spring_exact_averaged_3_loops[] = {
     rod_spring_exact_averaged_3_passed_0_loop,
     rod_spring_exact_averaged_3_passed_0_steep_loop,
     rod_spring_exact_averaged_3_passed_1_loop,
+    rod_spring_exact_averaged_3_passed_1_steep_far_loop,
     rod_spring_exact_averaged_3_passed_1_steep_loop,
 };
 
@@ -285,6 +329,24 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_1_loop(ptrdiff_t n, const double
     }
 }
 
+SF_WIDE void rod_spring_exact_averaged_2_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], u_cr[i]};
+        double values[2];
+        rod_spring_exact_averaged_2_passed_1_steep_far(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+    }
+}
+
 SF_WIDE void rod_spring_exact_averaged_2_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -311,7 +373,7 @@ static SF_WIDE void rod_spring_exact_averaged_2_regime(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -319,6 +381,7 @@ static const sf_loop rod_spring_exact_averaged_2_loops[] = {
     rod_spring_exact_averaged_2_passed_0_loop,
     rod_spring_exact_averaged_2_passed_0_steep_loop,
     rod_spring_exact_averaged_2_passed_1_loop,
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop,
     rod_spring_exact_averaged_2_passed_1_steep_loop,
 };
 
@@ -361,6 +424,19 @@ SF_WIDE void rod_spring_exact_h_passed_1_loop(ptrdiff_t n, const double *const *
     }
 }
 
+SF_WIDE void rod_spring_exact_h_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
 SF_WIDE void rod_spring_exact_h_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -382,7 +458,7 @@ static SF_WIDE void rod_spring_exact_h_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -390,6 +466,7 @@ static const sf_loop rod_spring_exact_h_loops[] = {
     rod_spring_exact_h_passed_0_loop,
     rod_spring_exact_h_passed_0_steep_loop,
     rod_spring_exact_h_passed_1_loop,
+    rod_spring_exact_h_passed_1_steep_far_loop,
     rod_spring_exact_h_passed_1_steep_loop,
 };
 
@@ -432,6 +509,19 @@ SF_WIDE void rod_spring_exact_h_A_passed_1_loop(ptrdiff_t n, const double *const
     }
 }
 
+SF_WIDE void rod_spring_exact_h_A_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_A_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
 SF_WIDE void rod_spring_exact_h_A_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -453,7 +543,7 @@ static SF_WIDE void rod_spring_exact_h_A_regime(ptrdiff_t n, const double *const
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -461,6 +551,7 @@ static const sf_loop rod_spring_exact_h_A_loops[] = {
     rod_spring_exact_h_A_passed_0_loop,
     rod_spring_exact_h_A_passed_0_steep_loop,
     rod_spring_exact_h_A_passed_1_loop,
+    rod_spring_exact_h_A_passed_1_steep_far_loop,
     rod_spring_exact_h_A_passed_1_steep_loop,
 };
 
@@ -503,6 +594,19 @@ SF_WIDE void rod_spring_exact_h_AA_passed_1_loop(ptrdiff_t n, const double *cons
     }
 }
 
+SF_WIDE void rod_spring_exact_h_AA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_AA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
 SF_WIDE void rod_spring_exact_h_AA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -524,7 +628,7 @@ static SF_WIDE void rod_spring_exact_h_AA_regime(ptrdiff_t n, const double *cons
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -532,6 +636,7 @@ static const sf_loop rod_spring_exact_h_AA_loops[] = {
     rod_spring_exact_h_AA_passed_0_loop,
     rod_spring_exact_h_AA_passed_0_steep_loop,
     rod_spring_exact_h_AA_passed_1_loop,
+    rod_spring_exact_h_AA_passed_1_steep_far_loop,
     rod_spring_exact_h_AA_passed_1_steep_loop,
 };
 
@@ -574,6 +679,19 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_1_loop(ptrdiff_t n, const double *con
     }
 }
 
+SF_WIDE void rod_spring_exact_h_AAA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_AAA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
 SF_WIDE void rod_spring_exact_h_AAA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -595,7 +713,7 @@ static SF_WIDE void rod_spring_exact_h_AAA_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -603,6 +721,7 @@ static const sf_loop rod_spring_exact_h_AAA_loops[] = {
     rod_spring_exact_h_AAA_passed_0_loop,
     rod_spring_exact_h_AAA_passed_0_steep_loop,
     rod_spring_exact_h_AAA_passed_1_loop,
+    rod_spring_exact_h_AAA_passed_1_steep_far_loop,
     rod_spring_exact_h_AAA_passed_1_steep_loop,
 };
 
@@ -645,6 +764,19 @@ SF_WIDE void rod_spring_exact_H_passed_1_loop(ptrdiff_t n, const double *const *
     }
 }
 
+SF_WIDE void rod_spring_exact_H_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_H_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
 SF_WIDE void rod_spring_exact_H_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -666,7 +798,7 @@ static SF_WIDE void rod_spring_exact_H_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -674,6 +806,7 @@ static const sf_loop rod_spring_exact_H_loops[] = {
     rod_spring_exact_H_passed_0_loop,
     rod_spring_exact_H_passed_0_steep_loop,
     rod_spring_exact_H_passed_1_loop,
+    rod_spring_exact_H_passed_1_steep_far_loop,
     rod_spring_exact_H_passed_1_steep_loop,
 };
 
@@ -716,6 +849,19 @@ SF_WIDE void rod_spring_exact_H_A_passed_1_loop(ptrdiff_t n, const double *const
     }
 }
 
+SF_WIDE void rod_spring_exact_H_A_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_H_A_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
 SF_WIDE void rod_spring_exact_H_A_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -737,7 +883,7 @@ static SF_WIDE void rod_spring_exact_H_A_regime(ptrdiff_t n, const double *const
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -745,6 +891,7 @@ static const sf_loop rod_spring_exact_H_A_loops[] = {
     rod_spring_exact_H_A_passed_0_loop,
     rod_spring_exact_H_A_passed_0_steep_loop,
     rod_spring_exact_H_A_passed_1_loop,
+    rod_spring_exact_H_A_passed_1_steep_far_loop,
     rod_spring_exact_H_A_passed_1_steep_loop,
 };
 
@@ -787,6 +934,19 @@ SF_WIDE void rod_spring_exact_H_AA_passed_1_loop(ptrdiff_t n, const double *cons
     }
 }
 
+SF_WIDE void rod_spring_exact_H_AA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_H_AA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
 SF_WIDE void rod_spring_exact_H_AA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -808,7 +968,7 @@ static SF_WIDE void rod_spring_exact_H_AA_regime(ptrdiff_t n, const double *cons
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -816,6 +976,7 @@ static const sf_loop rod_spring_exact_H_AA_loops[] = {
     rod_spring_exact_H_AA_passed_0_loop,
     rod_spring_exact_H_AA_passed_0_steep_loop,
     rod_spring_exact_H_AA_passed_1_loop,
+    rod_spring_exact_H_AA_passed_1_steep_far_loop,
     rod_spring_exact_H_AA_passed_1_steep_loop,
 };
 
@@ -992,6 +1153,14 @@ static void rod_spring_exact_R_chain_2(ptrdiff_t n, const double *const *in, dou
 static void rod_spring_exact_R_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
+}
+
+static void rod_spring_exact_R_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
@@ -1005,7 +1174,7 @@ static SF_WIDE void rod_spring_exact_R_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1014,6 +1183,7 @@ static const sf_loop rod_spring_exact_R_loops[] = {
     rod_spring_exact_R_chain_1,
     rod_spring_exact_R_chain_2,
     rod_spring_exact_R_chain_3,
+    rod_spring_exact_R_chain_4,
 };
 
 static void rod_spring_exact_I_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1062,6 +1232,16 @@ static void rod_spring_exact_F_chain_3(ptrdiff_t n, const double *const *in, dou
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_F_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
@@ -1075,7 +1255,7 @@ static SF_WIDE void rod_spring_exact_F_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1084,6 +1264,7 @@ static const sf_loop rod_spring_exact_F_loops[] = {
     rod_spring_exact_F_chain_1,
     rod_spring_exact_F_chain_2,
     rod_spring_exact_F_chain_3,
+    rod_spring_exact_F_chain_4,
 };
 
 static void rod_spring_exact_F_A_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1125,6 +1306,17 @@ static void rod_spring_exact_F_A_chain_3(ptrdiff_t n, const double *const *in, d
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_F_A_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -1138,7 +1330,7 @@ static SF_WIDE void rod_spring_exact_F_A_regime(ptrdiff_t n, const double *const
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1147,6 +1339,7 @@ static const sf_loop rod_spring_exact_F_A_loops[] = {
     rod_spring_exact_F_A_chain_1,
     rod_spring_exact_F_A_chain_2,
     rod_spring_exact_F_A_chain_3,
+    rod_spring_exact_F_A_chain_4,
 };
 
 static void rod_spring_exact_F_AA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1192,6 +1385,18 @@ static void rod_spring_exact_F_AA_chain_3(ptrdiff_t n, const double *const *in, 
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2});
+    slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
+}
+
+static void rod_spring_exact_F_AA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_3_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
@@ -1205,7 +1410,7 @@ static SF_WIDE void rod_spring_exact_F_AA_regime(ptrdiff_t n, const double *cons
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1214,6 +1419,7 @@ static const sf_loop rod_spring_exact_F_AA_loops[] = {
     rod_spring_exact_F_AA_chain_1,
     rod_spring_exact_F_AA_chain_2,
     rod_spring_exact_F_AA_chain_3,
+    rod_spring_exact_F_AA_chain_4,
 };
 
 static void rod_spring_exact_F_AAA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1263,6 +1469,19 @@ static void rod_spring_exact_F_AAA_chain_3(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2, average_3});
+    slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
+}
+
+static void rod_spring_exact_F_AAA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    double average_3[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
@@ -1276,7 +1495,7 @@ static SF_WIDE void rod_spring_exact_F_AAA_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1285,6 +1504,7 @@ static const sf_loop rod_spring_exact_F_AAA_loops[] = {
     rod_spring_exact_F_AAA_chain_1,
     rod_spring_exact_F_AAA_chain_2,
     rod_spring_exact_F_AAA_chain_3,
+    rod_spring_exact_F_AAA_chain_4,
 };
 
 static void rod_spring_exact_F_Omega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1322,6 +1542,16 @@ static void rod_spring_exact_F_Omega_chain_3(ptrdiff_t n, const double *const *i
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_F_Omega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
@@ -1335,7 +1565,7 @@ static SF_WIDE void rod_spring_exact_F_Omega_regime(ptrdiff_t n, const double *c
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1344,6 +1574,7 @@ static const sf_loop rod_spring_exact_F_Omega_loops[] = {
     rod_spring_exact_F_Omega_chain_1,
     rod_spring_exact_F_Omega_chain_2,
     rod_spring_exact_F_Omega_chain_3,
+    rod_spring_exact_F_Omega_chain_4,
 };
 
 static void rod_spring_exact_F_AOmega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1385,6 +1616,17 @@ static void rod_spring_exact_F_AOmega_chain_3(ptrdiff_t n, const double *const *
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_F_AOmega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -1398,7 +1640,7 @@ static SF_WIDE void rod_spring_exact_F_AOmega_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1407,6 +1649,7 @@ static const sf_loop rod_spring_exact_F_AOmega_loops[] = {
     rod_spring_exact_F_AOmega_chain_1,
     rod_spring_exact_F_AOmega_chain_2,
     rod_spring_exact_F_AOmega_chain_3,
+    rod_spring_exact_F_AOmega_chain_4,
 };
 
 static void rod_spring_exact_phase_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1444,6 +1687,16 @@ static void rod_spring_exact_phase_chain_3(ptrdiff_t n, const double *const *in,
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_phase_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
@@ -1457,7 +1710,7 @@ static SF_WIDE void rod_spring_exact_phase_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1466,6 +1719,7 @@ static const sf_loop rod_spring_exact_phase_loops[] = {
     rod_spring_exact_phase_chain_1,
     rod_spring_exact_phase_chain_2,
     rod_spring_exact_phase_chain_3,
+    rod_spring_exact_phase_chain_4,
 };
 
 static void rod_spring_exact_jacobian_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1507,6 +1761,17 @@ static void rod_spring_exact_jacobian_chain_3(ptrdiff_t n, const double *const *
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_jacobian_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -1520,7 +1785,7 @@ static SF_WIDE void rod_spring_exact_jacobian_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1529,6 +1794,7 @@ static const sf_loop rod_spring_exact_jacobian_loops[] = {
     rod_spring_exact_jacobian_chain_1,
     rod_spring_exact_jacobian_chain_2,
     rod_spring_exact_jacobian_chain_3,
+    rod_spring_exact_jacobian_chain_4,
 };
 
 static void rod_spring_exact_stability_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1570,6 +1836,17 @@ static void rod_spring_exact_stability_chain_3(ptrdiff_t n, const double *const 
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_stability_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -1583,7 +1860,7 @@ static SF_WIDE void rod_spring_exact_stability_regime(ptrdiff_t n, const double 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1592,6 +1869,7 @@ static const sf_loop rod_spring_exact_stability_loops[] = {
     rod_spring_exact_stability_chain_1,
     rod_spring_exact_stability_chain_2,
     rod_spring_exact_stability_chain_3,
+    rod_spring_exact_stability_chain_4,
 };
 
 static void rod_spring_exact_transmissibility_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1629,6 +1907,16 @@ static void rod_spring_exact_transmissibility_chain_3(ptrdiff_t n, const double 
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_transmissibility_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
@@ -1642,7 +1930,7 @@ static SF_WIDE void rod_spring_exact_transmissibility_regime(ptrdiff_t n, const 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1651,6 +1939,7 @@ static const sf_loop rod_spring_exact_transmissibility_loops[] = {
     rod_spring_exact_transmissibility_chain_1,
     rod_spring_exact_transmissibility_chain_2,
     rod_spring_exact_transmissibility_chain_3,
+    rod_spring_exact_transmissibility_chain_4,
 };
 
 static void rod_spring_exact_backbone_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1680,6 +1969,14 @@ static void rod_spring_exact_backbone_chain_2(ptrdiff_t n, const double *const *
 static void rod_spring_exact_backbone_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+        (double *[]){average_0});
+    slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
+}
+
+static void rod_spring_exact_backbone_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
@@ -1693,7 +1990,7 @@ static SF_WIDE void rod_spring_exact_backbone_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -1702,6 +1999,7 @@ static const sf_loop rod_spring_exact_backbone_loops[] = {
     rod_spring_exact_backbone_chain_1,
     rod_spring_exact_backbone_chain_2,
     rod_spring_exact_backbone_chain_3,
+    rod_spring_exact_backbone_chain_4,
 };
 
 static void rod_spring_exact_limit_envelope_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1729,34 +2027,34 @@ static const sf_loop rod_spring_exact_equivalent_damping_loops[] = {
 static const sf_kernel kernels[] = {
     {"averaged",
      "h, h_A, h_AA, h_AAA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 4, 4, 't', rod_spring_exact_averaged_regime, rod_spring_exact_averaged_loops},
+     4, 4, 5, 't', rod_spring_exact_averaged_regime, rod_spring_exact_averaged_loops},
     {"averaged_3",
      "h, h_A, h_AA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 3, 4, 't', rod_spring_exact_averaged_3_regime, rod_spring_exact_averaged_3_loops},
+     4, 3, 5, 't', rod_spring_exact_averaged_3_regime, rod_spring_exact_averaged_3_loops},
     {"averaged_2",
      "h, h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 2, 4, 't', rod_spring_exact_averaged_2_regime, rod_spring_exact_averaged_2_loops},
+     4, 2, 5, 't', rod_spring_exact_averaged_2_regime, rod_spring_exact_averaged_2_loops},
     {"h",
      "The averaged restoring force h = H - A. Equation (20)-(22). Domain: A >= 0.",
-     4, 1, 4, 's', rod_spring_exact_h_regime, rod_spring_exact_h_loops},
+     4, 1, 5, 's', rod_spring_exact_h_regime, rod_spring_exact_h_loops},
     {"h_A",
      "d/dA of the averaged restoring force h = H - A. Equation (31). Domain: A >= 0.",
-     4, 1, 4, 's', rod_spring_exact_h_A_regime, rod_spring_exact_h_A_loops},
+     4, 1, 5, 's', rod_spring_exact_h_A_regime, rod_spring_exact_h_A_loops},
     {"h_AA",
      "d2/dA2 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     4, 1, 4, 's', rod_spring_exact_h_AA_regime, rod_spring_exact_h_AA_loops},
+     4, 1, 5, 's', rod_spring_exact_h_AA_regime, rod_spring_exact_h_AA_loops},
     {"h_AAA",
      "d3/dA3 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     4, 1, 4, 's', rod_spring_exact_h_AAA_regime, rod_spring_exact_h_AAA_loops},
+     4, 1, 5, 's', rod_spring_exact_h_AAA_regime, rod_spring_exact_h_AAA_loops},
     {"H",
      "The averaged force H beside the vertical spring. Equation (20)-(22). Domain: A >= 0.",
-     4, 1, 4, 's', rod_spring_exact_H_regime, rod_spring_exact_H_loops},
+     4, 1, 5, 's', rod_spring_exact_H_regime, rod_spring_exact_H_loops},
     {"H_A",
      "d/dA of the averaged force H beside the vertical spring. Equation (31). Domain: A >= 0.",
-     4, 1, 4, 's', rod_spring_exact_H_A_regime, rod_spring_exact_H_A_loops},
+     4, 1, 5, 's', rod_spring_exact_H_A_regime, rod_spring_exact_H_A_loops},
     {"H_AA",
      "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
-     4, 1, 4, 's', rod_spring_exact_H_AA_regime, rod_spring_exact_H_AA_loops},
+     4, 1, 5, 's', rod_spring_exact_H_AA_regime, rod_spring_exact_H_AA_loops},
     {"coefficients",
      "The parameters alpha, beta, u_cr from the design ratios. Equation (5), (7). Domain: any ratios.",
      3, 3, 1, 't', NULL, rod_spring_exact_coefficients_loops},
@@ -1774,45 +2072,45 @@ static const sf_kernel kernels[] = {
      4, 1, 2, 's', rod_spring_exact_untruncated_force_regime, rod_spring_exact_untruncated_force_loops},
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_R_regime, rod_spring_exact_R_loops},
+     7, 1, 5, 's', rod_spring_exact_R_regime, rod_spring_exact_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
      7, 1, 1, 's', NULL, rod_spring_exact_I_loops},
     {"F",
      "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 4, 's', rod_spring_exact_F_regime, rod_spring_exact_F_loops},
+     8, 1, 5, 's', rod_spring_exact_F_regime, rod_spring_exact_F_loops},
     {"F_A",
      "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_F_A_regime, rod_spring_exact_F_A_loops},
+     7, 1, 5, 's', rod_spring_exact_F_A_regime, rod_spring_exact_F_A_loops},
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_F_AA_regime, rod_spring_exact_F_AA_loops},
+     7, 1, 5, 's', rod_spring_exact_F_AA_regime, rod_spring_exact_F_AA_loops},
     {"F_AAA",
      "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_F_AAA_regime, rod_spring_exact_F_AAA_loops},
+     7, 1, 5, 's', rod_spring_exact_F_AAA_regime, rod_spring_exact_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_F_Omega_regime, rod_spring_exact_F_Omega_loops},
+     7, 1, 5, 's', rod_spring_exact_F_Omega_regime, rod_spring_exact_F_Omega_loops},
     {"F_AOmega",
      "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_F_AOmega_regime, rod_spring_exact_F_AOmega_loops},
+     7, 1, 5, 's', rod_spring_exact_F_AOmega_regime, rod_spring_exact_F_AOmega_loops},
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_phase_regime, rod_spring_exact_phase_loops},
+     7, 1, 5, 's', rod_spring_exact_phase_regime, rod_spring_exact_phase_loops},
     {"jacobian",
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
-     7, 4, 4, 't', rod_spring_exact_jacobian_regime, rod_spring_exact_jacobian_loops},
+     7, 4, 5, 't', rod_spring_exact_jacobian_regime, rod_spring_exact_jacobian_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_stability_regime, rod_spring_exact_stability_loops},
+     7, 1, 5, 's', rod_spring_exact_stability_regime, rod_spring_exact_stability_loops},
     {"transmissibility",
      "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
      "0, A > 0, F_0 > 0.",
-     8, 1, 4, 's', rod_spring_exact_transmissibility_regime, rod_spring_exact_transmissibility_loops},
+     8, 1, 5, 's', rod_spring_exact_transmissibility_regime, rod_spring_exact_transmissibility_loops},
     {"backbone",
      "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     4, 1, 4, 's', rod_spring_exact_backbone_regime, rod_spring_exact_backbone_loops},
+     4, 1, 5, 's', rod_spring_exact_backbone_regime, rod_spring_exact_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",

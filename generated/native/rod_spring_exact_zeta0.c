@@ -11,18 +11,22 @@
 void rod_spring_exact_averaged_2_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_2_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_2_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_averaged_2_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_2_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_averaged_3_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_averaged_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_h_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void slow_flow_zeta0_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void slow_flow_zeta0_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out);
@@ -68,6 +72,14 @@ static void rod_spring_exact_zeta0_R_chain_2(ptrdiff_t n, const double *const *i
 static void rod_spring_exact_zeta0_R_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_zeta0_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
+}
+
+static void rod_spring_exact_zeta0_R_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_zeta0_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
@@ -81,7 +93,7 @@ static SF_WIDE void rod_spring_exact_zeta0_R_regime(ptrdiff_t n, const double *c
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -90,6 +102,7 @@ static const sf_loop rod_spring_exact_zeta0_R_loops[] = {
     rod_spring_exact_zeta0_R_chain_1,
     rod_spring_exact_zeta0_R_chain_2,
     rod_spring_exact_zeta0_R_chain_3,
+    rod_spring_exact_zeta0_R_chain_4,
 };
 
 static void rod_spring_exact_zeta0_I_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -138,6 +151,16 @@ static void rod_spring_exact_zeta0_F_chain_3(ptrdiff_t n, const double *const *i
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_zeta0_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_zeta0_F_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_zeta0_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
@@ -151,7 +174,7 @@ static SF_WIDE void rod_spring_exact_zeta0_F_regime(ptrdiff_t n, const double *c
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -160,6 +183,7 @@ static const sf_loop rod_spring_exact_zeta0_F_loops[] = {
     rod_spring_exact_zeta0_F_chain_1,
     rod_spring_exact_zeta0_F_chain_2,
     rod_spring_exact_zeta0_F_chain_3,
+    rod_spring_exact_zeta0_F_chain_4,
 };
 
 static void rod_spring_exact_zeta0_F_A_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -201,6 +225,17 @@ static void rod_spring_exact_zeta0_F_A_chain_3(ptrdiff_t n, const double *const 
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_zeta0_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_zeta0_F_A_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_zeta0_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -214,7 +249,7 @@ static SF_WIDE void rod_spring_exact_zeta0_F_A_regime(ptrdiff_t n, const double 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -223,6 +258,7 @@ static const sf_loop rod_spring_exact_zeta0_F_A_loops[] = {
     rod_spring_exact_zeta0_F_A_chain_1,
     rod_spring_exact_zeta0_F_A_chain_2,
     rod_spring_exact_zeta0_F_A_chain_3,
+    rod_spring_exact_zeta0_F_A_chain_4,
 };
 
 static void rod_spring_exact_zeta0_F_AA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -268,6 +304,18 @@ static void rod_spring_exact_zeta0_F_AA_chain_3(ptrdiff_t n, const double *const
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2});
+    slow_flow_zeta0_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
+}
+
+static void rod_spring_exact_zeta0_F_AA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_3_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_zeta0_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
@@ -281,7 +329,7 @@ static SF_WIDE void rod_spring_exact_zeta0_F_AA_regime(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -290,6 +338,7 @@ static const sf_loop rod_spring_exact_zeta0_F_AA_loops[] = {
     rod_spring_exact_zeta0_F_AA_chain_1,
     rod_spring_exact_zeta0_F_AA_chain_2,
     rod_spring_exact_zeta0_F_AA_chain_3,
+    rod_spring_exact_zeta0_F_AA_chain_4,
 };
 
 static void rod_spring_exact_zeta0_F_AAA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -339,6 +388,19 @@ static void rod_spring_exact_zeta0_F_AAA_chain_3(ptrdiff_t n, const double *cons
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2, average_3});
+    slow_flow_zeta0_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
+}
+
+static void rod_spring_exact_zeta0_F_AAA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    double average_3[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_zeta0_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
@@ -352,7 +414,7 @@ static SF_WIDE void rod_spring_exact_zeta0_F_AAA_regime(ptrdiff_t n, const doubl
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -361,6 +423,7 @@ static const sf_loop rod_spring_exact_zeta0_F_AAA_loops[] = {
     rod_spring_exact_zeta0_F_AAA_chain_1,
     rod_spring_exact_zeta0_F_AAA_chain_2,
     rod_spring_exact_zeta0_F_AAA_chain_3,
+    rod_spring_exact_zeta0_F_AAA_chain_4,
 };
 
 static void rod_spring_exact_zeta0_F_Omega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -398,6 +461,16 @@ static void rod_spring_exact_zeta0_F_Omega_chain_3(ptrdiff_t n, const double *co
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_zeta0_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_zeta0_F_Omega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_zeta0_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
@@ -411,7 +484,7 @@ static SF_WIDE void rod_spring_exact_zeta0_F_Omega_regime(ptrdiff_t n, const dou
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -420,6 +493,7 @@ static const sf_loop rod_spring_exact_zeta0_F_Omega_loops[] = {
     rod_spring_exact_zeta0_F_Omega_chain_1,
     rod_spring_exact_zeta0_F_Omega_chain_2,
     rod_spring_exact_zeta0_F_Omega_chain_3,
+    rod_spring_exact_zeta0_F_Omega_chain_4,
 };
 
 static void rod_spring_exact_zeta0_F_AOmega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -461,6 +535,17 @@ static void rod_spring_exact_zeta0_F_AOmega_chain_3(ptrdiff_t n, const double *c
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_zeta0_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_zeta0_F_AOmega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_zeta0_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -474,7 +559,7 @@ static SF_WIDE void rod_spring_exact_zeta0_F_AOmega_regime(ptrdiff_t n, const do
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -483,6 +568,7 @@ static const sf_loop rod_spring_exact_zeta0_F_AOmega_loops[] = {
     rod_spring_exact_zeta0_F_AOmega_chain_1,
     rod_spring_exact_zeta0_F_AOmega_chain_2,
     rod_spring_exact_zeta0_F_AOmega_chain_3,
+    rod_spring_exact_zeta0_F_AOmega_chain_4,
 };
 
 static void rod_spring_exact_zeta0_phase_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -520,6 +606,16 @@ static void rod_spring_exact_zeta0_phase_chain_3(ptrdiff_t n, const double *cons
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_zeta0_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_zeta0_phase_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_zeta0_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
@@ -533,7 +629,7 @@ static SF_WIDE void rod_spring_exact_zeta0_phase_regime(ptrdiff_t n, const doubl
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -542,6 +638,7 @@ static const sf_loop rod_spring_exact_zeta0_phase_loops[] = {
     rod_spring_exact_zeta0_phase_chain_1,
     rod_spring_exact_zeta0_phase_chain_2,
     rod_spring_exact_zeta0_phase_chain_3,
+    rod_spring_exact_zeta0_phase_chain_4,
 };
 
 static void rod_spring_exact_zeta0_jacobian_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -583,6 +680,17 @@ static void rod_spring_exact_zeta0_jacobian_chain_3(ptrdiff_t n, const double *c
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_zeta0_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_zeta0_jacobian_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_zeta0_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -596,7 +704,7 @@ static SF_WIDE void rod_spring_exact_zeta0_jacobian_regime(ptrdiff_t n, const do
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -605,6 +713,7 @@ static const sf_loop rod_spring_exact_zeta0_jacobian_loops[] = {
     rod_spring_exact_zeta0_jacobian_chain_1,
     rod_spring_exact_zeta0_jacobian_chain_2,
     rod_spring_exact_zeta0_jacobian_chain_3,
+    rod_spring_exact_zeta0_jacobian_chain_4,
 };
 
 static void rod_spring_exact_zeta0_stability_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -646,6 +755,17 @@ static void rod_spring_exact_zeta0_stability_chain_3(ptrdiff_t n, const double *
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_zeta0_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_zeta0_stability_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_zeta0_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
@@ -659,7 +779,7 @@ static SF_WIDE void rod_spring_exact_zeta0_stability_regime(ptrdiff_t n, const d
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -668,6 +788,7 @@ static const sf_loop rod_spring_exact_zeta0_stability_loops[] = {
     rod_spring_exact_zeta0_stability_chain_1,
     rod_spring_exact_zeta0_stability_chain_2,
     rod_spring_exact_zeta0_stability_chain_3,
+    rod_spring_exact_zeta0_stability_chain_4,
 };
 
 static void rod_spring_exact_zeta0_transmissibility_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -705,6 +826,16 @@ static void rod_spring_exact_zeta0_transmissibility_chain_3(ptrdiff_t n, const d
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_zeta0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_zeta0_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_zeta0_transmissibility_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_zeta0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_zeta0_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
@@ -718,7 +849,7 @@ static SF_WIDE void rod_spring_exact_zeta0_transmissibility_regime(ptrdiff_t n, 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -727,6 +858,7 @@ static const sf_loop rod_spring_exact_zeta0_transmissibility_loops[] = {
     rod_spring_exact_zeta0_transmissibility_chain_1,
     rod_spring_exact_zeta0_transmissibility_chain_2,
     rod_spring_exact_zeta0_transmissibility_chain_3,
+    rod_spring_exact_zeta0_transmissibility_chain_4,
 };
 
 static void rod_spring_exact_zeta0_backbone_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -756,6 +888,14 @@ static void rod_spring_exact_zeta0_backbone_chain_2(ptrdiff_t n, const double *c
 static void rod_spring_exact_zeta0_backbone_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+        (double *[]){average_0});
+    slow_flow_zeta0_backbone_loop(n, (const double *[]){in[0], average_0}, out);
+}
+
+static void rod_spring_exact_zeta0_backbone_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_zeta0_backbone_loop(n, (const double *[]){in[0], average_0}, out);
@@ -769,7 +909,7 @@ static SF_WIDE void rod_spring_exact_zeta0_backbone_regime(ptrdiff_t n, const do
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 3;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
     }
 }
 
@@ -778,6 +918,7 @@ static const sf_loop rod_spring_exact_zeta0_backbone_loops[] = {
     rod_spring_exact_zeta0_backbone_chain_1,
     rod_spring_exact_zeta0_backbone_chain_2,
     rod_spring_exact_zeta0_backbone_chain_3,
+    rod_spring_exact_zeta0_backbone_chain_4,
 };
 
 static void rod_spring_exact_zeta0_limit_envelope_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -805,45 +946,45 @@ static const sf_loop rod_spring_exact_zeta0_equivalent_damping_loops[] = {
 static const sf_kernel kernels[] = {
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_R_regime, rod_spring_exact_zeta0_R_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_R_regime, rod_spring_exact_zeta0_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
      7, 1, 1, 's', NULL, rod_spring_exact_zeta0_I_loops},
     {"F",
      "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 4, 's', rod_spring_exact_zeta0_F_regime, rod_spring_exact_zeta0_F_loops},
+     8, 1, 5, 's', rod_spring_exact_zeta0_F_regime, rod_spring_exact_zeta0_F_loops},
     {"F_A",
      "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_F_A_regime, rod_spring_exact_zeta0_F_A_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_F_A_regime, rod_spring_exact_zeta0_F_A_loops},
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_F_AA_regime, rod_spring_exact_zeta0_F_AA_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_F_AA_regime, rod_spring_exact_zeta0_F_AA_loops},
     {"F_AAA",
      "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_F_AAA_regime, rod_spring_exact_zeta0_F_AAA_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_F_AAA_regime, rod_spring_exact_zeta0_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_F_Omega_regime, rod_spring_exact_zeta0_F_Omega_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_F_Omega_regime, rod_spring_exact_zeta0_F_Omega_loops},
     {"F_AOmega",
      "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_F_AOmega_regime, rod_spring_exact_zeta0_F_AOmega_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_F_AOmega_regime, rod_spring_exact_zeta0_F_AOmega_loops},
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_phase_regime, rod_spring_exact_zeta0_phase_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_phase_regime, rod_spring_exact_zeta0_phase_loops},
     {"jacobian",
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
-     7, 4, 4, 't', rod_spring_exact_zeta0_jacobian_regime, rod_spring_exact_zeta0_jacobian_loops},
+     7, 4, 5, 't', rod_spring_exact_zeta0_jacobian_regime, rod_spring_exact_zeta0_jacobian_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
-     7, 1, 4, 's', rod_spring_exact_zeta0_stability_regime, rod_spring_exact_zeta0_stability_loops},
+     7, 1, 5, 's', rod_spring_exact_zeta0_stability_regime, rod_spring_exact_zeta0_stability_loops},
     {"transmissibility",
      "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
      "0, A > 0, F_0 > 0.",
-     8, 1, 4, 's', rod_spring_exact_zeta0_transmissibility_regime, rod_spring_exact_zeta0_transmissibility_loops},
+     8, 1, 5, 's', rod_spring_exact_zeta0_transmissibility_regime, rod_spring_exact_zeta0_transmissibility_loops},
     {"backbone",
      "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     4, 1, 4, 's', rod_spring_exact_zeta0_backbone_regime, rod_spring_exact_zeta0_backbone_loops},
+     4, 1, 5, 's', rod_spring_exact_zeta0_backbone_regime, rod_spring_exact_zeta0_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",

@@ -276,8 +276,8 @@ class Isolator(Oscillator):
     delta_h -- preload of the horizontal springs over the rod length, in [0, 1); 0 is a linear oscillator, and more than
                1/(lam r) is a negative stiffness at rest, which works with a warning
     mu, zeta -- dry friction and viscous damping ratio, >= 0
-    force    -- what is averaged: "truncated" is the fifth-order polynomial (6), which jumps at u_cr, "exact" the force as
-               the geometry gives it (5)
+    force    -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "exact" for the
+                force as the geometry gives it (5)
     """
 
     def __init__(

@@ -39,7 +39,7 @@ class Row:
 
 def table_1_isolator() -> Isolator:
     """The isolator of Table 1."""
-    values = {name: float(value) for name, value in published.TABLE_1.items()}
+    values: dict[str, Any] = {name: float(value) for name, value in published.TABLE_1.items()}
     return Isolator(**values)
 
 

@@ -1,0 +1,227 @@
+"""Isolators with force="exact": folds, onset and detachment against quadrature of the force (5) in mpmath.
+
+The reference knows the geometry only: a rod of length 1, lam springs of stiffness r, shortened by delta_h. Newton's step
+from an answer to the reference's solution is the answer's error.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+from scipy.special import roots_legendre
+from slowflow_kernels import rod_spring, rod_spring_exact
+
+from slowflow import Isolator
+
+pytestmark = pytest.mark.both_backends
+
+DIGITS = 30
+STEP = mpf(10) ** -10
+BOUND = 1e-12
+
+
+def designs(count: int) -> list[dict[str, float]]:
+    """Seeded isolators: up to 2 in stiffness taken away, small and large preload."""
+    rng = np.random.default_rng(20250408)
+    found = []
+    for _ in range(count):
+        delta_h = float(rng.uniform(0.02, 0.6))
+        lam = int(rng.integers(1, 5))
+        r = float(rng.uniform(0.2, 1.1)) / (lam * delta_h)
+        found.append(
+            {
+                "lam": lam,
+                "r": r,
+                "delta_h": delta_h,
+                "mu": float(rng.uniform(0, 0.012)),
+                "zeta": float(rng.uniform(0.01, 0.04)),
+            }
+        )
+    return found
+
+
+DESIGNS = designs(20)
+
+
+class Reference:
+    """h and its slope by quadrature, at 30 digits."""
+
+    def __init__(self, lam, r, delta_h, mu, zeta):
+        self.stiffness, self.delta_h = mpf(lam) * mpf(r), mpf(delta_h)
+        self.m, self.zeta = 4 * mpf(mu) / mp.pi, mpf(zeta)
+        self.u_cr = mp.sqrt(1 - (1 - self.delta_h) ** 2)
+
+    def force(self, u):
+        """The horizontal springs' share of f and f'."""
+        height = mp.sqrt(1 - u**2)
+        compression = self.delta_h - 1 + height
+        return -self.stiffness * compression * u / height, -self.stiffness * (1 - (1 - self.delta_h) / height**3)
+
+    def h(self, A):
+        """h and h_A; the force is continuous, so that its ends add nothing to h_A."""
+        end = mp.asin(self.u_cr / A) if A > self.u_cr else mp.pi / 2
+        cuts = [end * (1 - mpf(4) ** -k) for k in range(4)] + [end]
+
+        def share(t):
+            s = mp.sin(t)
+            force, slope = self.force(A * s)
+            return mp.mpc(force * s, slope * s * s)
+
+        total = mp.quad(share, cuts, method="gauss-legendre")
+        return -A - 4 / mp.pi * total.real, -1 - 4 / mp.pi * total.imag
+
+    def balances(self, Omega, A):
+        """R, I, F_A/2, and F_Omega/(4 A)."""
+        h, h_A = self.h(A)
+        R, I = A * Omega**2 + h, 2 * self.zeta * A * Omega + self.m
+        return R, I, R * (Omega**2 + h_A) + 2 * self.zeta * Omega * I, Omega * R + self.zeta * I
+
+    def newton(self, equations, Omega, A):
+        """One step in (Omega, A) on two equations, by difference quotients."""
+        here = equations(Omega, A)
+        by_Omega = [(b - a) / STEP for a, b in zip(here, equations(Omega + STEP, A), strict=True)]
+        by_A = [(b - a) / STEP for a, b in zip(here, equations(Omega, A + STEP), strict=True)]
+        return mp.lu_solve(mp.matrix([[x, y] for x, y in zip(by_Omega, by_A, strict=True)]), -mp.matrix(here))
+
+
+def forcing(F_cr: float, F_SN: float | None, m: float) -> list[float]:
+    return [F_0 for F_0 in (0.9 * F_cr, 1.1 * F_cr, 1.6 * F_cr) if F_SN and F_0 > max(F_SN, m)]
+
+
+@pytest.mark.parametrize("k", range(len(DESIGNS)))
+def test_against_quadrature(k):
+    design = DESIGNS[k]
+    with pytest.MonkeyPatch.context() as patch, mp.workdps(DIGITS):
+        patch.setattr("warnings.warn", lambda *_, **__: None)  # of a negative stiffness at rest
+        isolator, reference = Isolator(**design, force="exact"), Reference(**design)
+
+        found = isolator.detachment()
+        assert float(reference.u_cr) == pytest.approx(found.u_cr, rel=4e-16)
+        Omega = mpf(found.Omega_cr)
+        if Omega > 0:
+            at = lambda w: reference.balances(w, reference.u_cr)[3]  # noqa: E731
+            Omega -= at(Omega) * STEP / (at(Omega + STEP) - at(Omega))
+        R, I, _, _ = reference.balances(Omega, reference.u_cr)
+        assert abs(found.F_cr / mp.hypot(R, I) - 1) < BOUND
+        assert abs(found.Omega_cr - Omega) < BOUND
+
+        onset = isolator.saddle_node_onset()
+        if onset.F_SN is not None:
+            check_onset(reference, onset)
+        for F_0 in forcing(found.F_cr, onset.F_SN, isolator.sticking_forcing):
+            folds = isolator.saddle_nodes(F_0)
+            assert not folds.corner.any()
+            assert len(folds) == folds_by_scanning(design, F_0)
+
+            def on_fold(w, A, F_0=F_0):
+                R, I, half_F_A, _ = reference.balances(w, A)
+                return R**2 + I**2 - mpf(F_0) ** 2, half_F_A
+
+            for Omega, A in zip(folds.Omega, folds.A, strict=True):
+                step = reference.newton(on_fold, mpf(Omega), mpf(A))
+                assert abs(step[0] / Omega) < BOUND
+                assert abs(step[1] / A) < BOUND
+
+
+def check_onset(reference, onset):
+    """F_SN is a stationary value of the level along the fold locus, or its value at u_cr."""
+    Omega, A = mpf(onset.Omega), mpf(onset.A)
+    if onset.kind == "corner":
+        A = reference.u_cr
+        at = lambda w: reference.balances(w, A)[2]  # noqa: E731
+        Omega -= at(Omega) * STEP / (at(Omega + STEP) - at(Omega))
+    else:
+        # only F_A = 0 has to be met: the level is stationary along it
+        half_F_A = reference.balances(Omega, A)[2]
+        Omega -= half_F_A * STEP / (reference.balances(Omega + STEP, A)[2] - half_F_A)
+    R, I, _, _ = reference.balances(Omega, A)
+    assert abs(onset.F_SN / mp.hypot(R, I) - 1) < BOUND
+
+
+def folds_by_scanning(design: dict[str, float], F_0: float) -> int:
+    """How often F_A changes its sign along the branches Omega(A) of the response, on a fine mesh of amplitudes."""
+    x, weight = roots_legendre(60)
+    delta_h, stiffness = design["delta_h"], design["lam"] * design["r"]
+    u_cr, m, zeta = np.sqrt(delta_h * (2 - delta_h)), 4 * design["mu"] / np.pi, design["zeta"]
+
+    def signs(A):
+        """Of F_A at each Omega, by rising Omega."""
+        end = np.arcsin(min(1.0, u_cr / A))
+        s = np.sin(end * (x + 1) / 2)
+        height = np.sqrt(1 - (A * s) ** 2)
+        w = end / 2 * weight * 4 / np.pi
+        h = -A + w @ (stiffness * (delta_h - 1 + height) * A * s**2 / height)
+        h_A = -1 + w @ (stiffness * (1 - (1 - delta_h) / height**3) * s**2)
+        roots = np.roots([A**2, 0, 2 * A * h + 4 * zeta**2 * A**2, 4 * zeta * A * m, h**2 + (m - F_0) * (m + F_0)])
+        Omega = np.sort(roots[(abs(roots.imag) < 1e-9) & (roots.real > 0)].real)
+        R, I = A * Omega**2 + h, 2 * zeta * A * Omega + m
+        return R * (Omega**2 + h_A) + 2 * zeta * Omega * I > 0
+
+    def between(low, at_low, high, at_high, depth=20):
+        if at_low.size == at_high.size:
+            return int((at_low != at_high).sum())
+        if depth == 0:
+            return 0
+        middle = (low + high) / 2
+        at_middle = signs(middle)
+        below = between(low, at_low, middle, at_middle, depth - 1)
+        return below + between(middle, at_middle, high, at_high, depth - 1)
+
+    mesh = np.concatenate([np.linspace(1e-3, u_cr, 600), u_cr + np.geomspace(1e-9, 3, 1200)])
+    found = [signs(A) for A in mesh]
+    return sum(between(*pair) for pair in zip(mesh, found, mesh[1:], found[1:], strict=False))
+
+
+def test_no_preload_is_linear():
+    isolator = Isolator(lam=3, r=2.0, delta_h=0.0, mu=0.01, zeta=0.02, force="exact")
+    A = np.array([1e-3, 0.4, 2.0])
+    np.testing.assert_allclose(isolator.backbone(A), 1.0, rtol=1e-15)
+    assert isolator.saddle_node_onset().F_SN is None
+
+
+def test_vanishing_preload_is_linear():
+    """delta_h -> 0 at given lam r: h -> -A, as u_cr^3 beyond u_cr."""
+    A = np.array([0.05, 0.3, 1.0, 2.0])
+    for delta_h in (1e-6, 1e-9, 1e-12):
+        p = rod_spring_exact.coefficients(3.0, 2.0, delta_h)
+        u_cr = float(p[-1])
+        h = rod_spring_exact.h(A, *p)
+        # the springs take at most lam r delta_h |u| off the force, over |u| < u_cr: H < (4/pi) lam r delta_h u_cr theta^2
+        bound = 4 / np.pi * 6.0 * delta_h * u_cr * (1.1 * u_cr / A) ** 2
+        assert (np.abs(h + A) <= bound + 2e-16 * A).all()
+
+
+@pytest.mark.parametrize(("lam", "r", "delta_h"), [(3, 3747 / 1848, 1848 / (6 * 3747)), (4, 2.0, 0.125)])
+def test_truncation_is_of_seventh_order(lam, r, delta_h):
+    """h - h_truncated = -(35/64)(5/8) beta A^7 (1 + O(A^2)): the term of u^7 in (5) is (5/8) beta."""
+    exact, truncated = rod_spring_exact.coefficients(lam, r, delta_h), rod_spring.coefficients(lam, r, delta_h)
+    A = np.array([0.05, 0.1, 0.2])
+    difference = rod_spring_exact.h(A, *exact) - rod_spring.h(A, *truncated)
+    leading = -35 / 64 * 5 / 8 * float(exact[1]) * A**7
+    np.testing.assert_allclose(difference, leading, rtol=0.04, atol=2e-17)
+
+
+def test_quasi_zero_stiffness_keeps_its_digits():
+    """lam r delta_h = 1: h falls as A^3, -(3/4) beta A^3 (1 + (5/8) A^2 (1 + ...))."""
+    alpha, beta, u_cr = rod_spring_exact.coefficients(4.0, 2.0, 0.125)
+    assert alpha == 0
+    A = np.array([1e-8, 1e-5, 1e-3])
+    np.testing.assert_allclose(
+        rod_spring_exact.h(A, alpha, beta, u_cr), -0.75 * beta * A**3 * (1 + 0.625 * A**2), rtol=1e-12
+    )
+
+
+def test_the_force_must_be_known():
+    with pytest.raises(ValueError, match="force"):
+        Isolator(lam=3, r=2.0, delta_h=0.1, force="untruncated")
+    with pytest.raises(ValueError, match="force"):
+        Isolator.many(lam=3, r=2.0, delta_h=0.1, force="")
+
+
+def test_many_takes_the_force():
+    values = {"lam": 3, "r": 2.0, "delta_h": np.array([0.05, 0.08]), "mu": 0.01, "zeta": 0.02}
+    together = Isolator.many(**values, force="exact").detachment()
+    alone = [Isolator(**{**values, "delta_h": d}, force="exact").detachment().F_cr for d in (0.05, 0.08)]
+    np.testing.assert_allclose(together.F_cr, alone, rtol=1e-14)
+    assert (together.F_cr != Isolator.many(**values).detachment().F_cr).all()
