@@ -6,6 +6,7 @@ committed, so that building it needs NumPy's headers and nothing that derives or
 To the solver's extension a further source is added by putting it into src/slowflow/native/solver/.
 """
 
+import os
 import sysconfig
 from pathlib import Path
 
@@ -55,5 +56,8 @@ setup(
         extension("slowflow._native", (NATIVE / "solver").glob("*.c")),
     ],
     cmdclass={"build_ext": Build},
-    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI else {},
+    options={
+        "build_ext": {"parallel": os.cpu_count()},
+        **({"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI else {}),
+    },
 )
