@@ -27,7 +27,11 @@ MARKERS = dict(zip(COLOURS, "oso^Dv", strict=True))
 BELOW, ABOVE = ((0, -7), "center", "top"), ((0, 7), "center", "bottom")
 LEFT, RIGHT = ((-8, 0), "right", "center"), ((9, 0), "left", "center")
 #: where a method's name stands beside its most accurate point, if not below it
-PLACES = {("response", "numpy.roots"): ((-28, -3), "right", "top"), ("folds", "numpy.roots"): LEFT}
+PLACES = {
+    ("response", "numpy.roots"): ((-28, -3), "right", "top"),
+    ("folds", "numpy.roots"): LEFT,
+    ("onset", "numpy.roots"): RIGHT,
+}
 #: methods named above their least accurate point
 ON_TOP = ("bracketing",)
 #: the same for the pictures of cost against size, if not to the right of the last point
@@ -40,7 +44,7 @@ def draw(results: dict[str, Any], folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     with matplotlib.rc_context(STYLE):
         scenes = results["scenes"]
-        figure, axes = plt.subplots(1, len(scenes), figsize=(4.2 * len(scenes), 4.4), layout="constrained", sharey=True)
+        figure, axes = plt.subplots(1, len(scenes), figsize=(4.6 * len(scenes), 4.4), layout="constrained", sharey=True)
         for scene, ax in zip(scenes, axes, strict=True):
             _scene(ax, scene)
         axes[0].set_ylabel("relative error: largest (marker) down to median (bar)")
@@ -64,9 +68,7 @@ def _save(figure: Any, path: Path) -> None:
 
 
 def _scene(ax: Axes, scene: dict[str, Any]) -> None:
-    ax.set(
-        xscale="log", yscale="log", ylim=(1e-19, 10), xlabel="seconds", title=f"{scene['title']} ({scene['sought']})"
-    )
+    ax.set(xscale="log", yscale="log", ylim=(1e-19, 10), xlabel="seconds", title=scene["title"])
     ax.title.set_fontsize(10)
     ax.axhline(U, color="0.8", lw=0.8, zorder=0)
     ax.annotate("u = 2⁻⁵³", (1, U), xycoords=("axes fraction", "data"), ha="right", va="bottom", color="0.5", size=7.5)
@@ -86,7 +88,7 @@ def _scene(ax: Axes, scene: dict[str, Any]) -> None:
             ax.plot(row["seconds"], high, marker, color=colour, mfc=colour if whole else "white", ms=6.5)
             if not whole and setting not in said:
                 said.append(setting)
-                side = LEFT if setting == leftmost and len(rows) > 1 else RIGHT
+                side = ABOVE if len(rows) == 1 else LEFT if setting == leftmost else RIGHT
                 _beside(ax, row["seconds"], high, f"{setting}: {row['missed']} missed", colour, side)
         found = sorted((row for row in rows if row["error"] is not None), key=lambda row: row["error_max"])
         if method in ON_TOP:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+import os
 import statistics
 import subprocess
 import sys
@@ -15,6 +15,21 @@ import numpy
 between = time.perf_counter()
 import slowflow
 print(between - start, time.perf_counter() - between)
+"""
+
+LOADING = """
+import importlib, time
+import numpy
+load = importlib.import_module
+def timed(name, package=None):
+    start = time.perf_counter()
+    module = load(name, package)
+    print(name, time.perf_counter() - start)
+    return module
+importlib.import_module = timed
+start = time.perf_counter()
+import slowflow
+print("all", time.perf_counter() - start)
 """
 
 REMEMBERING = """
@@ -44,8 +59,16 @@ print(max(0, beyond - answers), answers)
 
 def run(code: str, *arguments: str) -> list[float]:
     """Numbers printed by a fresh interpreter."""
-    done = subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True)
-    return [float(word) for word in done.stdout.split()]
+    return [float(word) for word in fresh(code, *arguments).split()]
+
+
+def fresh(code: str, *arguments: str) -> str:
+    """What a fresh interpreter prints; bytecode is kept, as it is by default and in an installed package."""
+    settings = {key: value for key, value in os.environ.items() if key != "PYTHONDONTWRITEBYTECODE"}
+    done = subprocess.run(
+        [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True, env=settings
+    )
+    return done.stdout
 
 
 def importing(times: int = 15) -> tuple[float, float]:
@@ -56,16 +79,9 @@ def importing(times: int = 15) -> tuple[float, float]:
 
 
 def modules(count: int = 4) -> list[tuple[str, float]]:
-    """The modules that take longest on the way, with their own seconds."""
-    done = subprocess.run(
-        [sys.executable, "-X", "importtime", "-c", "import numpy; import slowflow"],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    after_numpy = re.split(r"\|\s*numpy\n", done.stderr)[1]
-    own = re.findall(r"import time:\s*(\d+) \|\s*\d+ \|\s*(\S+)", after_numpy)
-    return sorted(((name, int(us) / 1e6) for us, name in own), key=lambda pair: -pair[1])[:count]
+    """The generated modules that the import loads by name, which -X importtime does not see, and their seconds."""
+    spent = [line.split() for line in fresh(LOADING).splitlines()]
+    return sorted(((name, float(seconds)) for name, seconds in spent), key=lambda pair: -pair[1])[:count]
 
 
 def memory(count: int) -> dict[str, Any]:

@@ -12,7 +12,10 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
+
+import numpy as np
 
 from benchmarks import footprint
 from benchmarks.document import quantity
@@ -92,9 +95,22 @@ def _counted(code: str, times: int) -> int:
 
 
 def imports() -> list[str]:
-    """The modules that an import spends longest on."""
-    own = ", ".join(f"{name} {quantity(seconds, 's')}" for name, seconds in footprint.modules())
-    return [f"import slowflow, the modules that take longest by themselves (under -X importtime): {own}"]
+    """The generated modules that an import spends longest on."""
+    own = ", ".join(f"{name} {quantity(seconds, 's')}" for name, seconds in footprint.modules(5))
+    return [f"import slowflow, what takes longest (each module with those that it loads first): {own}"]
+
+
+def traffic(count: int = 10**6) -> list[str]:
+    """What a point costs that is only moved: one double read, two written, as a kernel does."""
+    amplitudes, results = np.linspace(0.1, 0.3, count), np.empty((2, count))
+    times = []
+    for _ in range(20):
+        start = time.perf_counter()
+        np.modf(amplitudes, out=(results[0], results[1]))
+        times.append(time.perf_counter() - start)
+    return [
+        f"reading one double and writing two, numpy.modf on 10⁶ points: {quantity(min(times) / count, 's')} a point"
+    ]
 
 
 def of(kinds: set[str]) -> list[str]:
@@ -102,6 +118,8 @@ def of(kinds: set[str]) -> list[str]:
     out = []
     if "import" in kinds:
         out += imports()
+    if "kernel" in kinds:
+        out += traffic()
     if kinds & {"quartic", "kernel", *WORK}:
         out += libm()
     return out + instructions(kinds & WORK.keys())
