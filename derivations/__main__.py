@@ -20,6 +20,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from derivations import ledger
@@ -35,23 +36,39 @@ HASH_SEEDS = ("0", "20250415")
 
 def generate() -> dict[str, str]:
     """Stages 1 to 6: every generated file, by name."""
-    results = derive()
-    modules = all_modules(results)
-    files, counts = render(modules)
-    files |= native_files(modules)
-    files |= ledger.files(results)
+    # The ledger and the kernels know nothing of each other: one process each. Both derive, because an expression that
+    # has passed from one process to another need not print the same.
+    with ProcessPoolExecutor(max_workers=1) as other:
+        judged = other.submit(judge)
+        results = derive()
+        modules = all_modules(results)
+        files, counts = render(modules)
+        files |= native_files(modules)
+        files |= judged.result()
     return files | {MANIFEST: manifest(files, results, modules, counts)}
+
+
+def judge() -> dict[str, str]:
+    """The ledger's files."""
+    return ledger.files(derive())
 
 
 def check(folder: Path) -> list[str]:
     """What differs between `folder` and what the derivation writes now: once if it is the same under each hash seed."""
     found = on_disk(folder)
-    reports = []
-    for seed in HASH_SEEDS:
-        with tempfile.TemporaryDirectory() as scratch:
-            command = [sys.executable, "-m", "derivations", "--out", scratch]
-            subprocess.run(command, check=True, cwd=ROOT, env={**os.environ, "PYTHONHASHSEED": seed})
-            reports.append(differences(on_disk(Path(scratch)), found, folder.name))
+    with tempfile.TemporaryDirectory() as scratch:
+        started = [
+            subprocess.Popen(
+                [sys.executable, "-m", "derivations", "--out", f"{scratch}/{seed}"],
+                cwd=ROOT,
+                env={**os.environ, "PYTHONHASHSEED": seed},
+            )
+            for seed in HASH_SEEDS
+        ]
+        for process in started:
+            if process.wait():
+                raise subprocess.CalledProcessError(process.returncode, process.args)
+        reports = [differences(on_disk(Path(scratch) / seed), found, folder.name) for seed in HASH_SEEDS]
     if all(report == reports[0] for report in reports):
         return reports[0]
     by_seed = zip(HASH_SEEDS, reports, strict=True)
