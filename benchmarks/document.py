@@ -79,7 +79,7 @@ def peers_table(rows: list[dict[str, Any]]) -> list[str]:
             continue
         error = "-" if row["fold_error"] is None else f"{row['fold_error']:.1e}"
         folds = f"{row['folds_found']} of 2" + (
-            f", {row['folds_reported'] - row['folds_found']} false"
+            f", {row['folds_reported'] - row['folds_found']} elsewhere"
             if row["folds_reported"] > row["folds_found"]
             else ""
         )

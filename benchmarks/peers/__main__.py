@@ -11,6 +11,7 @@ import argparse
 import importlib
 import json
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -80,6 +81,9 @@ def measure(peers: list[str], rounds: int) -> list[dict[str, Any]]:
             row = {"peer": adapter.NAME, "what": adapter.WHAT}
             print(f"{adapter.NAME} ...", file=sys.stderr, flush=True)
             try:
+                for program in getattr(adapter, "PROGRAMS", ()):
+                    if shutil.which(program) is None:
+                        raise Failure(f"does not install: there is no {program}")
                 python = interpreter(name, adapter.PACKAGES)
                 row["versions"] = versions(python, adapter.PACKAGES)
                 # some peers write settings into the home folder

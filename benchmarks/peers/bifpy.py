@@ -2,6 +2,7 @@
 
 NAME = "AUTO-07p by bifpy"
 PACKAGES = ("bifpy",)
+PROGRAMS = ("gfortran", "make")
 WHAT = "continuation of the slow flow's equilibria, its own fold detection"
 
 STEPS = {"large steps": (0.005, 0.01), "small steps": (0.001, 0.003)}

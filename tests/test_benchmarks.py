@@ -1,0 +1,59 @@
+"""What the benchmarks compare with: the peers' problem and the 40-digit equations against the kernels; the judging."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+from benchmarks import certified, document, work_precision
+from benchmarks.peers import problem
+from slowflow_kernels import rod_spring, slow_flow
+
+P = tuple(float(x) for x in rod_spring.coefficients(*(certified.TABLE_1[key] for key in ("lam", "r", "delta_h"))))
+AMPLITUDES = (0.05, 0.2, 0.39, 0.41, 0.5, 0.62)
+
+
+@pytest.mark.parametrize("A", AMPLITUDES)
+def test_the_peers_problem_is_the_derived_one(A: float) -> None:
+    h, h_A = (float(x) for x in rod_spring.averaged_2(A, *P))
+    assert problem.averaged(A) == pytest.approx(h, rel=1e-13)
+    assert problem.averaged_A(A) == pytest.approx(h_A, rel=1e-12)
+    F, half_F_A = problem.response(0.9, A)
+    m = float(slow_flow.friction(problem.MU))
+    assert F == pytest.approx(float(slow_flow.F(0.9, A, problem.F_0, m, problem.ZETA, h)), rel=1e-9, abs=1e-16)
+    assert 2 * half_F_A == pytest.approx(float(slow_flow.F_A(0.9, A, m, problem.ZETA, h, h_A)), rel=1e-9, abs=1e-16)
+
+
+def test_the_peers_start_is_a_steady_state() -> None:
+    rates = problem.slow_flow(problem.START_A, problem.START_PHI, problem.OMEGA_MIN)
+    assert max(abs(rate) for rate in rates) < 1e-3
+
+
+@pytest.mark.parametrize("A", AMPLITUDES)
+def test_the_equations_at_forty_digits(A: float) -> None:
+    h, h_A = (float(x) for x in rod_spring.averaged_2(A, *P))
+    exact_h, exact_h_A = certified.Table1().averaged(A)
+    assert certified.relative_error(h, exact_h) < 1e-14
+    assert certified.relative_error(h_A, exact_h_A) < 1e-13
+
+
+def test_certified_folds_lie_on_the_equations_at_forty_digits() -> None:
+    table_1 = certified.Table1()
+    for Omega, A in certified.folds():
+        nearest = min(table_1.fold(A), key=lambda root: abs(root - Omega))
+        assert abs(nearest / Omega - 1) < mpmath.mpf(10) ** -30
+
+
+def test_judging_counts_what_is_missed_and_what_is_false() -> None:
+    wanted = [[mpmath.mpf(1)], [mpmath.mpf(2)], [mpmath.mpf(3)]]
+    errors, missed, false = work_precision.judge([[2.0], [1 + 2**-40], [2.5]], wanted)
+    assert errors == [2.0**-40, 0.0]
+    assert (missed, false) == (1, 1)
+
+
+def test_quantities_in_words() -> None:
+    assert document.quantity(2.5e-4, "s") == "250 µs"
+    assert document.quantity(math.pi, "s") == "3.14 s"
+    assert document.quantity(2e6, "a second") == "2.00e6 a second"
+    assert document.quantity(float(np.float64(0)), "MB") == "0 MB"
