@@ -19,10 +19,10 @@ attached            theta = pi/2. K = pi/(2 M), M the limit of the arithmetic-ge
                     D - B = K sum 2^n c_n^2/m, 1 - M = sum c_n. So D - pi/4 is a sum without a difference.
 detached            s = sin t is rational in tau = tan(t/2), and the integrands are even in it: Gauss's rule on
                     |tau| <= tan(theta/2). Their singularities tau = +-i and u = +-1 stay away for u_cr <= `MODERATE`.
-steep               beyond, the duplication theorem of R_D, carried along with its derivatives by the second argument: as R_D is
-                    completely monotone in it, every derivative is a sum of terms of one sign, also across A = 1.
-steep, far          the same by the first argument: for A >= `AWAY` u_cr the derivatives above differ little from their
-                    boundary terms, while those of cos t are sums of one sign.
+steep               beyond, the duplication theorem of R_D, carried along with its derivatives by the second argument:
+                    as R_D is completely monotone in it, each is a sum of terms of one sign, also across A = 1.
+far                 for A >= `AWAY` u_cr the derivatives differ little from their boundary terms, unless A is varied
+                    where it stands beside u alone, in cos t: then all terms have one sign. By either way.
 """
 
 from __future__ import annotations
@@ -169,11 +169,36 @@ class _Detached:
 
     def by_gauss(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         """int sin^2 (1/c - 1/Delta), int sin^4/Delta^3, int sin^4/Delta^5, int sin^4 (1 + 4 u^2)/Delta^7."""
-        T, T2, c = self.T, self.T2, self.c
+        sums: list[list[sp.Expr]] = [[], [], [], []]
+        U2, points = self._points()
+        for k, (v2, square, f, W) in enumerate(points, start=1):
+            sums[0].append(W)
+            fall = sp.Symbol(f"fall_{k}", positive=True)
+            self.lets.append((fall, f * v2 / square))
+            sums[1].append(fall)
+            sums[2].append(fall / square)
+            sums[3].append(fall * (1 + 4 * U2 * v2) / square**2)
+        scale = 32 * self.T**5
+        return tuple(self._summed(sums, (8 * self.T**3 * self.b**2 / self.c, scale, scale, scale)))
+
+    def far_by_gauss(self) -> list[sp.Expr]:
+        """int sin^2 tan^(2n) (1/c - 1/Delta) for n = 0, 1, ..."""
+        sums: list[list[sp.Expr]] = [[] for _ in range(ORDERS + 1)]
+        _, points = self._points()
+        for k, (*_, W) in enumerate(points, start=1):
+            term = sp.Symbol(f"term_{k}", positive=True)
+            self.lets.append((term, W))
+            tangent = self._tangent(k)
+            for n, terms in enumerate(sums):
+                terms.append(term * tangent**n)
+        return self._summed(sums, [8 * self.T**3 * self.b**2 / self.c] * len(sums))
+
+    def _points(self) -> tuple[sp.Symbol, list[tuple[sp.Expr, ...]]]:
+        """(2 A T)^2, and at each node v^2, Delta^2, weight g v^2/Delta, and the term of int sin^2 (1/c - 1/Delta)."""
         U2 = sp.Symbol("U2", positive=True)
         # u = 2 A T v, sin t = 2 T v, dt = 2 T g dx
-        self.lets.append((U2, (2 * A * T) ** 2))
-        sums = [[], [], [], []]
+        self.lets.append((U2, (2 * A * self.T) ** 2))
+        points = []
         for k, (g, (x, weight)) in enumerate(zip(self.g, gauss(NODES), strict=True), start=1):
             v2, square, delta, f = sp.symbols(f"v2_{k} square_{k} delta_{k} f_{k}", positive=True)
             self.lets += [
@@ -183,18 +208,21 @@ class _Detached:
                 (f, weight * g * v2 / delta),
             ]
             # u_cr - u and u_cr + u over u_cr: in this form nothing cancels at the end of the interval
-            below, above = (1 - x) * (1 - x * T2) * g, 1 + x * (1 + T2) * g
-            sums[0].append(f * below * above / (c + delta))
-            fall = sp.Symbol(f"fall_{k}", positive=True)
-            self.lets.append((fall, f * v2 / square))
-            sums[1].append(fall)
-            sums[2].append(fall / square)
-            sums[3].append(fall * (1 + 4 * U2 * v2) / square**2)
-        names = sp.symbols("sum_0:4", positive=True)
-        # the smallest terms first: they are those next to zero
+            below, above = (1 - x) * (1 - x * self.T2) * g, 1 + x * (1 + self.T2) * g
+            points.append((v2, square, f, f * below * above / (self.c + delta)))
+        return U2, points
+
+    def _tangent(self, k: int) -> sp.Symbol:
+        """tan^2 at node k: tan t = 2 tau/(1 - tau^2)"""
+        tangent, (x, _) = sp.Symbol(f"tangent_{k}", positive=True), gauss(NODES)[k - 1]
+        self.lets.append((tangent, (2 * x * self.T / (1 - x**2 * self.T2)) ** 2))
+        return tangent
+
+    def _summed(self, sums: Sequence[Sequence[sp.Expr]], scales: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Scaled sums; their smallest terms first, which are those next to zero."""
+        names = sp.symbols(f"sum_0:{len(sums)}", positive=True)
         self.lets += [(name, sp.Add(*terms[::-1])) for name, terms in zip(names, sums, strict=True)]
-        scale = 32 * T**5
-        return 8 * T**3 * self.b**2 / c * names[0], scale * names[1], scale * names[2], scale * names[3]
+        return [scale * name for scale, name in zip(scales, names, strict=True)]
 
     def by_duplication(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         """The same, from R_D and its derivatives by the second argument."""
@@ -208,8 +236,8 @@ class _Detached:
             V[1] + m * (6 * V[2] + 5 * m * V[3]),
         )
 
-    def far(self) -> list[sp.Expr]:
-        """int sin^2 tan^(2n) (1/c - 1/Delta) for n = 0, 1, ..., from R_D and its derivatives by the first argument."""
+    def far_by_duplication(self) -> list[sp.Expr]:
+        """The same, from R_D and its derivatives by the first argument."""
         Q = self._moments(by_second=False)
         return [s / self.c - q for s, q in zip(self._tangents(ORDERS + 1), Q, strict=True)]
 
@@ -230,17 +258,14 @@ class _Detached:
 
     def _tangents(self, count: int) -> list[sp.Symbol]:
         """int sin^2 tan^(2n) dt for n = 0, 1, ..., by Gauss's rule."""
-        names = list(sp.symbols(f"S_0:{count}", positive=True))
-        sums: list[list[sp.Expr]] = [[] for _ in names]
+        sums: list[list[sp.Expr]] = [[] for _ in range(count)]
         for k, (g, (x, weight)) in enumerate(zip(self.g, gauss(NODES), strict=True), start=1):
-            term, tangent = sp.symbols(f"term_{k} tangent_{k}", positive=True)
+            term = sp.Symbol(f"term_{k}", positive=True)
             self.lets.append((term, weight * (x * g) ** 2 * g))
-            # tan t = 2 tau/(1 - tau^2)
-            self.lets.append((tangent, (2 * x * self.T / (1 - x**2 * self.T2)) ** 2))
+            tangent = self._tangent(k)
             for n, terms in enumerate(sums):
                 terms.append(term * tangent**n)
-        self.lets += [(name, 8 * self.T**3 * sp.Add(*t[::-1])) for name, t in zip(names, sums, strict=True)]
-        return names
+        return self._summed(sums, [8 * self.T**3] * count)
 
 
 class _Taylor:
@@ -328,10 +353,16 @@ def _minus(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:
     return [p - q for p, q in zip(f, g, strict=True)]
 
 
+@functools.cache
+def _integrals(end: sp.Symbol, way: str) -> tuple[_Detached, Sequence[sp.Expr]]:
+    """The lets, and what one of the methods above gives in them."""
+    quarter = _Detached(end)
+    return quarter, getattr(quarter, way)()
+
+
 def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     """A > u_cr, where u (a + b (1/Delta - 1/c)) is averaged over 0 < t < theta, a u beyond."""
-    quarter = _Detached(end)
-    W, V3, V5, V7 = quarter.by_duplication() if steep else quarter.by_gauss()
+    quarter, (W, V3, V5, V7) = _integrals(end, "by_duplication" if steep else "by_gauss")
     root, c = quarter.root, quarter.c
     whole = u * (1 / ROOT - 1 / c)
 
@@ -362,23 +393,23 @@ def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     return Regime((end,), (), tuple(quarter.lets), derivatives)
 
 
-def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol) -> Regime:
+def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     """The same where A exceeds u_cr by far: A is varied where it stands beside u, in A^-1 (A^2 - u^2)^(-1/2) u^2 du.
 
     That leaves the force undifferentiated, and all terms have one sign.
     """
-    quarter = _Detached(end)
-    W = quarter.far()
+    quarter, W = _integrals(end, "far_by_duplication" if steep else "far_by_gauss")
     q = sp.Symbol("q", positive=True)
-    kernel = 1 / (A * sp.sqrt(A**2 - u**2))
+    # over the kernel itself, by log-derivative: -1/A - A/(A^2 - u^2), where 1/(A^2 - u^2) = (1 + q)/A^2, q = tan^2 t
+    logarithmic = -(2 + q) / A
+    q_A = -2 * q * (1 + q) / A
     rest = [a * A, a, 0, 0]
-    derivatives = []
+    derivatives, ratio = [], sp.Integer(1)
     for order in range(ORDERS + 1):
-        # u = A sin t, q = tan^2 t
-        ratio = (sp.diff(kernel, A, order) / kernel).subs(u, A * sp.sqrt(q / (1 + q)))
-        polynomial = sp.Poly(sp.simplify(ratio * A**order), q)
+        polynomial = sp.Poly(sp.expand(ratio * A**order), q)
         total = sum(c * W[n] for (n,), c in polynomial.terms())
         derivatives.append(-rest[order] + 4 / sp.pi * b * A ** (1 - order) * total)
+        ratio = sp.expand(ratio * logarithmic + sp.diff(ratio, A) + sp.diff(ratio, q) * q_A)
     return Regime((end,), (end,), tuple(quarter.lets), tuple(derivatives))
 
 
@@ -416,8 +447,9 @@ def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Re
     cases = (
         Case("passed_0", ((A, end), (A, FEW)), attached(a, b, STEPS)),
         Case("passed_0_steep", ((A, end),), attached(a, b, STEPS_STEEP)),
+        Case("passed_1_far", ((end, MODERATE), (AWAY * end, A)), far_detached(rest, b, end, steep=False)),
         Case("passed_1", ((end, MODERATE),), detached(rest, b, end, steep=False)),
-        Case("passed_1_steep_far", ((AWAY * end, A),), far_detached(rest, b, end)),
+        Case("passed_1_steep_far", ((AWAY * end, A),), far_detached(rest, b, end, steep=True)),
         Case("passed_1_steep", (), detached(rest, b, end, steep=True)),
     )
     return Restoring(tuple(pieces), (end,), (sp.Integer(0),), closed_forms(a, b, rest, end), {}, cases)

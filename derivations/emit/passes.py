@@ -17,6 +17,9 @@ import sympy as sp
 
 Let = tuple[sp.Symbol, sp.Expr]
 
+#: an algorithm written in more lets than this has named what it shares, and SymPy's search would take seconds
+SPELLED_OUT = 60
+
 
 @dataclass(frozen=True)
 class Program:
@@ -64,7 +67,9 @@ def straight_line(lets: Sequence[Let], outputs: Sequence[sp.Expr], reserved: Ite
     needed = _needed(lets, outputs)
     counts = {"structured": sum(operations(e) for e in (*(value for _, value in needed), *outputs))}
 
-    lets, outputs = _common_subexpressions(needed, outputs)
+    lets = needed
+    if len(needed) <= SPELLED_OUT:
+        lets, outputs = _common_subexpressions(needed, outputs)
     counts["common subexpressions"] = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
 
     lets, outputs = _power_chains(lets, outputs)

@@ -13,12 +13,13 @@ Out: LEDGER.md and ledger.json.
     entries    rows of formulas, tables and numbers
     claims     rows of sentences
     findings   what differs, with its proof
+    truncation what the fifth-order force costs
     render     text
 """
 
 from __future__ import annotations
 
-from derivations.ledger import balls, claims, entries, render, source
+from derivations.ledger import balls, claims, entries, render, source, truncation
 from derivations.ledger.facts import Facts
 from derivations.ledger.findings import findings
 from derivations.ledger.rows import Row
@@ -39,7 +40,8 @@ def files(results: Results) -> dict[str, str]:
         rows = all_rows(facts)
         table_2 = entries.table_2(rows, facts)
         found = findings(facts, rows)
+        cost = truncation.cost(facts)
     return {
-        "LEDGER.md": render.markdown(rows, found, table_2),
-        "ledger.json": render.machine_readable(rows, found, table_2),
+        "LEDGER.md": render.markdown(rows, found, table_2, cost),
+        "ledger.json": render.machine_readable(rows, found, table_2, cost),
     }

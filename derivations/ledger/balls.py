@@ -12,7 +12,9 @@ from itertools import pairwise
 from typing import Any
 
 import sympy as sp
-from flint import arb, arb_poly, arb_series, ctx, fmpq
+from flint import acb, arb, arb_poly, arb_series, ctx, fmpq
+
+from derivations.elliptic import R_D
 
 #: working precision: about 60 digits, of which the tables show 12
 BITS = 200
@@ -47,6 +49,8 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
         quotient = expression.args if isinstance(expression, sp.atan2) else sp.fraction(expression.args[0])
         return _angle(*(evaluate(side, values) for side in quotient))
     parts = [evaluate(argument, values) for argument in expression.args]
+    if expression.func == R_D:
+        return acb.elliptic_rd(*parts).real
     if expression.is_Add:
         total = parts[0]
         for part in parts[1:]:

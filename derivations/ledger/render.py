@@ -1,4 +1,4 @@
-"""In: rows, findings, Table 2. Out: the text of LEDGER.md, for readers, and of ledger.json, for programs."""
+"""In: rows, findings, Table 2, the cost of truncation. Out: the text of LEDGER.md for readers, of ledger.json for programs."""
 
 from __future__ import annotations
 
@@ -35,7 +35,9 @@ def counts(rows: list[Row]) -> dict[str, dict[str, int]]:
     }
 
 
-def markdown(rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]]) -> str:
+def markdown(
+    rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]], cost: list[dict[str, str]]
+) -> str:
     """LEDGER.md."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(Path(__file__).parent),
@@ -48,6 +50,7 @@ def markdown(rows: list[Row], findings: list[Finding], table_2: list[dict[str, d
         rows=rows,
         findings=findings,
         table_2=table_2,
+        cost=cost,
         readings=readings(rows),
         counts=counts(rows),
         kinds=list(ALLOWED),
@@ -57,13 +60,16 @@ def markdown(rows: list[Row], findings: list[Finding], table_2: list[dict[str, d
     )
 
 
-def machine_readable(rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]]) -> str:
+def machine_readable(
+    rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]], cost: list[dict[str, str]]
+) -> str:
     """ledger.json."""
     record = {
         "paper": CITATION,
         "vocabulary": VOCABULARY,
         "counts": counts(rows),
         "table_2": table_2,
+        "truncation": cost,
         "findings": [asdict(finding) for finding in findings],
         "rows": [asdict(row) for row in rows],
     }

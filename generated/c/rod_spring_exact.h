@@ -23,9 +23,10 @@
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 97 structured, 88 common subexpressions, 87 power chains
    Operations where passed_0_steep: 153 structured, 136 common subexpressions, 135 power chains
-   Operations where passed_1: 637 structured, 596 common subexpressions, 586 power chains
-   Operations where passed_1_steep_far: 1650 structured, 1448 common subexpressions, 1430 power chains
-   Operations where passed_1_steep: 1448 structured, 1262 common subexpressions, 1251 power chains
+   Operations where passed_1_far: 670 structured, 670 common subexpressions, 610 power chains
+   Operations where passed_1: 637 structured, 637 common subexpressions, 594 power chains
+   Operations where passed_1_steep_far: 1666 structured, 1666 common subexpressions, 1613 power chains
+   Operations where passed_1_steep: 1452 structured, 1452 common subexpressions, 1414 power chains
  */
 static inline void rod_spring_exact_averaged_passed_0(double A, const double *p, double *out)
 {
@@ -130,6 +131,205 @@ static inline void rod_spring_exact_averaged_passed_0_steep(double A, const doub
     out[3] = -t12 * (B * (5.0 * m + 3.0) / k3 + C * t15 * (7.0 * m - 3.0));
 }
 
+static inline void rod_spring_exact_averaged_passed_1_far(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double u_cr = p[2];
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double U2 = 4.0 * A2 * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double tangent_1_2 = tangent_1 * tangent_1;
+    const double tangent_10_2 = tangent_10 * tangent_10;
+    const double tangent_11_2 = tangent_11 * tangent_11;
+    const double tangent_12_2 = tangent_12 * tangent_12;
+    const double tangent_13_2 = tangent_13 * tangent_13;
+    const double tangent_14_2 = tangent_14 * tangent_14;
+    const double tangent_15_2 = tangent_15 * tangent_15;
+    const double tangent_2_2 = tangent_2 * tangent_2;
+    const double tangent_3_2 = tangent_3 * tangent_3;
+    const double tangent_4_2 = tangent_4 * tangent_4;
+    const double tangent_5_2 = tangent_5 * tangent_5;
+    const double tangent_6_2 = tangent_6 * tangent_6;
+    const double tangent_7_2 = tangent_7 * tangent_7;
+    const double tangent_8_2 = tangent_8 * tangent_8;
+    const double tangent_9_2 = tangent_9 * tangent_9;
+    const double sum_2 = tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 + tangent_13_2 *
+        term_13 + tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_1_2 * term_1 + tangent_2_2 * term_2 +
+        tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 * term_6 + tangent_7_2 *
+        term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9;
+    const double tangent_1_3 = tangent_1 * tangent_1_2;
+    const double tangent_10_3 = tangent_10 * tangent_10_2;
+    const double tangent_11_3 = tangent_11 * tangent_11_2;
+    const double tangent_12_3 = tangent_12 * tangent_12_2;
+    const double tangent_13_3 = tangent_13 * tangent_13_2;
+    const double tangent_14_3 = tangent_14 * tangent_14_2;
+    const double tangent_15_3 = tangent_15 * tangent_15_2;
+    const double tangent_2_3 = tangent_2 * tangent_2_2;
+    const double tangent_3_3 = tangent_3 * tangent_3_2;
+    const double tangent_4_3 = tangent_4 * tangent_4_2;
+    const double tangent_5_3 = tangent_5 * tangent_5_2;
+    const double tangent_6_3 = tangent_6 * tangent_6_2;
+    const double tangent_7_3 = tangent_7 * tangent_7_2;
+    const double tangent_8_3 = tangent_8 * tangent_8_2;
+    const double tangent_9_3 = tangent_9 * tangent_9_2;
+    const double sum_3 = tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 + tangent_13_3 *
+        term_13 + tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_1_3 * term_1 + tangent_2_3 * term_2 +
+        tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 * term_6 + tangent_7_3 *
+        term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0;
+    out[2] = 2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 *
+        T3 * sum_2 * u_cr2 / c) / A;
+    out[3] = 2.5464790894703255 * beta * (-192.0 * T3 * sum_0 * u_cr2 / c - 384.0 * T3 * sum_1 * u_cr2 / c - 360.0
+        * T3 * sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2;
+}
+
 static inline void rod_spring_exact_averaged_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -156,110 +356,80 @@ static inline void rod_spring_exact_averaged_passed_1(double A, const double *p,
     const double A2 = A * A;
     const double U2 = 4.0 * A2 * t0;
     const double v2_1 = 0.99379661859049351 * g_1 * g_1;
-    const double t1 = U2 * v2_1;
-    const double square_1 = 1.0 - t1;
+    const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double t2 = 1.0 / square_1;
-    const double fall_1 = f_1 * t2 * v2_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
-    const double t3 = U2 * v2_2;
-    const double square_2 = 1.0 - t3;
+    const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double t4 = 1.0 / square_2;
-    const double fall_2 = f_2 * t4 * v2_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
-    const double t5 = U2 * v2_3;
-    const double square_3 = 1.0 - t5;
+    const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double t6 = 1.0 / square_3;
-    const double fall_3 = f_3 * t6 * v2_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
-    const double t7 = U2 * v2_4;
-    const double square_4 = 1.0 - t7;
+    const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double t8 = 1.0 / square_4;
-    const double fall_4 = f_4 * t8 * v2_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
-    const double t9 = U2 * v2_5;
-    const double square_5 = 1.0 - t9;
+    const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double t10 = 1.0 / square_5;
-    const double fall_5 = f_5 * t10 * v2_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
-    const double t11 = U2 * v2_6;
-    const double square_6 = 1.0 - t11;
+    const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double t12 = 1.0 / square_6;
-    const double fall_6 = f_6 * t12 * v2_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
-    const double t13 = U2 * v2_7;
-    const double square_7 = 1.0 - t13;
+    const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double t14 = 1.0 / square_7;
-    const double fall_7 = f_7 * t14 * v2_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
-    const double t15 = U2 * v2_8;
-    const double square_8 = 1.0 - t15;
+    const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double t16 = 1.0 / square_8;
-    const double fall_8 = f_8 * t16 * v2_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
-    const double t17 = U2 * v2_9;
-    const double square_9 = 1.0 - t17;
+    const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double t18 = 1.0 / square_9;
-    const double fall_9 = f_9 * t18 * v2_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
-    const double t19 = U2 * v2_10;
-    const double square_10 = 1.0 - t19;
+    const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double t20 = 1.0 / square_10;
-    const double fall_10 = f_10 * t20 * v2_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
-    const double t21 = U2 * v2_11;
-    const double square_11 = 1.0 - t21;
+    const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double t22 = 1.0 / square_11;
-    const double fall_11 = f_11 * t22 * v2_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
-    const double t23 = U2 * v2_12;
-    const double square_12 = 1.0 - t23;
+    const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double t24 = 1.0 / square_12;
-    const double fall_12 = f_12 * t24 * v2_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
-    const double t25 = U2 * v2_13;
-    const double square_13 = 1.0 - t25;
+    const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double t26 = 1.0 / square_13;
-    const double fall_13 = f_13 * t26 * v2_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
-    const double t27 = U2 * v2_14;
-    const double square_14 = 1.0 - t27;
+    const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double t28 = 1.0 / square_14;
-    const double fall_14 = f_14 * t28 * v2_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
-    const double t29 = U2 * v2_15;
-    const double square_15 = 1.0 - t29;
+    const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
-    const double t30 = 1.0 / square_15;
-    const double fall_15 = f_15 * t30 * v2_15;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
+    const double fall_15 = f_15 * v2_15 / square_15;
     const double sum_0 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
         (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1) + f_10 * g_10 * (0.46337585185798008
         - 0.24865867177287138 * t0) * (g_10 * (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c +
@@ -284,43 +454,38 @@ static inline void rod_spring_exact_averaged_passed_1(double A, const double *p,
         (0.62052618298924289 * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
     const double sum_1 = fall_1 + fall_10 + fall_11 + fall_12 + fall_13 + fall_14 + fall_15 + fall_2 + fall_3 +
         fall_4 + fall_5 + fall_6 + fall_7 + fall_8 + fall_9;
-    const double sum_2 = fall_1 * t2 + fall_10 * t20 + fall_11 * t22 + fall_12 * t24 + fall_13 * t26 + fall_14 * t28
-        + fall_15 * t30 + fall_2 * t4 + fall_3 * t6 + fall_4 * t8 + fall_5 * t10 + fall_6 * t12 + fall_7 * t14 +
-        fall_8 * t16 + fall_9 * t18;
-    const double sum_3 = fall_1 * (4.0 * t1 + 1.0) / (square_1 * square_1) + fall_10 * (4.0 * t19 + 1.0) /
-        (square_10 * square_10) + fall_11 * (4.0 * t21 + 1.0) / (square_11 * square_11) + fall_12 * (4.0 * t23 +
-        1.0) / (square_12 * square_12) + fall_13 * (4.0 * t25 + 1.0) / (square_13 * square_13) + fall_14 * (4.0 *
-        t27 + 1.0) / (square_14 * square_14) + fall_15 * (4.0 * t29 + 1.0) / (square_15 * square_15) + fall_2 * (4.0
-        * t3 + 1.0) / (square_2 * square_2) + fall_3 * (4.0 * t5 + 1.0) / (square_3 * square_3) + fall_4 * (4.0 * t7
-        + 1.0) / (square_4 * square_4) + fall_5 * (4.0 * t9 + 1.0) / (square_5 * square_5) + fall_6 * (4.0 * t11 +
-        1.0) / (square_6 * square_6) + fall_7 * (4.0 * t13 + 1.0) / (square_7 * square_7) + fall_8 * (4.0 * t15 +
-        1.0) / (square_8 * square_8) + fall_9 * (4.0 * t17 + 1.0) / (square_9 * square_9);
-    const double t31 = 0.31830988618379069 * beta;
+    const double sum_2 = fall_1 / square_1 + fall_10 / square_10 + fall_11 / square_11 + fall_12 / square_12 +
+        fall_13 / square_13 + fall_14 / square_14 + fall_15 / square_15 + fall_2 / square_2 + fall_3 / square_3 +
+        fall_4 / square_4 + fall_5 / square_5 + fall_6 / square_6 + fall_7 / square_7 + fall_8 / square_8 + fall_9 /
+        square_9;
+    const double sum_3 = fall_1 * (4.0 * U2 * v2_1 + 1.0) / (square_1 * square_1) + fall_10 * (4.0 * U2 * v2_10 +
+        1.0) / (square_10 * square_10) + fall_11 * (4.0 * U2 * v2_11 + 1.0) / (square_11 * square_11) + fall_12 *
+        (4.0 * U2 * v2_12 + 1.0) / (square_12 * square_12) + fall_13 * (4.0 * U2 * v2_13 + 1.0) / (square_13 *
+        square_13) + fall_14 * (4.0 * U2 * v2_14 + 1.0) / (square_14 * square_14) + fall_15 * (4.0 * U2 * v2_15 +
+        1.0) / (square_15 * square_15) + fall_2 * (4.0 * U2 * v2_2 + 1.0) / (square_2 * square_2) + fall_3 * (4.0 *
+        U2 * v2_3 + 1.0) / (square_3 * square_3) + fall_4 * (4.0 * U2 * v2_4 + 1.0) / (square_4 * square_4) + fall_5
+        * (4.0 * U2 * v2_5 + 1.0) / (square_5 * square_5) + fall_6 * (4.0 * U2 * v2_6 + 1.0) / (square_6 * square_6)
+        + fall_7 * (4.0 * U2 * v2_7 + 1.0) / (square_7 * square_7) + fall_8 * (4.0 * U2 * v2_8 + 1.0) / (square_8 *
+        square_8) + fall_9 * (4.0 * U2 * v2_9 + 1.0) / (square_9 * square_9);
     const double u_cr2 = u_cr * u_cr;
     const double T3 = T * t0;
-    const double t32 = T3 * sum_0 * u_cr2 / c;
     const double T4 = t0 * t0;
     const double T5 = T * T4;
-    const double t33 = 8.0 * t31;
-    const double t34 = 96.0 * T5;
-    const double t35 = 1.0 / root;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
+    const double A3 = A * A2;
     const double c2 = c * c;
     const double c3 = c * c2;
-    const double t36 = u_cr5 / c3;
-    const double t37 = t35 * t36;
-    const double A4 = A2 * A2;
-    const double t38 = 3.0 / A4;
-    const double A3 = A * A2;
     const double root2 = root * root;
     const double root3 = root * root2;
+    const double A4 = A2 * A2;
     const double c4 = c2 * c2;
     const double c5 = c * c4;
-    out[0] = 64.0 * A * t31 * t32 - A;
-    out[1] = -t33 * (32.0 * A2 * T5 * sum_1 - 8.0 * t32) - 1.0;
-    out[2] = -t33 * (A * sum_2 * t34 - t37 / A3);
-    out[3] = -t33 * (sum_3 * t34 + t37 * t38 - t35 * t38 * u_cr5 / c5 + t36 / (A2 * root3));
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
+    out[2] = -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
+    out[3] = -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4
+        * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
 static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const double *p, double *out)
@@ -328,52 +493,36 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double beta = p[1];
     const double u_cr = p[2];
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
-    const double t18 = 1.0 / A;
-    const double third = 0.33333333333333331 * t18 * u_cr * x2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
+    const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
     const double a0_half_0_2 = a0_half_0 * a0_half_0;
     const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
     const double a02_0 = -a0_half_0_3;
     const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double lam0_2 = a02_0 * b0_0 + a02_0;
@@ -383,41 +532,43 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
     const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
-    const double t19 = 0.25 * lam0_0;
-    const double X0_0 = t19 + 0.25 * y2;
-    const double t20 = 0.25 * lam0_1;
-    const double X0_1 = t20 + 0.25;
-    const double t21 = 0.25 * lam0_2;
-    const double t22 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * t0 + t19;
-    const double Z0_0 = t19 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double X0_2 = 0.25 * lam0_2;
+    const double X0_3 = 0.25 * lam0_3;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Y0_3 = 0.25 * lam0_3;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
+    const double Z0_3 = 0.25 * lam0_3;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t21);
-    const double a13_0 = a1_half_0 * (-2.0 * a11_0 * a12_0 + t22);
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
+    const double a13_0 = a1_half_0 * (X0_3 - 2.0 * a11_0 * a12_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t20;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t21);
-    const double b13_0 = b1_half_0 * (-2.0 * b11_0 * b12_0 + t22);
+    const double b11_0 = Y0_1 * b1_half_0;
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
+    const double b13_0 = b1_half_0 * (Y0_3 - 2.0 * b11_0 * b12_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t20;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t21);
-    const double c13_0 = c1_half_0 * (-2.0 * c11_0 * c12_0 + t22);
-    const double t23 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t23;
-    const double t24 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t23 + c1_0 * t24;
-    const double t25 = a12_0 + b12_0;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t24 + c12_0 * t23 + c1_0 * t25;
-    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * t25 + c12_0 * t24 +
-        c13_0 * t23 + c1_0 * (a13_0 + b13_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double c13_0 = c1_half_0 * (Z0_3 - 2.0 * c11_0 * c12_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
+    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * (a12_0 + b12_0) +
+        c12_0 * (a11_0 + b11_0) + c13_0 * (a1_0 + b1_0) + c1_0 * (a13_0 + b13_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t20;
-    const double q1_2 = lam1_2 + t21;
-    const double q1_3 = lam1_3 + t22;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
+    const double q1_3 = Z0_3 + lam1_3;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
@@ -426,22 +577,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
     const double term13_0 = -term1_0 * (below1_1 * term12_0 + below1_2 * term11_0 + below1_3 * term1_0);
-    const double t26 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t26;
-    const double t27 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t27;
-    const double t28 = 0.25 * lam1_2;
-    const double X1_2 = 0.25 * t21 + t28;
-    const double t29 = 0.25 * lam1_3;
-    const double X1_3 = 0.25 * t22 + t29;
-    const double Y1_0 = 0.25 * Y0_0 + t26;
-    const double Y1_1 = 0.25 * t20 + t27;
-    const double Y1_2 = 0.25 * t21 + t28;
-    const double Y1_3 = 0.25 * t22 + t29;
-    const double Z1_0 = 0.25 * Z0_0 + t26;
-    const double Z1_1 = 0.25 * t20 + t27;
-    const double Z1_2 = 0.25 * t21 + t28;
-    const double Z1_3 = 0.25 * t22 + t29;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double X1_3 = 0.25 * X0_3 + 0.25 * lam1_3;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Y1_3 = 0.25 * Y0_3 + 0.25 * lam1_3;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
+    const double Z1_3 = 0.25 * Z0_3 + 0.25 * lam1_3;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -457,14 +604,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
     const double c23_0 = c2_half_0 * (Z1_3 - 2.0 * c21_0 * c22_0);
-    const double t30 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t30;
-    const double t31 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t30 + c2_0 * t31;
-    const double t32 = a22_0 + b22_0;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t31 + c22_0 * t30 + c2_0 * t32;
-    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * t32 + c22_0 * t31 +
-        c23_0 * t30 + c2_0 * (a23_0 + b23_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
+    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * (a22_0 + b22_0) +
+        c22_0 * (a21_0 + b21_0) + c23_0 * (a2_0 + b2_0) + c2_0 * (a23_0 + b23_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -477,22 +622,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
     const double term23_0 = -term2_0 * (below2_1 * term22_0 + below2_2 * term21_0 + below2_3 * term2_0);
-    const double t33 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t33;
-    const double t34 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t34;
-    const double t35 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t35;
-    const double t36 = 0.25 * lam2_3;
-    const double X2_3 = 0.25 * X1_3 + t36;
-    const double Y2_0 = 0.25 * Y1_0 + t33;
-    const double Y2_1 = 0.25 * Y1_1 + t34;
-    const double Y2_2 = 0.25 * Y1_2 + t35;
-    const double Y2_3 = 0.25 * Y1_3 + t36;
-    const double Z2_0 = 0.25 * Z1_0 + t33;
-    const double Z2_1 = 0.25 * Z1_1 + t34;
-    const double Z2_2 = 0.25 * Z1_2 + t35;
-    const double Z2_3 = 0.25 * Z1_3 + t36;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double X2_3 = 0.25 * X1_3 + 0.25 * lam2_3;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Y2_3 = 0.25 * Y1_3 + 0.25 * lam2_3;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
+    const double Z2_3 = 0.25 * Z1_3 + 0.25 * lam2_3;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -508,14 +649,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
     const double c33_0 = c3_half_0 * (Z2_3 - 2.0 * c31_0 * c32_0);
-    const double t37 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t37;
-    const double t38 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t37 + c3_0 * t38;
-    const double t39 = a32_0 + b32_0;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t38 + c32_0 * t37 + c3_0 * t39;
-    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * t39 + c32_0 * t38 +
-        c33_0 * t37 + c3_0 * (a33_0 + b33_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
+    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * (a32_0 + b32_0) +
+        c32_0 * (a31_0 + b31_0) + c33_0 * (a3_0 + b3_0) + c3_0 * (a33_0 + b33_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -528,22 +667,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
     const double term33_0 = -term3_0 * (below3_1 * term32_0 + below3_2 * term31_0 + below3_3 * term3_0);
-    const double t40 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t40;
-    const double t41 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t41;
-    const double t42 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t42;
-    const double t43 = 0.25 * lam3_3;
-    const double X3_3 = 0.25 * X2_3 + t43;
-    const double Y3_0 = 0.25 * Y2_0 + t40;
-    const double Y3_1 = 0.25 * Y2_1 + t41;
-    const double Y3_2 = 0.25 * Y2_2 + t42;
-    const double Y3_3 = 0.25 * Y2_3 + t43;
-    const double Z3_0 = 0.25 * Z2_0 + t40;
-    const double Z3_1 = 0.25 * Z2_1 + t41;
-    const double Z3_2 = 0.25 * Z2_2 + t42;
-    const double Z3_3 = 0.25 * Z2_3 + t43;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double X3_3 = 0.25 * X2_3 + 0.25 * lam3_3;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Y3_3 = 0.25 * Y2_3 + 0.25 * lam3_3;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
+    const double Z3_3 = 0.25 * Z2_3 + 0.25 * lam3_3;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -559,14 +694,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
     const double c43_0 = c4_half_0 * (Z3_3 - 2.0 * c41_0 * c42_0);
-    const double t44 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t44;
-    const double t45 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t44 + c4_0 * t45;
-    const double t46 = a42_0 + b42_0;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t45 + c42_0 * t44 + c4_0 * t46;
-    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * t46 + c42_0 * t45 +
-        c43_0 * t44 + c4_0 * (a43_0 + b43_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
+    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * (a42_0 + b42_0) +
+        c42_0 * (a41_0 + b41_0) + c43_0 * (a4_0 + b4_0) + c4_0 * (a43_0 + b43_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -579,22 +712,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
     const double term43_0 = -term4_0 * (below4_1 * term42_0 + below4_2 * term41_0 + below4_3 * term4_0);
-    const double t47 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t47;
-    const double t48 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t48;
-    const double t49 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t49;
-    const double t50 = 0.25 * lam4_3;
-    const double X4_3 = 0.25 * X3_3 + t50;
-    const double Y4_0 = 0.25 * Y3_0 + t47;
-    const double Y4_1 = 0.25 * Y3_1 + t48;
-    const double Y4_2 = 0.25 * Y3_2 + t49;
-    const double Y4_3 = 0.25 * Y3_3 + t50;
-    const double Z4_0 = 0.25 * Z3_0 + t47;
-    const double Z4_1 = 0.25 * Z3_1 + t48;
-    const double Z4_2 = 0.25 * Z3_2 + t49;
-    const double Z4_3 = 0.25 * Z3_3 + t50;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double X4_3 = 0.25 * X3_3 + 0.25 * lam4_3;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Y4_3 = 0.25 * Y3_3 + 0.25 * lam4_3;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
+    const double Z4_3 = 0.25 * Z3_3 + 0.25 * lam4_3;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -610,14 +739,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
     const double c53_0 = c5_half_0 * (Z4_3 - 2.0 * c51_0 * c52_0);
-    const double t51 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t51;
-    const double t52 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t51 + c5_0 * t52;
-    const double t53 = a52_0 + b52_0;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t52 + c52_0 * t51 + c5_0 * t53;
-    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * t53 + c52_0 * t52 +
-        c53_0 * t51 + c5_0 * (a53_0 + b53_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
+    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * (a52_0 + b52_0) +
+        c52_0 * (a51_0 + b51_0) + c53_0 * (a5_0 + b5_0) + c5_0 * (a53_0 + b53_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -630,22 +757,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
     const double term53_0 = -term5_0 * (below5_1 * term52_0 + below5_2 * term51_0 + below5_3 * term5_0);
-    const double t54 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t54;
-    const double t55 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t55;
-    const double t56 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t56;
-    const double t57 = 0.25 * lam5_3;
-    const double X5_3 = 0.25 * X4_3 + t57;
-    const double Y5_0 = 0.25 * Y4_0 + t54;
-    const double Y5_1 = 0.25 * Y4_1 + t55;
-    const double Y5_2 = 0.25 * Y4_2 + t56;
-    const double Y5_3 = 0.25 * Y4_3 + t57;
-    const double Z5_0 = 0.25 * Z4_0 + t54;
-    const double Z5_1 = 0.25 * Z4_1 + t55;
-    const double Z5_2 = 0.25 * Z4_2 + t56;
-    const double Z5_3 = 0.25 * Z4_3 + t57;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double X5_3 = 0.25 * X4_3 + 0.25 * lam5_3;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Y5_3 = 0.25 * Y4_3 + 0.25 * lam5_3;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
+    const double Z5_3 = 0.25 * Z4_3 + 0.25 * lam5_3;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
@@ -654,24 +777,16 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
     const double over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0);
-    const double t58 = -mean_0;
-    const double t59 = -X5_0 - t58;
-    const double dx_0 = over_0 * t59;
-    const double t60 = -mean_1;
-    const double t61 = -X5_1 - t60;
-    const double dx_1 = over1_0 * t59 + over_0 * t61;
-    const double t62 = -mean_2;
-    const double t63 = -X5_2 - t62;
-    const double dx_2 = over1_0 * t61 + over2_0 * t59 + over_0 * t63;
-    const double t64 = -mean_3;
-    const double dx_3 = over1_0 * t63 + over2_0 * t61 + over3_0 * t59 + over_0 * (-X5_3 - t64);
-    const double t65 = -Y5_0 - t58;
-    const double dy_0 = over_0 * t65;
-    const double t66 = -Y5_1 - t60;
-    const double dy_1 = over1_0 * t65 + over_0 * t66;
-    const double t67 = -Y5_2 - t62;
-    const double dy_2 = over1_0 * t66 + over2_0 * t65 + over_0 * t67;
-    const double dy_3 = over1_0 * t67 + over2_0 * t66 + over3_0 * t65 + over_0 * (-Y5_3 - t64);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dx_3 = over1_0 * (-X5_2 + mean_2) + over2_0 * (-X5_1 + mean_1) + over3_0 * (-X5_0 + mean_0) +
+        over_0 * (-X5_3 + mean_3);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
+    const double dy_3 = over1_0 * (-Y5_2 + mean_2) + over2_0 * (-Y5_1 + mean_1) + over3_0 * (-Y5_0 + mean_0) +
+        over_0 * (-Y5_3 + mean_3);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -681,53 +796,45 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t68 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t68;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t68;
-    const double zz_3 = 2.0 * dz_1 * dz_2 + dz_3 * t68;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
+    const double zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
     const double E2_3 = xy_3 - 6.0 * zz_3;
-    const double t69 = 3.0 * xy_0;
-    const double t70 = t69 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t70;
-    const double t71 = 3.0 * xy_1;
-    const double t72 = t71 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t72 + dz_1 * t70;
-    const double t73 = 3.0 * xy_2;
-    const double t74 = t73 - 8.0 * zz_2;
-    const double E3_2 = dz_0 * t74 + dz_1 * t72 + dz_2 * t70;
-    const double t75 = 3.0 * xy_3;
-    const double E3_3 = dz_0 * (t75 - 8.0 * zz_3) + dz_1 * t74 + dz_2 * t72 + dz_3 * t70;
-    const double t76 = t69 - 3.0 * zz_0;
-    const double E4_0 = t76 * zz_0;
-    const double t77 = t71 - 3.0 * zz_1;
-    const double E4_1 = t76 * zz_1 + t77 * zz_0;
-    const double t78 = t73 - 3.0 * zz_2;
-    const double E4_2 = t76 * zz_2 + t77 * zz_1 + t78 * zz_0;
-    const double E4_3 = t76 * zz_3 + t77 * zz_2 + t78 * zz_1 + zz_0 * (t75 - 3.0 * zz_3);
-    const double t79 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t79;
-    const double t80 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t80 + dz_1 * t79;
-    const double t81 = xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0;
-    const double E5_2 = dz_0 * t81 + dz_1 * t80 + dz_2 * t79;
-    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * t81 + dz_2 * t80 +
-        dz_3 * t79;
-    const double t82 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t82 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t83 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t83 - E3_1 * t82
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double t84 = 0.17307692307692307 * E2_2;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.21428571428571427 * E2_2 - E3_0 * t84 - E3_1 * t83 - E3_2 * t82 + 0.16666666666666666 * E3_2 -
-        0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
-    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 + 0.20454545454545456 * E2_1 * E2_2 -
-        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 - E3_1 * t84 - E3_2 * t83 - E3_3 * t82 +
-        0.16666666666666666 * E3_3 - 0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E3_3 = dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 -
+        8.0 * zz_1) + dz_3 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E4_3 = zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 -
+        3.0 * zz_1) + zz_3 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1
+        * zz_1 + xy_2 * zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
+    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 +
+        0.20454545454545456 * E2_1 * E2_2 - 0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 -
+        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 -
+        0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -758,86 +865,84 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t85 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t85 * t85);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t86 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t86 * t86);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t87 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t87 * t87);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t88 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t88 * t88);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t89 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t89 * t89);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t90 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t90 * t90);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t91 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t91 * t91);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t92 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t92 * t92);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t93 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t93 * t93);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t94 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t94 * t94);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t95 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t95 * t95);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t96 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t96 * t96);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t97 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t97 * t97);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t98 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t98 * t98);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t99 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t99 * t99);
-    const double T3 = T * t1;
-    const double t100 = 8.0 * T3;
-    const double S_0 = t100 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3
-        + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t100 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
     const double tangent_1_2 = tangent_1 * tangent_1;
     const double tangent_10_2 = tangent_10 * tangent_10;
     const double tangent_11_2 = tangent_11 * tangent_11;
@@ -853,10 +958,10 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double tangent_7_2 = tangent_7 * tangent_7;
     const double tangent_8_2 = tangent_8 * tangent_8;
     const double tangent_9_2 = tangent_9 * tangent_9;
-    const double S_2 = t100 * (tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 +
-        tangent_13_2 * term_13 + tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_1_2 * term_1 +
-        tangent_2_2 * term_2 + tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 *
-        term_6 + tangent_7_2 * term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9);
+    const double sum_2 = tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 + tangent_13_2 *
+        term_13 + tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_1_2 * term_1 + tangent_2_2 * term_2 +
+        tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 * term_6 + tangent_7_2 *
+        term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9;
     const double tangent_1_3 = tangent_1 * tangent_1_2;
     const double tangent_10_3 = tangent_10 * tangent_10_2;
     const double tangent_11_3 = tangent_11 * tangent_11_2;
@@ -872,20 +977,17 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
     const double tangent_7_3 = tangent_7 * tangent_7_2;
     const double tangent_8_3 = tangent_8 * tangent_8_2;
     const double tangent_9_3 = tangent_9 * tangent_9_2;
-    const double S_3 = t100 * (tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 +
-        tangent_13_3 * term_13 + tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_1_3 * term_1 +
-        tangent_2_3 * term_2 + tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 *
-        term_6 + tangent_7_3 * term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9);
-    const double t101 = 1.0 / c;
-    const double t102 = S_0 * t101;
-    const double t103 = 2.5464790894703255 * beta;
-    const double t104 = S_1 * t101;
-    const double t105 = S_2 * t101;
-    out[0] = A * t103 * (-V2 + t102) - A;
-    out[1] = t103 * (2.0 * V2 + V4 - 2.0 * t102 - t104) - 1.0;
-    out[2] = t103 * t18 * (-6.0 * V2 - 7.0 * V4 - 3.0 * V6 + 6.0 * t102 + 7.0 * t104 + 3.0 * t105);
-    out[3] = t103 * t17 * (-15.0 * S_3 * t101 + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8 - 24.0 * t102 - 48.0
-        * t104 - 45.0 * t105);
+    const double sum_3 = tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 + tangent_13_3 *
+        term_13 + tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_1_3 * term_1 + tangent_2_3 * term_2 +
+        tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 * term_6 + tangent_7_3 *
+        term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9;
+    const double T3 = T * t0;
+    out[0] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
+    out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0;
+    out[2] = 2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c -
+        6.0 * V2 - 7.0 * V4 - 3.0 * V6) / A;
+    out[3] = 2.5464790894703255 * beta * (-192.0 * T3 * sum_0 / c - 384.0 * T3 * sum_1 / c - 360.0 * T3 * sum_2 /
+        c - 120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2;
 }
 
 static inline void rod_spring_exact_averaged_passed_1_steep(double A, const double *p, double *out)
@@ -893,34 +995,33 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double beta = p[1];
     const double u_cr = p[2];
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double A2 = A * A;
-    const double t2 = 1.0 / A2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
     const double u_cr2 = u_cr * u_cr;
-    const double x2 = t2 * u_cr2;
+    const double A2 = A * A;
+    const double x2 = u_cr2 / A2;
     const double root2 = root * root;
-    const double y2 = root2 * t2;
+    const double y2 = root2 / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double b0_half_0_2 = b0_half_0 * b0_half_0;
     const double b0_half_0_3 = b0_half_0 * b0_half_0_2;
@@ -935,41 +1036,43 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
     const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
-    const double t3 = 0.25 * lam0_0;
-    const double X0_0 = t3 + 0.25 * y2;
-    const double t4 = 0.25 * lam0_1;
-    const double t5 = 0.25 * lam0_2;
-    const double t6 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * t0 + t3;
-    const double Y0_1 = t4 + 0.25;
-    const double Z0_0 = t3 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double X0_2 = 0.25 * lam0_2;
+    const double X0_3 = 0.25 * lam0_3;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Y0_3 = 0.25 * lam0_3;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
+    const double Z0_3 = 0.25 * lam0_3;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t4;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t5);
-    const double a13_0 = a1_half_0 * (-2.0 * a11_0 * a12_0 + t6);
+    const double a11_0 = X0_1 * a1_half_0;
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
+    const double a13_0 = a1_half_0 * (X0_3 - 2.0 * a11_0 * a12_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t5);
-    const double b13_0 = b1_half_0 * (-2.0 * b11_0 * b12_0 + t6);
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
+    const double b13_0 = b1_half_0 * (Y0_3 - 2.0 * b11_0 * b12_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t4;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t5);
-    const double c13_0 = c1_half_0 * (-2.0 * c11_0 * c12_0 + t6);
-    const double t7 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t7;
-    const double t8 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t7 + c1_0 * t8;
-    const double t9 = a12_0 + b12_0;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t8 + c12_0 * t7 + c1_0 * t9;
-    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * t9 + c12_0 * t8 +
-        c13_0 * t7 + c1_0 * (a13_0 + b13_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double c13_0 = c1_half_0 * (Z0_3 - 2.0 * c11_0 * c12_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
+    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * (a12_0 + b12_0) +
+        c12_0 * (a11_0 + b11_0) + c13_0 * (a1_0 + b1_0) + c1_0 * (a13_0 + b13_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t4;
-    const double q1_2 = lam1_2 + t5;
-    const double q1_3 = lam1_3 + t6;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
+    const double q1_3 = Z0_3 + lam1_3;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
@@ -978,22 +1081,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
     const double term13_0 = -term1_0 * (below1_1 * term12_0 + below1_2 * term11_0 + below1_3 * term1_0);
-    const double t10 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t10;
-    const double t11 = 0.25 * lam1_1;
-    const double X1_1 = t11 + 0.25 * t4;
-    const double t12 = 0.25 * lam1_2;
-    const double X1_2 = t12 + 0.25 * t5;
-    const double t13 = 0.25 * lam1_3;
-    const double X1_3 = t13 + 0.25 * t6;
-    const double Y1_0 = 0.25 * Y0_0 + t10;
-    const double Y1_1 = 0.25 * Y0_1 + t11;
-    const double Y1_2 = t12 + 0.25 * t5;
-    const double Y1_3 = t13 + 0.25 * t6;
-    const double Z1_0 = 0.25 * Z0_0 + t10;
-    const double Z1_1 = t11 + 0.25 * t4;
-    const double Z1_2 = t12 + 0.25 * t5;
-    const double Z1_3 = t13 + 0.25 * t6;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double X1_3 = 0.25 * X0_3 + 0.25 * lam1_3;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Y1_3 = 0.25 * Y0_3 + 0.25 * lam1_3;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
+    const double Z1_3 = 0.25 * Z0_3 + 0.25 * lam1_3;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -1009,14 +1108,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
     const double c23_0 = c2_half_0 * (Z1_3 - 2.0 * c21_0 * c22_0);
-    const double t14 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t14;
-    const double t15 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t14 + c2_0 * t15;
-    const double t16 = a22_0 + b22_0;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t15 + c22_0 * t14 + c2_0 * t16;
-    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * t16 + c22_0 * t15 +
-        c23_0 * t14 + c2_0 * (a23_0 + b23_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
+    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * (a22_0 + b22_0) +
+        c22_0 * (a21_0 + b21_0) + c23_0 * (a2_0 + b2_0) + c2_0 * (a23_0 + b23_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -1029,22 +1126,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
     const double term23_0 = -term2_0 * (below2_1 * term22_0 + below2_2 * term21_0 + below2_3 * term2_0);
-    const double t17 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t17;
-    const double t18 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t18;
-    const double t19 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t19;
-    const double t20 = 0.25 * lam2_3;
-    const double X2_3 = 0.25 * X1_3 + t20;
-    const double Y2_0 = 0.25 * Y1_0 + t17;
-    const double Y2_1 = 0.25 * Y1_1 + t18;
-    const double Y2_2 = 0.25 * Y1_2 + t19;
-    const double Y2_3 = 0.25 * Y1_3 + t20;
-    const double Z2_0 = 0.25 * Z1_0 + t17;
-    const double Z2_1 = 0.25 * Z1_1 + t18;
-    const double Z2_2 = 0.25 * Z1_2 + t19;
-    const double Z2_3 = 0.25 * Z1_3 + t20;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double X2_3 = 0.25 * X1_3 + 0.25 * lam2_3;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Y2_3 = 0.25 * Y1_3 + 0.25 * lam2_3;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
+    const double Z2_3 = 0.25 * Z1_3 + 0.25 * lam2_3;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -1060,14 +1153,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
     const double c33_0 = c3_half_0 * (Z2_3 - 2.0 * c31_0 * c32_0);
-    const double t21 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t21;
-    const double t22 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t21 + c3_0 * t22;
-    const double t23 = a32_0 + b32_0;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t22 + c32_0 * t21 + c3_0 * t23;
-    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * t23 + c32_0 * t22 +
-        c33_0 * t21 + c3_0 * (a33_0 + b33_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
+    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * (a32_0 + b32_0) +
+        c32_0 * (a31_0 + b31_0) + c33_0 * (a3_0 + b3_0) + c3_0 * (a33_0 + b33_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -1080,22 +1171,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
     const double term33_0 = -term3_0 * (below3_1 * term32_0 + below3_2 * term31_0 + below3_3 * term3_0);
-    const double t24 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t24;
-    const double t25 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t25;
-    const double t26 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t26;
-    const double t27 = 0.25 * lam3_3;
-    const double X3_3 = 0.25 * X2_3 + t27;
-    const double Y3_0 = 0.25 * Y2_0 + t24;
-    const double Y3_1 = 0.25 * Y2_1 + t25;
-    const double Y3_2 = 0.25 * Y2_2 + t26;
-    const double Y3_3 = 0.25 * Y2_3 + t27;
-    const double Z3_0 = 0.25 * Z2_0 + t24;
-    const double Z3_1 = 0.25 * Z2_1 + t25;
-    const double Z3_2 = 0.25 * Z2_2 + t26;
-    const double Z3_3 = 0.25 * Z2_3 + t27;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double X3_3 = 0.25 * X2_3 + 0.25 * lam3_3;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Y3_3 = 0.25 * Y2_3 + 0.25 * lam3_3;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
+    const double Z3_3 = 0.25 * Z2_3 + 0.25 * lam3_3;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -1111,14 +1198,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
     const double c43_0 = c4_half_0 * (Z3_3 - 2.0 * c41_0 * c42_0);
-    const double t28 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t28;
-    const double t29 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t28 + c4_0 * t29;
-    const double t30 = a42_0 + b42_0;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t29 + c42_0 * t28 + c4_0 * t30;
-    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * t30 + c42_0 * t29 +
-        c43_0 * t28 + c4_0 * (a43_0 + b43_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
+    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * (a42_0 + b42_0) +
+        c42_0 * (a41_0 + b41_0) + c43_0 * (a4_0 + b4_0) + c4_0 * (a43_0 + b43_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -1131,22 +1216,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
     const double term43_0 = -term4_0 * (below4_1 * term42_0 + below4_2 * term41_0 + below4_3 * term4_0);
-    const double t31 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t31;
-    const double t32 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t32;
-    const double t33 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t33;
-    const double t34 = 0.25 * lam4_3;
-    const double X4_3 = 0.25 * X3_3 + t34;
-    const double Y4_0 = 0.25 * Y3_0 + t31;
-    const double Y4_1 = 0.25 * Y3_1 + t32;
-    const double Y4_2 = 0.25 * Y3_2 + t33;
-    const double Y4_3 = 0.25 * Y3_3 + t34;
-    const double Z4_0 = 0.25 * Z3_0 + t31;
-    const double Z4_1 = 0.25 * Z3_1 + t32;
-    const double Z4_2 = 0.25 * Z3_2 + t33;
-    const double Z4_3 = 0.25 * Z3_3 + t34;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double X4_3 = 0.25 * X3_3 + 0.25 * lam4_3;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Y4_3 = 0.25 * Y3_3 + 0.25 * lam4_3;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
+    const double Z4_3 = 0.25 * Z3_3 + 0.25 * lam4_3;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -1162,14 +1243,12 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
     const double c53_0 = c5_half_0 * (Z4_3 - 2.0 * c51_0 * c52_0);
-    const double t35 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t35;
-    const double t36 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t35 + c5_0 * t36;
-    const double t37 = a52_0 + b52_0;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t36 + c52_0 * t35 + c5_0 * t37;
-    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * t37 + c52_0 * t36 +
-        c53_0 * t35 + c5_0 * (a53_0 + b53_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
+    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * (a52_0 + b52_0) +
+        c52_0 * (a51_0 + b51_0) + c53_0 * (a5_0 + b5_0) + c5_0 * (a53_0 + b53_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -1182,22 +1261,18 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
     const double term53_0 = -term5_0 * (below5_1 * term52_0 + below5_2 * term51_0 + below5_3 * term5_0);
-    const double t38 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t38;
-    const double t39 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t39;
-    const double t40 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t40;
-    const double t41 = 0.25 * lam5_3;
-    const double X5_3 = 0.25 * X4_3 + t41;
-    const double Y5_0 = 0.25 * Y4_0 + t38;
-    const double Y5_1 = 0.25 * Y4_1 + t39;
-    const double Y5_2 = 0.25 * Y4_2 + t40;
-    const double Y5_3 = 0.25 * Y4_3 + t41;
-    const double Z5_0 = 0.25 * Z4_0 + t38;
-    const double Z5_1 = 0.25 * Z4_1 + t39;
-    const double Z5_2 = 0.25 * Z4_2 + t40;
-    const double Z5_3 = 0.25 * Z4_3 + t41;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double X5_3 = 0.25 * X4_3 + 0.25 * lam5_3;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Y5_3 = 0.25 * Y4_3 + 0.25 * lam5_3;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
+    const double Z5_3 = 0.25 * Z4_3 + 0.25 * lam5_3;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
@@ -1206,24 +1281,16 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
     const double over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0);
-    const double t42 = -mean_0;
-    const double t43 = -X5_0 - t42;
-    const double dx_0 = over_0 * t43;
-    const double t44 = -mean_1;
-    const double t45 = -X5_1 - t44;
-    const double dx_1 = over1_0 * t43 + over_0 * t45;
-    const double t46 = -mean_2;
-    const double t47 = -X5_2 - t46;
-    const double dx_2 = over1_0 * t45 + over2_0 * t43 + over_0 * t47;
-    const double t48 = -mean_3;
-    const double dx_3 = over1_0 * t47 + over2_0 * t45 + over3_0 * t43 + over_0 * (-X5_3 - t48);
-    const double t49 = -Y5_0 - t42;
-    const double dy_0 = over_0 * t49;
-    const double t50 = -Y5_1 - t44;
-    const double dy_1 = over1_0 * t49 + over_0 * t50;
-    const double t51 = -Y5_2 - t46;
-    const double dy_2 = over1_0 * t50 + over2_0 * t49 + over_0 * t51;
-    const double dy_3 = over1_0 * t51 + over2_0 * t50 + over3_0 * t49 + over_0 * (-Y5_3 - t48);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dx_3 = over1_0 * (-X5_2 + mean_2) + over2_0 * (-X5_1 + mean_1) + over3_0 * (-X5_0 + mean_0) +
+        over_0 * (-X5_3 + mean_3);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
+    const double dy_3 = over1_0 * (-Y5_2 + mean_2) + over2_0 * (-Y5_1 + mean_1) + over3_0 * (-Y5_0 + mean_0) +
+        over_0 * (-Y5_3 + mean_3);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -1233,53 +1300,45 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t52 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t52;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t52;
-    const double zz_3 = 2.0 * dz_1 * dz_2 + dz_3 * t52;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
+    const double zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
     const double E2_3 = xy_3 - 6.0 * zz_3;
-    const double t53 = 3.0 * xy_0;
-    const double t54 = t53 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t54;
-    const double t55 = 3.0 * xy_1;
-    const double t56 = t55 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t56 + dz_1 * t54;
-    const double t57 = 3.0 * xy_2;
-    const double t58 = t57 - 8.0 * zz_2;
-    const double E3_2 = dz_0 * t58 + dz_1 * t56 + dz_2 * t54;
-    const double t59 = 3.0 * xy_3;
-    const double E3_3 = dz_0 * (t59 - 8.0 * zz_3) + dz_1 * t58 + dz_2 * t56 + dz_3 * t54;
-    const double t60 = t53 - 3.0 * zz_0;
-    const double E4_0 = t60 * zz_0;
-    const double t61 = t55 - 3.0 * zz_1;
-    const double E4_1 = t60 * zz_1 + t61 * zz_0;
-    const double t62 = t57 - 3.0 * zz_2;
-    const double E4_2 = t60 * zz_2 + t61 * zz_1 + t62 * zz_0;
-    const double E4_3 = t60 * zz_3 + t61 * zz_2 + t62 * zz_1 + zz_0 * (t59 - 3.0 * zz_3);
-    const double t63 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t63;
-    const double t64 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t64 + dz_1 * t63;
-    const double t65 = xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0;
-    const double E5_2 = dz_0 * t65 + dz_1 * t64 + dz_2 * t63;
-    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * t65 + dz_2 * t64 +
-        dz_3 * t63;
-    const double t66 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t66 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t67 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t67 - E3_1 * t66
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double t68 = 0.17307692307692307 * E2_2;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.21428571428571427 * E2_2 - E3_0 * t68 - E3_1 * t67 - E3_2 * t66 + 0.16666666666666666 * E3_2 -
-        0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
-    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 + 0.20454545454545456 * E2_1 * E2_2 -
-        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 - E3_1 * t68 - E3_2 * t67 - E3_3 * t66 +
-        0.16666666666666666 * E3_3 - 0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E3_3 = dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 -
+        8.0 * zz_1) + dz_3 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E4_3 = zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 -
+        3.0 * zz_1) + zz_3 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1
+        * zz_1 + xy_2 * zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
+    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 +
+        0.20454545454545456 * E2_1 * E2_2 - 0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 -
+        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 -
+        0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -1352,29 +1411,23 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double t69 = S_0 / c;
-    const double t70 = 2.5464790894703255 * beta;
-    const double t71 = 1.0 / root;
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
+    const double A3 = A * A2;
     const double c2 = c * c;
     const double c3 = c * c2;
-    const double t72 = u_cr5 / c3;
-    const double t73 = t71 * t72;
-    const double A4 = A2 * A2;
-    const double t74 = 3.0 / A4;
-    const double A3 = A * A2;
     const double root3 = root * root2;
+    const double A4 = A2 * A2;
     const double c4 = c2 * c2;
     const double c5 = c * c4;
-    out[0] = A * t70 * (-V2 + t69) - A;
-    out[1] = -t70 * (A2 * V4 + V2 - t69) - 1.0;
-    out[2] = -t70 * (3.0 * A * (A2 * V6 + V4) - t73 / A3);
-    out[3] = -t70 * (3.0 * A2 * (5.0 * A2 * V8 + 6.0 * V6) + 3.0 * V4 + t73 * t74 + t2 * t72 / root3 - t71 * t74 *
-        u_cr5 / c5);
+    out[0] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
+    out[1] = -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0;
+    out[2] = -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root));
+    out[3] = -2.5464790894703255 * beta * (3.0 * A2 * (5.0 * A2 * V8 + 6.0 * V6) + 3.0 * V4 - 3.0 * u_cr5 / (A4 *
+        c5 * root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
 static inline void rod_spring_exact_averaged(double A, const double *p, double *out)
@@ -1386,6 +1439,10 @@ static inline void rod_spring_exact_averaged(double A, const double *p, double *
     }
     if (A <= u_cr) {
         rod_spring_exact_averaged_passed_0_steep(A, p, out);
+        return;
+    }
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A)) {
+        rod_spring_exact_averaged_passed_1_far(A, p, out);
         return;
     }
     if (u_cr <= 0.75) {
@@ -1403,9 +1460,10 @@ static inline void rod_spring_exact_averaged(double A, const double *p, double *
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 83 structured, 75 common subexpressions, 75 power chains
    Operations where passed_0_steep: 139 structured, 123 common subexpressions, 123 power chains
-   Operations where passed_1: 482 structured, 485 common subexpressions, 479 power chains
-   Operations where passed_1_steep_far: 1108 structured, 979 common subexpressions, 978 power chains
-   Operations where passed_1_steep: 937 structured, 842 common subexpressions, 838 power chains
+   Operations where passed_1_far: 576 structured, 576 common subexpressions, 544 power chains
+   Operations where passed_1: 482 structured, 482 common subexpressions, 467 power chains
+   Operations where passed_1_steep_far: 1116 structured, 1116 common subexpressions, 1089 power chains
+   Operations where passed_1_steep: 941 structured, 941 common subexpressions, 932 power chains
  */
 static inline void rod_spring_exact_averaged_3_passed_0(double A, const double *p, double *out)
 {
@@ -1502,6 +1560,169 @@ static inline void rod_spring_exact_averaged_3_passed_0_steep(double A, const do
     out[2] = -t13 * (2.0 * B / (k * k) + C * t14);
 }
 
+static inline void rod_spring_exact_averaged_3_passed_1_far(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double u_cr = p[2];
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double sum_2 = tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
+        tangent_11 * term_11 + tangent_12 * tangent_12 * term_12 + tangent_13 * tangent_13 * term_13 + tangent_14 *
+        tangent_14 * term_14 + tangent_15 * tangent_15 * term_15 + tangent_2 * tangent_2 * term_2 + tangent_3 *
+        tangent_3 * term_3 + tangent_4 * tangent_4 * term_4 + tangent_5 * tangent_5 * term_5 + tangent_6 * tangent_6
+        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0;
+    out[2] = 2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 *
+        T3 * sum_2 * u_cr2 / c) / A;
+}
+
 static inline void rod_spring_exact_averaged_3_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -1531,92 +1752,77 @@ static inline void rod_spring_exact_averaged_3_passed_1(double A, const double *
     const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double t1 = 1.0 / square_1;
-    const double fall_1 = f_1 * t1 * v2_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
     const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double t2 = 1.0 / square_2;
-    const double fall_2 = f_2 * t2 * v2_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
     const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double t3 = 1.0 / square_3;
-    const double fall_3 = f_3 * t3 * v2_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
     const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double t4 = 1.0 / square_4;
-    const double fall_4 = f_4 * t4 * v2_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
     const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double t5 = 1.0 / square_5;
-    const double fall_5 = f_5 * t5 * v2_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
     const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double t6 = 1.0 / square_6;
-    const double fall_6 = f_6 * t6 * v2_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
     const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double t7 = 1.0 / square_7;
-    const double fall_7 = f_7 * t7 * v2_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
     const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double t8 = 1.0 / square_8;
-    const double fall_8 = f_8 * t8 * v2_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
     const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double t9 = 1.0 / square_9;
-    const double fall_9 = f_9 * t9 * v2_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
     const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double t10 = 1.0 / square_10;
-    const double fall_10 = f_10 * t10 * v2_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
     const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double t11 = 1.0 / square_11;
-    const double fall_11 = f_11 * t11 * v2_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
     const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double t12 = 1.0 / square_12;
-    const double fall_12 = f_12 * t12 * v2_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
     const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double t13 = 1.0 / square_13;
-    const double fall_13 = f_13 * t13 * v2_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
     const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double t14 = 1.0 / square_14;
-    const double fall_14 = f_14 * t14 * v2_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
     const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
-    const double t15 = 1.0 / square_15;
-    const double fall_15 = f_15 * t15 * v2_15;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
+    const double fall_15 = f_15 * v2_15 / square_15;
     const double sum_0 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
         (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1) + f_10 * g_10 * (0.46337585185798008
         - 0.24865867177287138 * t0) * (g_10 * (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c +
@@ -1641,24 +1847,22 @@ static inline void rod_spring_exact_averaged_3_passed_1(double A, const double *
         (0.62052618298924289 * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
     const double sum_1 = fall_1 + fall_10 + fall_11 + fall_12 + fall_13 + fall_14 + fall_15 + fall_2 + fall_3 +
         fall_4 + fall_5 + fall_6 + fall_7 + fall_8 + fall_9;
-    const double sum_2 = fall_1 * t1 + fall_10 * t10 + fall_11 * t11 + fall_12 * t12 + fall_13 * t13 + fall_14 * t14
-        + fall_15 * t15 + fall_2 * t2 + fall_3 * t3 + fall_4 * t4 + fall_5 * t5 + fall_6 * t6 + fall_7 * t7 + fall_8
-        * t8 + fall_9 * t9;
-    const double t16 = 0.31830988618379069 * beta;
+    const double sum_2 = fall_1 / square_1 + fall_10 / square_10 + fall_11 / square_11 + fall_12 / square_12 +
+        fall_13 / square_13 + fall_14 / square_14 + fall_15 / square_15 + fall_2 / square_2 + fall_3 / square_3 +
+        fall_4 / square_4 + fall_5 / square_5 + fall_6 / square_6 + fall_7 / square_7 + fall_8 / square_8 + fall_9 /
+        square_9;
     const double u_cr2 = u_cr * u_cr;
     const double T3 = T * t0;
-    const double t17 = T3 * sum_0 * u_cr2 / c;
     const double T4 = t0 * t0;
     const double T5 = T * T4;
-    const double t18 = 8.0 * t16;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
     const double A3 = A * A2;
     const double c2 = c * c;
     const double c3 = c * c2;
-    out[0] = 64.0 * A * t16 * t17 - A;
-    out[1] = -t18 * (32.0 * A2 * T5 * sum_1 - 8.0 * t17) - 1.0;
-    out[2] = -t18 * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
+    out[2] = -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
 }
 
 static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, const double *p, double *out)
@@ -1666,51 +1870,35 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double beta = p[1];
     const double u_cr = p[2];
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
-    const double t18 = 1.0 / A;
-    const double third = 0.33333333333333331 * t18 * u_cr * x2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
+    const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
     const double a0_half_0_2 = a0_half_0 * a0_half_0;
     const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
     const double a02_0 = -a0_half_0_3;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double lam0_2 = a02_0 * b0_0 + a02_0;
@@ -1718,52 +1906,49 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double t19 = 0.25 * lam0_0;
-    const double X0_0 = t19 + 0.25 * y2;
-    const double t20 = 0.25 * lam0_1;
-    const double X0_1 = t20 + 0.25;
-    const double t21 = 0.25 * lam0_2;
-    const double Y0_0 = 0.25 * t0 + t19;
-    const double Z0_0 = t19 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double X0_2 = 0.25 * lam0_2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t21);
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t20;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t21);
+    const double b11_0 = Y0_1 * b1_half_0;
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t20;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t21);
-    const double t22 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t22;
-    const double t23 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t22 + c1_0 * t23;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t23 + c12_0 * t22 + c1_0 * (a12_0 +
-        b12_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t20;
-    const double q1_2 = lam1_2 + t21;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
-    const double t24 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t24;
-    const double t25 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t25;
-    const double t26 = 0.25 * lam1_2;
-    const double X1_2 = 0.25 * t21 + t26;
-    const double Y1_0 = 0.25 * Y0_0 + t24;
-    const double Y1_1 = 0.25 * t20 + t25;
-    const double Y1_2 = 0.25 * t21 + t26;
-    const double Z1_0 = 0.25 * Z0_0 + t24;
-    const double Z1_1 = 0.25 * t20 + t25;
-    const double Z1_2 = 0.25 * t21 + t26;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -1776,12 +1961,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
-    const double t27 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t27;
-    const double t28 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t27 + c2_0 * t28;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t28 + c22_0 * t27 + c2_0 * (a22_0 +
-        b22_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -1791,18 +1974,15 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
-    const double t29 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t29;
-    const double t30 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t30;
-    const double t31 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t31;
-    const double Y2_0 = 0.25 * Y1_0 + t29;
-    const double Y2_1 = 0.25 * Y1_1 + t30;
-    const double Y2_2 = 0.25 * Y1_2 + t31;
-    const double Z2_0 = 0.25 * Z1_0 + t29;
-    const double Z2_1 = 0.25 * Z1_1 + t30;
-    const double Z2_2 = 0.25 * Z1_2 + t31;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -1815,12 +1995,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
-    const double t32 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t32;
-    const double t33 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t32 + c3_0 * t33;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t33 + c32_0 * t32 + c3_0 * (a32_0 +
-        b32_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -1830,18 +2008,15 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
-    const double t34 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t34;
-    const double t35 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t35;
-    const double t36 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t36;
-    const double Y3_0 = 0.25 * Y2_0 + t34;
-    const double Y3_1 = 0.25 * Y2_1 + t35;
-    const double Y3_2 = 0.25 * Y2_2 + t36;
-    const double Z3_0 = 0.25 * Z2_0 + t34;
-    const double Z3_1 = 0.25 * Z2_1 + t35;
-    const double Z3_2 = 0.25 * Z2_2 + t36;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -1854,12 +2029,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
-    const double t37 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t37;
-    const double t38 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t37 + c4_0 * t38;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t38 + c42_0 * t37 + c4_0 * (a42_0 +
-        b42_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -1869,18 +2042,15 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
-    const double t39 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t39;
-    const double t40 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t40;
-    const double t41 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t41;
-    const double Y4_0 = 0.25 * Y3_0 + t39;
-    const double Y4_1 = 0.25 * Y3_1 + t40;
-    const double Y4_2 = 0.25 * Y3_2 + t41;
-    const double Z4_0 = 0.25 * Z3_0 + t39;
-    const double Z4_1 = 0.25 * Z3_1 + t40;
-    const double Z4_2 = 0.25 * Z3_2 + t41;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -1893,12 +2063,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
-    const double t42 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t42;
-    const double t43 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t42 + c5_0 * t43;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t43 + c52_0 * t42 + c5_0 * (a52_0 +
-        b52_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -1908,37 +2076,27 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
-    const double t44 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t44;
-    const double t45 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t45;
-    const double t46 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t46;
-    const double Y5_0 = 0.25 * Y4_0 + t44;
-    const double Y5_1 = 0.25 * Y4_1 + t45;
-    const double Y5_2 = 0.25 * Y4_2 + t46;
-    const double Z5_0 = 0.25 * Z4_0 + t44;
-    const double Z5_1 = 0.25 * Z4_1 + t45;
-    const double Z5_2 = 0.25 * Z4_2 + t46;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
-    const double t47 = -mean_0;
-    const double t48 = -X5_0 - t47;
-    const double dx_0 = over_0 * t48;
-    const double t49 = -mean_1;
-    const double t50 = -X5_1 - t49;
-    const double dx_1 = over1_0 * t48 + over_0 * t50;
-    const double t51 = -mean_2;
-    const double dx_2 = over1_0 * t50 + over2_0 * t48 + over_0 * (-X5_2 - t51);
-    const double t52 = -Y5_0 - t47;
-    const double dy_0 = over_0 * t52;
-    const double t53 = -Y5_1 - t49;
-    const double dy_1 = over1_0 * t52 + over_0 * t53;
-    const double dy_2 = over1_0 * t53 + over2_0 * t52 + over_0 * (-Y5_2 - t51);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -1946,39 +2104,33 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t54 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t54;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t54;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
-    const double t55 = 3.0 * xy_0;
-    const double t56 = t55 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t56;
-    const double t57 = 3.0 * xy_1;
-    const double t58 = t57 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t58 + dz_1 * t56;
-    const double t59 = 3.0 * xy_2;
-    const double E3_2 = dz_0 * (t59 - 8.0 * zz_2) + dz_1 * t58 + dz_2 * t56;
-    const double t60 = t55 - 3.0 * zz_0;
-    const double E4_0 = t60 * zz_0;
-    const double t61 = t57 - 3.0 * zz_1;
-    const double E4_1 = t60 * zz_1 + t61 * zz_0;
-    const double E4_2 = t60 * zz_2 + t61 * zz_1 + zz_0 * (t59 - 3.0 * zz_2);
-    const double t62 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t62;
-    const double t63 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t63 + dz_1 * t62;
-    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * t63 + dz_2 * t62;
-    const double t64 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t64 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t65 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t65 - E3_1 * t64
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.17307692307692307 * E2_2 * E3_0 - 0.21428571428571427 * E2_2 - E3_1 * t65 - E3_2 * t64 +
-        0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -2001,98 +2153,94 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t66 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t66 * t66);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t67 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t67 * t67);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t68 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t68 * t68);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t69 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t69 * t69);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t70 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t70 * t70);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t71 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t71 * t71);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t72 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t72 * t72);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t73 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t73 * t73);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t74 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t74 * t74);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t75 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t75 * t75);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t76 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t76 * t76);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t77 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t77 * t77);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t78 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t78 * t78);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t79 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t79 * t79);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t80 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t80 * t80);
-    const double T3 = T * t1;
-    const double t81 = 8.0 * T3;
-    const double S_0 = t81 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
-        term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t81 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
-    const double S_2 = t81 * (tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double sum_2 = tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
         tangent_11 * term_11 + tangent_12 * tangent_12 * term_12 + tangent_13 * tangent_13 * term_13 + tangent_14 *
         tangent_14 * term_14 + tangent_15 * tangent_15 * term_15 + tangent_2 * tangent_2 * term_2 + tangent_3 *
         tangent_3 * term_3 + tangent_4 * tangent_4 * term_4 + tangent_5 * tangent_5 * term_5 + tangent_6 * tangent_6
-        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9);
-    const double t82 = 1.0 / c;
-    const double t83 = S_0 * t82;
-    const double t84 = 2.5464790894703255 * beta;
-    const double t85 = S_1 * t82;
-    out[0] = A * t84 * (-V2 + t83) - A;
-    out[1] = t84 * (2.0 * V2 + V4 - 2.0 * t83 - t85) - 1.0;
-    out[2] = t18 * t84 * (3.0 * S_2 * t82 - 6.0 * V2 - 7.0 * V4 - 3.0 * V6 + 6.0 * t83 + 7.0 * t85);
+        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9;
+    const double T3 = T * t0;
+    out[0] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
+    out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0;
+    out[2] = 2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c -
+        6.0 * V2 - 7.0 * V4 - 3.0 * V6) / A;
 }
 
 static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const double *p, double *out)
@@ -2100,33 +2248,32 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double beta = p[1];
     const double u_cr = p[2];
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double A2 = A * A;
-    const double t2 = 1.0 / A2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
     const double u_cr2 = u_cr * u_cr;
-    const double x2 = t2 * u_cr2;
-    const double y2 = root * root * t2;
+    const double A2 = A * A;
+    const double x2 = u_cr2 / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double b0_half_0_2 = b0_half_0 * b0_half_0;
     const double b0_half_0_3 = b0_half_0 * b0_half_0_2;
@@ -2138,52 +2285,49 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double t3 = 0.25 * lam0_0;
-    const double X0_0 = t3 + 0.25 * y2;
-    const double t4 = 0.25 * lam0_1;
-    const double t5 = 0.25 * lam0_2;
-    const double Y0_0 = 0.25 * t0 + t3;
-    const double Y0_1 = t4 + 0.25;
-    const double Z0_0 = t3 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double X0_2 = 0.25 * lam0_2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t4;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t5);
+    const double a11_0 = X0_1 * a1_half_0;
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t5);
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t4;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t5);
-    const double t6 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t6;
-    const double t7 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t6 + c1_0 * t7;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t7 + c12_0 * t6 + c1_0 * (a12_0 +
-        b12_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t4;
-    const double q1_2 = lam1_2 + t5;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
-    const double t8 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t8;
-    const double t9 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * t4 + t9;
-    const double t10 = 0.25 * lam1_2;
-    const double X1_2 = t10 + 0.25 * t5;
-    const double Y1_0 = 0.25 * Y0_0 + t8;
-    const double Y1_1 = 0.25 * Y0_1 + t9;
-    const double Y1_2 = t10 + 0.25 * t5;
-    const double Z1_0 = 0.25 * Z0_0 + t8;
-    const double Z1_1 = 0.25 * t4 + t9;
-    const double Z1_2 = t10 + 0.25 * t5;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -2196,12 +2340,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
-    const double t11 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t11;
-    const double t12 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t11 + c2_0 * t12;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t12 + c22_0 * t11 + c2_0 * (a22_0 +
-        b22_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -2211,18 +2353,15 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
-    const double t13 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t13;
-    const double t14 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t14;
-    const double t15 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t15;
-    const double Y2_0 = 0.25 * Y1_0 + t13;
-    const double Y2_1 = 0.25 * Y1_1 + t14;
-    const double Y2_2 = 0.25 * Y1_2 + t15;
-    const double Z2_0 = 0.25 * Z1_0 + t13;
-    const double Z2_1 = 0.25 * Z1_1 + t14;
-    const double Z2_2 = 0.25 * Z1_2 + t15;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -2235,12 +2374,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
-    const double t16 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t16;
-    const double t17 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t16 + c3_0 * t17;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t17 + c32_0 * t16 + c3_0 * (a32_0 +
-        b32_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -2250,18 +2387,15 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
-    const double t18 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t18;
-    const double t19 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t19;
-    const double t20 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t20;
-    const double Y3_0 = 0.25 * Y2_0 + t18;
-    const double Y3_1 = 0.25 * Y2_1 + t19;
-    const double Y3_2 = 0.25 * Y2_2 + t20;
-    const double Z3_0 = 0.25 * Z2_0 + t18;
-    const double Z3_1 = 0.25 * Z2_1 + t19;
-    const double Z3_2 = 0.25 * Z2_2 + t20;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -2274,12 +2408,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
-    const double t21 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t21;
-    const double t22 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t21 + c4_0 * t22;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t22 + c42_0 * t21 + c4_0 * (a42_0 +
-        b42_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -2289,18 +2421,15 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
-    const double t23 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t23;
-    const double t24 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t24;
-    const double t25 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t25;
-    const double Y4_0 = 0.25 * Y3_0 + t23;
-    const double Y4_1 = 0.25 * Y3_1 + t24;
-    const double Y4_2 = 0.25 * Y3_2 + t25;
-    const double Z4_0 = 0.25 * Z3_0 + t23;
-    const double Z4_1 = 0.25 * Z3_1 + t24;
-    const double Z4_2 = 0.25 * Z3_2 + t25;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -2313,12 +2442,10 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
-    const double t26 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t26;
-    const double t27 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t26 + c5_0 * t27;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t27 + c52_0 * t26 + c5_0 * (a52_0 +
-        b52_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -2328,37 +2455,27 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
-    const double t28 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t28;
-    const double t29 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t29;
-    const double t30 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t30;
-    const double Y5_0 = 0.25 * Y4_0 + t28;
-    const double Y5_1 = 0.25 * Y4_1 + t29;
-    const double Y5_2 = 0.25 * Y4_2 + t30;
-    const double Z5_0 = 0.25 * Z4_0 + t28;
-    const double Z5_1 = 0.25 * Z4_1 + t29;
-    const double Z5_2 = 0.25 * Z4_2 + t30;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
-    const double t31 = -mean_0;
-    const double t32 = -X5_0 - t31;
-    const double dx_0 = over_0 * t32;
-    const double t33 = -mean_1;
-    const double t34 = -X5_1 - t33;
-    const double dx_1 = over1_0 * t32 + over_0 * t34;
-    const double t35 = -mean_2;
-    const double dx_2 = over1_0 * t34 + over2_0 * t32 + over_0 * (-X5_2 - t35);
-    const double t36 = -Y5_0 - t31;
-    const double dy_0 = over_0 * t36;
-    const double t37 = -Y5_1 - t33;
-    const double dy_1 = over1_0 * t36 + over_0 * t37;
-    const double dy_2 = over1_0 * t37 + over2_0 * t36 + over_0 * (-Y5_2 - t35);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -2366,39 +2483,33 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t38 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t38;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t38;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
-    const double t39 = 3.0 * xy_0;
-    const double t40 = t39 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t40;
-    const double t41 = 3.0 * xy_1;
-    const double t42 = t41 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t42 + dz_1 * t40;
-    const double t43 = 3.0 * xy_2;
-    const double E3_2 = dz_0 * (t43 - 8.0 * zz_2) + dz_1 * t42 + dz_2 * t40;
-    const double t44 = t39 - 3.0 * zz_0;
-    const double E4_0 = t44 * zz_0;
-    const double t45 = t41 - 3.0 * zz_1;
-    const double E4_1 = t44 * zz_1 + t45 * zz_0;
-    const double E4_2 = t44 * zz_2 + t45 * zz_1 + zz_0 * (t43 - 3.0 * zz_2);
-    const double t46 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t46;
-    const double t47 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t47 + dz_1 * t46;
-    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * t47 + dz_2 * t46;
-    const double t48 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t48 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t49 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t49 - E3_1 * t48
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.17307692307692307 * E2_2 * E3_0 - 0.21428571428571427 * E2_2 - E3_1 * t49 - E3_2 * t48 +
-        0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -2463,19 +2574,17 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double t50 = S_0 / c;
-    const double t51 = 2.5464790894703255 * beta;
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
     const double A3 = A * A2;
     const double c2 = c * c;
     const double c3 = c * c2;
-    out[0] = A * t51 * (-V2 + t50) - A;
-    out[1] = -t51 * (A2 * V4 + V2 - t50) - 1.0;
-    out[2] = -t51 * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root));
+    out[0] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
+    out[1] = -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0;
+    out[2] = -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root));
 }
 
 static inline void rod_spring_exact_averaged_3(double A, const double *p, double *out)
@@ -2487,6 +2596,10 @@ static inline void rod_spring_exact_averaged_3(double A, const double *p, double
     }
     if (A <= u_cr) {
         rod_spring_exact_averaged_3_passed_0_steep(A, p, out);
+        return;
+    }
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A)) {
+        rod_spring_exact_averaged_3_passed_1_far(A, p, out);
         return;
     }
     if (u_cr <= 0.75) {
@@ -2504,9 +2617,10 @@ static inline void rod_spring_exact_averaged_3(double A, const double *p, double
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 75 structured, 68 common subexpressions, 68 power chains
    Operations where passed_0_steep: 131 structured, 116 common subexpressions, 116 power chains
-   Operations where passed_1: 432 structured, 425 common subexpressions, 422 power chains
-   Operations where passed_1_steep_far: 689 structured, 611 common subexpressions, 610 power chains
-   Operations where passed_1_steep: 564 structured, 517 common subexpressions, 516 power chains
+   Operations where passed_1_far: 506 structured, 506 common subexpressions, 483 power chains
+   Operations where passed_1: 432 structured, 432 common subexpressions, 424 power chains
+   Operations where passed_1_steep_far: 692 structured, 692 common subexpressions, 671 power chains
+   Operations where passed_1_steep: 568 structured, 568 common subexpressions, 563 power chains
  */
 static inline void rod_spring_exact_averaged_2_passed_0(double A, const double *p, double *out)
 {
@@ -2597,6 +2711,162 @@ static inline void rod_spring_exact_averaged_2_passed_0_steep(double A, const do
     out[1] = -alpha - t12 * (B * m / k - C * m + P);
 }
 
+static inline void rod_spring_exact_averaged_2_passed_1_far(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double u_cr = p[2];
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0;
+}
+
 static inline void rod_spring_exact_averaged_2_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -2620,82 +2890,82 @@ static inline void rod_spring_exact_averaged_2_passed_1(double A, const double *
     const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
     const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
     const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
-    const double t1 = A * A;
-    const double U2 = 4.0 * t0 * t1;
+    const double A2 = A * A;
+    const double U2 = 4.0 * A2 * t0;
     const double v2_1 = 0.99379661859049351 * g_1 * g_1;
     const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double fall_1 = f_1 * v2_1 / square_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
     const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double fall_2 = f_2 * v2_2 / square_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
     const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double fall_3 = f_3 * v2_3 / square_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
     const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double fall_4 = f_4 * v2_4 / square_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
     const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double fall_5 = f_5 * v2_5 / square_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
     const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double fall_6 = f_6 * v2_6 / square_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
     const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double fall_7 = f_7 * v2_7 / square_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
     const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double fall_8 = f_8 * v2_8 / square_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
     const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double fall_9 = f_9 * v2_9 / square_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
     const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double fall_10 = f_10 * v2_10 / square_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
     const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double fall_11 = f_11 * v2_11 / square_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
     const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double fall_12 = f_12 * v2_12 / square_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
     const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double fall_13 = f_13 * v2_13 / square_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
     const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double fall_14 = f_14 * v2_14 / square_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
     const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
     const double fall_15 = f_15 * v2_15 / square_15;
     const double sum_0 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
         (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1) + f_10 * g_10 * (0.46337585185798008
@@ -2721,13 +2991,12 @@ static inline void rod_spring_exact_averaged_2_passed_1(double A, const double *
         (0.62052618298924289 * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
     const double sum_1 = fall_1 + fall_10 + fall_11 + fall_12 + fall_13 + fall_14 + fall_15 + fall_2 + fall_3 +
         fall_4 + fall_5 + fall_6 + fall_7 + fall_8 + fall_9;
-    const double t2 = 0.31830988618379069 * beta;
+    const double u_cr2 = u_cr * u_cr;
     const double T3 = T * t0;
-    const double t3 = T3 * sum_0 * u_cr * u_cr / c;
     const double T4 = t0 * t0;
     const double T5 = T * T4;
-    out[0] = 64.0 * A * t2 * t3 - A;
-    out[1] = -8.0 * t2 * (32.0 * T5 * sum_1 * t1 - 8.0 * t3) - 1.0;
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
 }
 
 static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, const double *p, double *out)
@@ -2735,84 +3004,66 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     const double beta = p[1];
     const double u_cr = p[2];
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double t18 = 0.25 * lam0_0;
-    const double X0_0 = t18 + 0.25 * y2;
-    const double t19 = 0.25 * lam0_1;
-    const double X0_1 = t19 + 0.25;
-    const double Y0_0 = 0.25 * t0 + t18;
-    const double Z0_0 = t18 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t19;
+    const double b11_0 = Y0_1 * b1_half_0;
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t19;
-    const double t20 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t20;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t20 + c1_0 * (a11_0 + b11_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t19;
+    const double q1_1 = Z0_1 + lam1_1;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
-    const double t21 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t21;
-    const double t22 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t22;
-    const double Y1_0 = 0.25 * Y0_0 + t21;
-    const double Y1_1 = 0.25 * t19 + t22;
-    const double Z1_0 = 0.25 * Z0_0 + t21;
-    const double Z1_1 = 0.25 * t19 + t22;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -2822,23 +3073,20 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     const double c2_0 = sqrt(Z1_0);
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
-    const double t23 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t23;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t23 + c2_0 * (a21_0 + b21_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double below2_0 = c2_0 * q2_0;
     const double below2_1 = c21_0 * q2_0 + c2_0 * q2_1;
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
-    const double t24 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t24;
-    const double t25 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t25;
-    const double Y2_0 = 0.25 * Y1_0 + t24;
-    const double Y2_1 = 0.25 * Y1_1 + t25;
-    const double Z2_0 = 0.25 * Z1_0 + t24;
-    const double Z2_1 = 0.25 * Z1_1 + t25;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -2848,23 +3096,20 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     const double c3_0 = sqrt(Z2_0);
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
-    const double t26 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t26;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t26 + c3_0 * (a31_0 + b31_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double below3_0 = c3_0 * q3_0;
     const double below3_1 = c31_0 * q3_0 + c3_0 * q3_1;
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
-    const double t27 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t27;
-    const double t28 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t28;
-    const double Y3_0 = 0.25 * Y2_0 + t27;
-    const double Y3_1 = 0.25 * Y2_1 + t28;
-    const double Z3_0 = 0.25 * Z2_0 + t27;
-    const double Z3_1 = 0.25 * Z2_1 + t28;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -2874,23 +3119,20 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     const double c4_0 = sqrt(Z3_0);
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
-    const double t29 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t29;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t29 + c4_0 * (a41_0 + b41_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double below4_0 = c4_0 * q4_0;
     const double below4_1 = c41_0 * q4_0 + c4_0 * q4_1;
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
-    const double t30 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t30;
-    const double t31 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t31;
-    const double Y4_0 = 0.25 * Y3_0 + t30;
-    const double Y4_1 = 0.25 * Y3_1 + t31;
-    const double Z4_0 = 0.25 * Z3_0 + t30;
-    const double Z4_1 = 0.25 * Z3_1 + t31;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -2900,35 +3142,28 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     const double c5_0 = sqrt(Z4_0);
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
-    const double t32 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t32;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t32 + c5_0 * (a51_0 + b51_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double below5_0 = c5_0 * q5_0;
     const double below5_1 = c51_0 * q5_0 + c5_0 * q5_1;
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
-    const double t33 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t33;
-    const double t34 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t34;
-    const double Y5_0 = 0.25 * Y4_0 + t33;
-    const double Y5_1 = 0.25 * Y4_1 + t34;
-    const double Z5_0 = 0.25 * Z4_0 + t33;
-    const double Z5_1 = 0.25 * Z4_1 + t34;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
-    const double t35 = -mean_0;
-    const double t36 = -X5_0 - t35;
-    const double dx_0 = over_0 * t36;
-    const double t37 = -mean_1;
-    const double dx_1 = over1_0 * t36 + over_0 * (-X5_1 - t37);
-    const double t38 = -Y5_0 - t35;
-    const double dy_0 = over_0 * t38;
-    const double dy_1 = over1_0 * t38 + over_0 * (-Y5_1 - t37);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double xy_0 = dx_0 * dy_0;
@@ -2937,23 +3172,18 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     const double zz_1 = 2.0 * dz_0 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
-    const double t39 = 3.0 * xy_0;
-    const double t40 = t39 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t40;
-    const double t41 = 3.0 * xy_1;
-    const double E3_1 = dz_0 * (t41 - 8.0 * zz_1) + dz_1 * t40;
-    const double t42 = t39 - 3.0 * zz_0;
-    const double E4_0 = t42 * zz_0;
-    const double E4_1 = t42 * zz_1 + zz_0 * (t41 - 3.0 * zz_1);
-    const double t43 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t43;
-    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * t43;
-    const double t44 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t44 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_1 * E3_0 -
-        0.21428571428571427 * E2_1 - E3_1 * t44 + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 +
-        0.11538461538461539 * E5_1;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -2970,91 +3200,87 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t45 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t45 * t45);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t46 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t46 * t46);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t47 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t47 * t47);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t48 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t48 * t48);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t49 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t49 * t49);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t50 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t50 * t50);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t51 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t51 * t51);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t52 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t52 * t52);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t53 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t53 * t53);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t54 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t54 * t54);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t55 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t55 * t55);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t56 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t56 * t56);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t57 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t57 * t57);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t58 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t58 * t58);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t59 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t59 * t59);
-    const double T3 = T * t1;
-    const double t60 = 8.0 * T3;
-    const double S_0 = t60 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
-        term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t60 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
-    const double t61 = 1.0 / c;
-    const double t62 = S_0 * t61;
-    const double t63 = 2.5464790894703255 * beta;
-    out[0] = A * t63 * (-V2 + t62) - A;
-    out[1] = t63 * (-S_1 * t61 + 2.0 * V2 + V4 - 2.0 * t62) - 1.0;
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double T3 = T * t0;
+    out[0] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
+    out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0;
 }
 
 static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const double *p, double *out)
@@ -3062,70 +3288,66 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     const double beta = p[1];
     const double u_cr = p[2];
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double t2 = A * A;
-    const double t3 = 1.0 / t2;
-    const double x2 = t3 * u_cr * u_cr;
-    const double y2 = root * root * t3;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_0 * b0_half_0 + b0_half_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double t4 = 0.25 * lam0_0;
-    const double X0_0 = t4 + 0.25 * y2;
-    const double t5 = 0.25 * lam0_1;
-    const double Y0_0 = 0.25 * t0 + t4;
-    const double Y0_1 = t5 + 0.25;
-    const double Z0_0 = t4 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t5;
+    const double a11_0 = X0_1 * a1_half_0;
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t5;
-    const double t6 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t6;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t6 + c1_0 * (a11_0 + b11_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t5;
+    const double q1_1 = Z0_1 + lam1_1;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
-    const double t7 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t7;
-    const double t8 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * t5 + t8;
-    const double Y1_0 = 0.25 * Y0_0 + t7;
-    const double Y1_1 = 0.25 * Y0_1 + t8;
-    const double Z1_0 = 0.25 * Z0_0 + t7;
-    const double Z1_1 = 0.25 * t5 + t8;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -3135,23 +3357,20 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     const double c2_0 = sqrt(Z1_0);
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
-    const double t9 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t9;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t9 + c2_0 * (a21_0 + b21_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double below2_0 = c2_0 * q2_0;
     const double below2_1 = c21_0 * q2_0 + c2_0 * q2_1;
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
-    const double t10 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t10;
-    const double t11 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t11;
-    const double Y2_0 = 0.25 * Y1_0 + t10;
-    const double Y2_1 = 0.25 * Y1_1 + t11;
-    const double Z2_0 = 0.25 * Z1_0 + t10;
-    const double Z2_1 = 0.25 * Z1_1 + t11;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -3161,23 +3380,20 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     const double c3_0 = sqrt(Z2_0);
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
-    const double t12 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t12;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t12 + c3_0 * (a31_0 + b31_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double below3_0 = c3_0 * q3_0;
     const double below3_1 = c31_0 * q3_0 + c3_0 * q3_1;
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
-    const double t13 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t13;
-    const double t14 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t14;
-    const double Y3_0 = 0.25 * Y2_0 + t13;
-    const double Y3_1 = 0.25 * Y2_1 + t14;
-    const double Z3_0 = 0.25 * Z2_0 + t13;
-    const double Z3_1 = 0.25 * Z2_1 + t14;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -3187,23 +3403,20 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     const double c4_0 = sqrt(Z3_0);
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
-    const double t15 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t15;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t15 + c4_0 * (a41_0 + b41_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double below4_0 = c4_0 * q4_0;
     const double below4_1 = c41_0 * q4_0 + c4_0 * q4_1;
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
-    const double t16 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t16;
-    const double t17 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t17;
-    const double Y4_0 = 0.25 * Y3_0 + t16;
-    const double Y4_1 = 0.25 * Y3_1 + t17;
-    const double Z4_0 = 0.25 * Z3_0 + t16;
-    const double Z4_1 = 0.25 * Z3_1 + t17;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -3213,35 +3426,28 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     const double c5_0 = sqrt(Z4_0);
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
-    const double t18 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t18;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t18 + c5_0 * (a51_0 + b51_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double below5_0 = c5_0 * q5_0;
     const double below5_1 = c51_0 * q5_0 + c5_0 * q5_1;
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
-    const double t19 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t19;
-    const double t20 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t20;
-    const double Y5_0 = 0.25 * Y4_0 + t19;
-    const double Y5_1 = 0.25 * Y4_1 + t20;
-    const double Z5_0 = 0.25 * Z4_0 + t19;
-    const double Z5_1 = 0.25 * Z4_1 + t20;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
-    const double t21 = -mean_0;
-    const double t22 = -X5_0 - t21;
-    const double dx_0 = over_0 * t22;
-    const double t23 = -mean_1;
-    const double dx_1 = over1_0 * t22 + over_0 * (-X5_1 - t23);
-    const double t24 = -Y5_0 - t21;
-    const double dy_0 = over_0 * t24;
-    const double dy_1 = over1_0 * t24 + over_0 * (-Y5_1 - t23);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double xy_0 = dx_0 * dy_0;
@@ -3250,23 +3456,18 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     const double zz_1 = 2.0 * dz_0 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
-    const double t25 = 3.0 * xy_0;
-    const double t26 = t25 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t26;
-    const double t27 = 3.0 * xy_1;
-    const double E3_1 = dz_0 * (t27 - 8.0 * zz_1) + dz_1 * t26;
-    const double t28 = t25 - 3.0 * zz_0;
-    const double E4_0 = t28 * zz_0;
-    const double E4_1 = t28 * zz_1 + zz_0 * (t27 - 3.0 * zz_1);
-    const double t29 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t29;
-    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * t29;
-    const double t30 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t30 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_1 * E3_0 -
-        0.21428571428571427 * E2_1 - E3_1 * t30 + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 +
-        0.11538461538461539 * E5_1;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -3325,13 +3526,11 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double t31 = S_0 / c;
-    const double t32 = 2.5464790894703255 * beta;
-    out[0] = A * t32 * (-V2 + t31) - A;
-    out[1] = -t32 * (V2 + V4 * t2 - t31) - 1.0;
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    out[0] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
+    out[1] = -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0;
 }
 
 static inline void rod_spring_exact_averaged_2(double A, const double *p, double *out)
@@ -3343,6 +3542,10 @@ static inline void rod_spring_exact_averaged_2(double A, const double *p, double
     }
     if (A <= u_cr) {
         rod_spring_exact_averaged_2_passed_0_steep(A, p, out);
+        return;
+    }
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A)) {
+        rod_spring_exact_averaged_2_passed_1_far(A, p, out);
         return;
     }
     if (u_cr <= 0.75) {
@@ -3360,9 +3563,10 @@ static inline void rod_spring_exact_averaged_2(double A, const double *p, double
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 59 structured, 54 common subexpressions, 54 power chains
    Operations where passed_0_steep: 115 structured, 102 common subexpressions, 102 power chains
-   Operations where passed_1: 369 structured, 368 common subexpressions, 367 power chains
-   Operations where passed_1_steep_far: 305 structured, 289 common subexpressions, 288 power chains
-   Operations where passed_1_steep: 305 structured, 289 common subexpressions, 288 power chains
+   Operations where passed_1_far: 369 structured, 369 common subexpressions, 367 power chains
+   Operations where passed_1: 369 structured, 369 common subexpressions, 367 power chains
+   Operations where passed_1_steep_far: 305 structured, 305 common subexpressions, 303 power chains
+   Operations where passed_1_steep: 305 structured, 305 common subexpressions, 303 power chains
  */
 static inline double rod_spring_exact_h_passed_0(double A, double alpha, double beta, double u_cr)
 {
@@ -3433,6 +3637,125 @@ static inline double rod_spring_exact_h_passed_0_steep(double A, double alpha, d
         128.0 * t7;
     const double P = t8 * (e + tau);
     return -2.0 * A * P * beta - A * alpha;
+}
+
+static inline double rod_spring_exact_h_passed_1_far(double A, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c - A;
 }
 
 static inline double rod_spring_exact_h_passed_1(double A, double alpha, double beta, double u_cr)
@@ -3548,38 +3871,37 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double t2 = 1.0 / (A * A);
-    const double x2 = t2 * u_cr * u_cr;
-    const double y2 = root * root * t2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
-    const double t3 = 0.25 * lam0_0;
-    const double X0_0 = t3 + 0.25 * y2;
-    const double Y0_0 = 0.25 * t0 + t3;
-    const double Z0_0 = t3 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
     const double a1_0 = sqrt(X0_0);
     const double b1_0 = sqrt(Y0_0);
     const double c1_0 = sqrt(Z0_0);
@@ -3587,10 +3909,9 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
     const double q1_0 = Z0_0 + lam1_0;
     const double below1_0 = c1_0 * q1_0;
     const double term1_0 = 1.0 / below1_0;
-    const double t4 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t4;
-    const double Y1_0 = 0.25 * Y0_0 + t4;
-    const double Z1_0 = 0.25 * Z0_0 + t4;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
     const double a2_0 = sqrt(X1_0);
     const double b2_0 = sqrt(Y1_0);
     const double c2_0 = sqrt(Z1_0);
@@ -3598,10 +3919,9 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
     const double q2_0 = Z1_0 + lam2_0;
     const double below2_0 = c2_0 * q2_0;
     const double term2_0 = 1.0 / below2_0;
-    const double t5 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t5;
-    const double Y2_0 = 0.25 * Y1_0 + t5;
-    const double Z2_0 = 0.25 * Z1_0 + t5;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
     const double a3_0 = sqrt(X2_0);
     const double b3_0 = sqrt(Y2_0);
     const double c3_0 = sqrt(Z2_0);
@@ -3609,10 +3929,9 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
     const double q3_0 = Z2_0 + lam3_0;
     const double below3_0 = c3_0 * q3_0;
     const double term3_0 = 1.0 / below3_0;
-    const double t6 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t6;
-    const double Y3_0 = 0.25 * Y2_0 + t6;
-    const double Z3_0 = 0.25 * Z2_0 + t6;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
     const double a4_0 = sqrt(X3_0);
     const double b4_0 = sqrt(Y3_0);
     const double c4_0 = sqrt(Z3_0);
@@ -3620,10 +3939,9 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
     const double q4_0 = Z3_0 + lam4_0;
     const double below4_0 = c4_0 * q4_0;
     const double term4_0 = 1.0 / below4_0;
-    const double t7 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t7;
-    const double Y4_0 = 0.25 * Y3_0 + t7;
-    const double Z4_0 = 0.25 * Z3_0 + t7;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
     const double a5_0 = sqrt(X4_0);
     const double b5_0 = sqrt(Y4_0);
     const double c5_0 = sqrt(Z4_0);
@@ -3631,22 +3949,19 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
     const double q5_0 = Z4_0 + lam5_0;
     const double below5_0 = c5_0 * q5_0;
     const double term5_0 = 1.0 / below5_0;
-    const double t8 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t8;
-    const double Y5_0 = 0.25 * Y4_0 + t8;
-    const double Z5_0 = 0.25 * Z4_0 + t8;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double over_0 = 1.0 / mean_0;
-    const double t9 = -mean_0;
-    const double dx_0 = over_0 * (-X5_0 - t9);
-    const double dy_0 = over_0 * (-Y5_0 - t9);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double xy_0 = dx_0 * dy_0;
     const double zz_0 = dz_0 * dz_0;
     const double E2_0 = xy_0 - 6.0 * zz_0;
-    const double t10 = 3.0 * xy_0;
-    const double E3_0 = dz_0 * (t10 - 8.0 * zz_0);
-    const double E4_0 = zz_0 * (t10 - 3.0 * zz_0);
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
     const double E5_0 = dz_0 * xy_0 * zz_0;
     const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
         0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
@@ -3702,48 +4017,47 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    return 2.5464790894703255 * A * beta * (S_0 / c - V2) - A;
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
 }
 
 static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double t2 = 1.0 / (A * A);
-    const double x2 = t2 * u_cr * u_cr;
-    const double y2 = root * root * t2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
-    const double t3 = 0.25 * lam0_0;
-    const double X0_0 = t3 + 0.25 * y2;
-    const double Y0_0 = 0.25 * t0 + t3;
-    const double Z0_0 = t3 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
     const double a1_0 = sqrt(X0_0);
     const double b1_0 = sqrt(Y0_0);
     const double c1_0 = sqrt(Z0_0);
@@ -3751,10 +4065,9 @@ static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, d
     const double q1_0 = Z0_0 + lam1_0;
     const double below1_0 = c1_0 * q1_0;
     const double term1_0 = 1.0 / below1_0;
-    const double t4 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t4;
-    const double Y1_0 = 0.25 * Y0_0 + t4;
-    const double Z1_0 = 0.25 * Z0_0 + t4;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
     const double a2_0 = sqrt(X1_0);
     const double b2_0 = sqrt(Y1_0);
     const double c2_0 = sqrt(Z1_0);
@@ -3762,10 +4075,9 @@ static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, d
     const double q2_0 = Z1_0 + lam2_0;
     const double below2_0 = c2_0 * q2_0;
     const double term2_0 = 1.0 / below2_0;
-    const double t5 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t5;
-    const double Y2_0 = 0.25 * Y1_0 + t5;
-    const double Z2_0 = 0.25 * Z1_0 + t5;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
     const double a3_0 = sqrt(X2_0);
     const double b3_0 = sqrt(Y2_0);
     const double c3_0 = sqrt(Z2_0);
@@ -3773,10 +4085,9 @@ static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, d
     const double q3_0 = Z2_0 + lam3_0;
     const double below3_0 = c3_0 * q3_0;
     const double term3_0 = 1.0 / below3_0;
-    const double t6 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t6;
-    const double Y3_0 = 0.25 * Y2_0 + t6;
-    const double Z3_0 = 0.25 * Z2_0 + t6;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
     const double a4_0 = sqrt(X3_0);
     const double b4_0 = sqrt(Y3_0);
     const double c4_0 = sqrt(Z3_0);
@@ -3784,10 +4095,9 @@ static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, d
     const double q4_0 = Z3_0 + lam4_0;
     const double below4_0 = c4_0 * q4_0;
     const double term4_0 = 1.0 / below4_0;
-    const double t7 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t7;
-    const double Y4_0 = 0.25 * Y3_0 + t7;
-    const double Z4_0 = 0.25 * Z3_0 + t7;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
     const double a5_0 = sqrt(X4_0);
     const double b5_0 = sqrt(Y4_0);
     const double c5_0 = sqrt(Z4_0);
@@ -3795,22 +4105,19 @@ static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, d
     const double q5_0 = Z4_0 + lam5_0;
     const double below5_0 = c5_0 * q5_0;
     const double term5_0 = 1.0 / below5_0;
-    const double t8 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t8;
-    const double Y5_0 = 0.25 * Y4_0 + t8;
-    const double Z5_0 = 0.25 * Z4_0 + t8;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double over_0 = 1.0 / mean_0;
-    const double t9 = -mean_0;
-    const double dx_0 = over_0 * (-X5_0 - t9);
-    const double dy_0 = over_0 * (-Y5_0 - t9);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double xy_0 = dx_0 * dy_0;
     const double zz_0 = dz_0 * dz_0;
     const double E2_0 = xy_0 - 6.0 * zz_0;
-    const double t10 = 3.0 * xy_0;
-    const double E3_0 = dz_0 * (t10 - 8.0 * zz_0);
-    const double E4_0 = zz_0 * (t10 - 3.0 * zz_0);
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
     const double E5_0 = dz_0 * xy_0 * zz_0;
     const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
         0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
@@ -3866,10 +4173,10 @@ static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, d
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    return 2.5464790894703255 * A * beta * (S_0 / c - V2) - A;
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
 }
 
 static inline double rod_spring_exact_h(double A, double alpha, double beta, double u_cr)
@@ -3878,6 +4185,8 @@ static inline double rod_spring_exact_h(double A, double alpha, double beta, dou
         return rod_spring_exact_h_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
         return rod_spring_exact_h_passed_0_steep(A, alpha, beta, u_cr);
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
+        return rod_spring_exact_h_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
         return rod_spring_exact_h_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
@@ -3889,9 +4198,10 @@ static inline double rod_spring_exact_h(double A, double alpha, double beta, dou
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 70 structured, 64 common subexpressions, 64 power chains
    Operations where passed_0_steep: 126 structured, 112 common subexpressions, 112 power chains
-   Operations where passed_1: 422 structured, 420 common subexpressions, 417 power chains
-   Operations where passed_1_steep_far: 683 structured, 607 common subexpressions, 606 power chains
-   Operations where passed_1_steep: 558 structured, 513 common subexpressions, 512 power chains
+   Operations where passed_1_far: 496 structured, 496 common subexpressions, 476 power chains
+   Operations where passed_1: 422 structured, 422 common subexpressions, 417 power chains
+   Operations where passed_1_steep_far: 682 structured, 682 common subexpressions, 663 power chains
+   Operations where passed_1_steep: 558 structured, 558 common subexpressions, 555 power chains
  */
 static inline double rod_spring_exact_h_A_passed_0(double A, double alpha, double beta, double u_cr)
 {
@@ -3976,6 +4286,160 @@ static inline double rod_spring_exact_h_A_passed_0_steep(double A, double alpha,
     return -alpha - 2.0 * beta * (B * m / k - C * m + P);
 }
 
+static inline double rod_spring_exact_h_A_passed_1_far(double A, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0;
+}
+
 static inline double rod_spring_exact_h_A_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
@@ -3998,82 +4462,82 @@ static inline double rod_spring_exact_h_A_passed_1(double A, double alpha, doubl
     const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
     const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
     const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
-    const double t1 = A * A;
-    const double U2 = 4.0 * t0 * t1;
+    const double A2 = A * A;
+    const double U2 = 4.0 * A2 * t0;
     const double v2_1 = 0.99379661859049351 * g_1 * g_1;
     const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double fall_1 = f_1 * v2_1 / square_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
     const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double fall_2 = f_2 * v2_2 / square_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
     const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double fall_3 = f_3 * v2_3 / square_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
     const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double fall_4 = f_4 * v2_4 / square_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
     const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double fall_5 = f_5 * v2_5 / square_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
     const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double fall_6 = f_6 * v2_6 / square_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
     const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double fall_7 = f_7 * v2_7 / square_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
     const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double fall_8 = f_8 * v2_8 / square_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
     const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double fall_9 = f_9 * v2_9 / square_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
     const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double fall_10 = f_10 * v2_10 / square_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
     const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double fall_11 = f_11 * v2_11 / square_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
     const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double fall_12 = f_12 * v2_12 / square_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
     const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double fall_13 = f_13 * v2_13 / square_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
     const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double fall_14 = f_14 * v2_14 / square_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
     const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
     const double fall_15 = f_15 * v2_15 / square_15;
     const double sum_0 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
         (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1) + f_10 * g_10 * (0.46337585185798008
@@ -4102,91 +4566,73 @@ static inline double rod_spring_exact_h_A_passed_1(double A, double alpha, doubl
     const double T4 = t0 * t0;
     const double T5 = T * T4;
     const double T3 = T * t0;
-    return -2.5464790894703255 * beta * (-8.0 * T3 * sum_0 * u_cr * u_cr / c + 32.0 * T5 * sum_1 * t1) - 1.0;
+    return -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c) - 1.0;
 }
 
 static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double t18 = 0.25 * lam0_0;
-    const double X0_0 = t18 + 0.25 * y2;
-    const double t19 = 0.25 * lam0_1;
-    const double X0_1 = t19 + 0.25;
-    const double Y0_0 = 0.25 * t0 + t18;
-    const double Z0_0 = t18 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t19;
+    const double b11_0 = Y0_1 * b1_half_0;
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t19;
-    const double t20 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t20;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t20 + c1_0 * (a11_0 + b11_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t19;
+    const double q1_1 = Z0_1 + lam1_1;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
-    const double t21 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t21;
-    const double t22 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t22;
-    const double Y1_0 = 0.25 * Y0_0 + t21;
-    const double Y1_1 = 0.25 * t19 + t22;
-    const double Z1_0 = 0.25 * Z0_0 + t21;
-    const double Z1_1 = 0.25 * t19 + t22;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -4196,23 +4642,20 @@ static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double al
     const double c2_0 = sqrt(Z1_0);
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
-    const double t23 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t23;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t23 + c2_0 * (a21_0 + b21_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double below2_0 = c2_0 * q2_0;
     const double below2_1 = c21_0 * q2_0 + c2_0 * q2_1;
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
-    const double t24 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t24;
-    const double t25 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t25;
-    const double Y2_0 = 0.25 * Y1_0 + t24;
-    const double Y2_1 = 0.25 * Y1_1 + t25;
-    const double Z2_0 = 0.25 * Z1_0 + t24;
-    const double Z2_1 = 0.25 * Z1_1 + t25;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -4222,23 +4665,20 @@ static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double al
     const double c3_0 = sqrt(Z2_0);
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
-    const double t26 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t26;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t26 + c3_0 * (a31_0 + b31_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double below3_0 = c3_0 * q3_0;
     const double below3_1 = c31_0 * q3_0 + c3_0 * q3_1;
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
-    const double t27 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t27;
-    const double t28 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t28;
-    const double Y3_0 = 0.25 * Y2_0 + t27;
-    const double Y3_1 = 0.25 * Y2_1 + t28;
-    const double Z3_0 = 0.25 * Z2_0 + t27;
-    const double Z3_1 = 0.25 * Z2_1 + t28;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -4248,23 +4688,20 @@ static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double al
     const double c4_0 = sqrt(Z3_0);
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
-    const double t29 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t29;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t29 + c4_0 * (a41_0 + b41_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double below4_0 = c4_0 * q4_0;
     const double below4_1 = c41_0 * q4_0 + c4_0 * q4_1;
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
-    const double t30 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t30;
-    const double t31 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t31;
-    const double Y4_0 = 0.25 * Y3_0 + t30;
-    const double Y4_1 = 0.25 * Y3_1 + t31;
-    const double Z4_0 = 0.25 * Z3_0 + t30;
-    const double Z4_1 = 0.25 * Z3_1 + t31;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -4274,35 +4711,28 @@ static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double al
     const double c5_0 = sqrt(Z4_0);
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
-    const double t32 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t32;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t32 + c5_0 * (a51_0 + b51_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double below5_0 = c5_0 * q5_0;
     const double below5_1 = c51_0 * q5_0 + c5_0 * q5_1;
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
-    const double t33 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t33;
-    const double t34 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t34;
-    const double Y5_0 = 0.25 * Y4_0 + t33;
-    const double Y5_1 = 0.25 * Y4_1 + t34;
-    const double Z5_0 = 0.25 * Z4_0 + t33;
-    const double Z5_1 = 0.25 * Z4_1 + t34;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
-    const double t35 = -mean_0;
-    const double t36 = -X5_0 - t35;
-    const double dx_0 = over_0 * t36;
-    const double t37 = -mean_1;
-    const double dx_1 = over1_0 * t36 + over_0 * (-X5_1 - t37);
-    const double t38 = -Y5_0 - t35;
-    const double dy_0 = over_0 * t38;
-    const double dy_1 = over1_0 * t38 + over_0 * (-Y5_1 - t37);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double xy_0 = dx_0 * dy_0;
@@ -4311,23 +4741,18 @@ static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double al
     const double zz_1 = 2.0 * dz_0 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
-    const double t39 = 3.0 * xy_0;
-    const double t40 = t39 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t40;
-    const double t41 = 3.0 * xy_1;
-    const double E3_1 = dz_0 * (t41 - 8.0 * zz_1) + dz_1 * t40;
-    const double t42 = t39 - 3.0 * zz_0;
-    const double E4_0 = t42 * zz_0;
-    const double E4_1 = t42 * zz_1 + zz_0 * (t41 - 3.0 * zz_1);
-    const double t43 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t43;
-    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * t43;
-    const double t44 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t44 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_1 * E3_0 -
-        0.21428571428571427 * E2_1 - E3_1 * t44 + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 +
-        0.11538461538461539 * E5_1;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -4344,158 +4769,152 @@ static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double al
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t45 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t45 * t45);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t46 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t46 * t46);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t47 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t47 * t47);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t48 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t48 * t48);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t49 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t49 * t49);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t50 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t50 * t50);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t51 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t51 * t51);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t52 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t52 * t52);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t53 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t53 * t53);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t54 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t54 * t54);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t55 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t55 * t55);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t56 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t56 * t56);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t57 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t57 * t57);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t58 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t58 * t58);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t59 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t59 * t59);
-    const double T3 = T * t1;
-    const double t60 = 8.0 * T3;
-    const double S_0 = t60 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
-        term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t60 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
-    const double t61 = 1.0 / c;
-    return 2.5464790894703255 * beta * (-2.0 * S_0 * t61 - S_1 * t61 + 2.0 * V2 + V4) - 1.0;
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0;
 }
 
 static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double t2 = A * A;
-    const double t3 = 1.0 / t2;
-    const double x2 = t3 * u_cr * u_cr;
-    const double y2 = root * root * t3;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_0 * b0_half_0 + b0_half_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double t4 = 0.25 * lam0_0;
-    const double X0_0 = t4 + 0.25 * y2;
-    const double t5 = 0.25 * lam0_1;
-    const double Y0_0 = 0.25 * t0 + t4;
-    const double Y0_1 = t5 + 0.25;
-    const double Z0_0 = t4 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t5;
+    const double a11_0 = X0_1 * a1_half_0;
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t5;
-    const double t6 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t6;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t6 + c1_0 * (a11_0 + b11_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t5;
+    const double q1_1 = Z0_1 + lam1_1;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
-    const double t7 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t7;
-    const double t8 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * t5 + t8;
-    const double Y1_0 = 0.25 * Y0_0 + t7;
-    const double Y1_1 = 0.25 * Y0_1 + t8;
-    const double Z1_0 = 0.25 * Z0_0 + t7;
-    const double Z1_1 = 0.25 * t5 + t8;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -4505,23 +4924,20 @@ static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha,
     const double c2_0 = sqrt(Z1_0);
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
-    const double t9 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t9;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t9 + c2_0 * (a21_0 + b21_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double below2_0 = c2_0 * q2_0;
     const double below2_1 = c21_0 * q2_0 + c2_0 * q2_1;
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
-    const double t10 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t10;
-    const double t11 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t11;
-    const double Y2_0 = 0.25 * Y1_0 + t10;
-    const double Y2_1 = 0.25 * Y1_1 + t11;
-    const double Z2_0 = 0.25 * Z1_0 + t10;
-    const double Z2_1 = 0.25 * Z1_1 + t11;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -4531,23 +4947,20 @@ static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha,
     const double c3_0 = sqrt(Z2_0);
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
-    const double t12 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t12;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t12 + c3_0 * (a31_0 + b31_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double below3_0 = c3_0 * q3_0;
     const double below3_1 = c31_0 * q3_0 + c3_0 * q3_1;
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
-    const double t13 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t13;
-    const double t14 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t14;
-    const double Y3_0 = 0.25 * Y2_0 + t13;
-    const double Y3_1 = 0.25 * Y2_1 + t14;
-    const double Z3_0 = 0.25 * Z2_0 + t13;
-    const double Z3_1 = 0.25 * Z2_1 + t14;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -4557,23 +4970,20 @@ static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha,
     const double c4_0 = sqrt(Z3_0);
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
-    const double t15 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t15;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t15 + c4_0 * (a41_0 + b41_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double below4_0 = c4_0 * q4_0;
     const double below4_1 = c41_0 * q4_0 + c4_0 * q4_1;
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
-    const double t16 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t16;
-    const double t17 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t17;
-    const double Y4_0 = 0.25 * Y3_0 + t16;
-    const double Y4_1 = 0.25 * Y3_1 + t17;
-    const double Z4_0 = 0.25 * Z3_0 + t16;
-    const double Z4_1 = 0.25 * Z3_1 + t17;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -4583,35 +4993,28 @@ static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha,
     const double c5_0 = sqrt(Z4_0);
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
-    const double t18 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t18;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t18 + c5_0 * (a51_0 + b51_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double below5_0 = c5_0 * q5_0;
     const double below5_1 = c51_0 * q5_0 + c5_0 * q5_1;
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
-    const double t19 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t19;
-    const double t20 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t20;
-    const double Y5_0 = 0.25 * Y4_0 + t19;
-    const double Y5_1 = 0.25 * Y4_1 + t20;
-    const double Z5_0 = 0.25 * Z4_0 + t19;
-    const double Z5_1 = 0.25 * Z4_1 + t20;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
-    const double t21 = -mean_0;
-    const double t22 = -X5_0 - t21;
-    const double dx_0 = over_0 * t22;
-    const double t23 = -mean_1;
-    const double dx_1 = over1_0 * t22 + over_0 * (-X5_1 - t23);
-    const double t24 = -Y5_0 - t21;
-    const double dy_0 = over_0 * t24;
-    const double dy_1 = over1_0 * t24 + over_0 * (-Y5_1 - t23);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double xy_0 = dx_0 * dy_0;
@@ -4620,23 +5023,18 @@ static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha,
     const double zz_1 = 2.0 * dz_0 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
-    const double t25 = 3.0 * xy_0;
-    const double t26 = t25 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t26;
-    const double t27 = 3.0 * xy_1;
-    const double E3_1 = dz_0 * (t27 - 8.0 * zz_1) + dz_1 * t26;
-    const double t28 = t25 - 3.0 * zz_0;
-    const double E4_0 = t28 * zz_0;
-    const double E4_1 = t28 * zz_1 + zz_0 * (t27 - 3.0 * zz_1);
-    const double t29 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t29;
-    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * t29;
-    const double t30 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t30 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_1 * E3_0 -
-        0.21428571428571427 * E2_1 - E3_1 * t30 + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 +
-        0.11538461538461539 * E5_1;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -4695,10 +5093,10 @@ static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha,
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    return -2.5464790894703255 * beta * (-S_0 / c + V2 + V4 * t2) - 1.0;
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0;
 }
 
 static inline double rod_spring_exact_h_A(double A, double alpha, double beta, double u_cr)
@@ -4707,6 +5105,8 @@ static inline double rod_spring_exact_h_A(double A, double alpha, double beta, d
         return rod_spring_exact_h_A_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
         return rod_spring_exact_h_A_passed_0_steep(A, alpha, beta, u_cr);
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
+        return rod_spring_exact_h_A_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
         return rod_spring_exact_h_A_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
@@ -4718,9 +5118,10 @@ static inline double rod_spring_exact_h_A(double A, double alpha, double beta, d
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 64 structured, 58 common subexpressions, 58 power chains
    Operations where passed_0_steep: 116 structured, 102 common subexpressions, 102 power chains
-   Operations where passed_1: 260 structured, 274 common subexpressions, 270 power chains
-   Operations where passed_1_steep_far: 1092 structured, 968 common subexpressions, 967 power chains
-   Operations where passed_1_steep: 797 structured, 706 common subexpressions, 703 power chains
+   Operations where passed_1_far: 548 structured, 548 common subexpressions, 525 power chains
+   Operations where passed_1: 260 structured, 260 common subexpressions, 255 power chains
+   Operations where passed_1_steep_far: 1089 structured, 1089 common subexpressions, 1068 power chains
+   Operations where passed_1_steep: 797 structured, 797 common subexpressions, 792 power chains
  */
 static inline double rod_spring_exact_h_AA_passed_0(double A, double alpha, double beta, double u_cr)
 {
@@ -4801,6 +5202,166 @@ static inline double rod_spring_exact_h_AA_passed_0_steep(double A, double alpha
     return -2.0 * A * beta * (2.0 * B / (k * k) + C / k);
 }
 
+static inline double rod_spring_exact_h_AA_passed_1_far(double A, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double sum_2 = tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
+        tangent_11 * term_11 + tangent_12 * tangent_12 * term_12 + tangent_13 * tangent_13 * term_13 + tangent_14 *
+        tangent_14 * term_14 + tangent_15 * tangent_15 * term_15 + tangent_2 * tangent_2 * term_2 + tangent_3 *
+        tangent_3 * term_3 + tangent_4 * tangent_4 * term_4 + tangent_5 * tangent_5 * term_5 + tangent_6 * tangent_6
+        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 *
+        T3 * sum_2 * u_cr2 / c) / A;
+}
+
 static inline double rod_spring_exact_h_AA_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
@@ -4829,95 +5390,81 @@ static inline double rod_spring_exact_h_AA_passed_1(double A, double alpha, doub
     const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double t1 = 1.0 / square_1;
-    const double fall_1 = f_1 * t1 * v2_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
     const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double t2 = 1.0 / square_2;
-    const double fall_2 = f_2 * t2 * v2_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
     const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double t3 = 1.0 / square_3;
-    const double fall_3 = f_3 * t3 * v2_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
     const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double t4 = 1.0 / square_4;
-    const double fall_4 = f_4 * t4 * v2_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
     const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double t5 = 1.0 / square_5;
-    const double fall_5 = f_5 * t5 * v2_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
     const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double t6 = 1.0 / square_6;
-    const double fall_6 = f_6 * t6 * v2_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
     const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double t7 = 1.0 / square_7;
-    const double fall_7 = f_7 * t7 * v2_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
     const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double t8 = 1.0 / square_8;
-    const double fall_8 = f_8 * t8 * v2_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
     const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double t9 = 1.0 / square_9;
-    const double fall_9 = f_9 * t9 * v2_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
     const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double t10 = 1.0 / square_10;
-    const double fall_10 = f_10 * t10 * v2_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
     const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double t11 = 1.0 / square_11;
-    const double fall_11 = f_11 * t11 * v2_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
     const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double t12 = 1.0 / square_12;
-    const double fall_12 = f_12 * t12 * v2_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
     const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double t13 = 1.0 / square_13;
-    const double fall_13 = f_13 * t13 * v2_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
     const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double t14 = 1.0 / square_14;
-    const double fall_14 = f_14 * t14 * v2_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
     const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
-    const double t15 = 1.0 / square_15;
-    const double fall_15 = f_15 * t15 * v2_15;
-    const double sum_2 = fall_1 * t1 + fall_10 * t10 + fall_11 * t11 + fall_12 * t12 + fall_13 * t13 + fall_14 * t14
-        + fall_15 * t15 + fall_2 * t2 + fall_3 * t3 + fall_4 * t4 + fall_5 * t5 + fall_6 * t6 + fall_7 * t7 + fall_8
-        * t8 + fall_9 * t9;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
+    const double fall_15 = f_15 * v2_15 / square_15;
+    const double sum_2 = fall_1 / square_1 + fall_10 / square_10 + fall_11 / square_11 + fall_12 / square_12 +
+        fall_13 / square_13 + fall_14 / square_14 + fall_15 / square_15 + fall_2 / square_2 + fall_3 / square_3 +
+        fall_4 / square_4 + fall_5 / square_5 + fall_6 / square_6 + fall_7 / square_7 + fall_8 / square_8 + fall_9 /
+        square_9;
     const double T4 = t0 * t0;
     const double T5 = T * T4;
     const double u_cr2 = u_cr * u_cr;
@@ -4933,51 +5480,35 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
-    const double t18 = 1.0 / A;
-    const double third = 0.33333333333333331 * t18 * u_cr * x2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
+    const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
     const double a0_half_0_2 = a0_half_0 * a0_half_0;
     const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
     const double a02_0 = -a0_half_0_3;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double lam0_2 = a02_0 * b0_0 + a02_0;
@@ -4985,52 +5516,49 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double t19 = 0.25 * lam0_0;
-    const double X0_0 = t19 + 0.25 * y2;
-    const double t20 = 0.25 * lam0_1;
-    const double X0_1 = t20 + 0.25;
-    const double t21 = 0.25 * lam0_2;
-    const double Y0_0 = 0.25 * t0 + t19;
-    const double Z0_0 = t19 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double X0_2 = 0.25 * lam0_2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t21);
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t20;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t21);
+    const double b11_0 = Y0_1 * b1_half_0;
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t20;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t21);
-    const double t22 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t22;
-    const double t23 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t22 + c1_0 * t23;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t23 + c12_0 * t22 + c1_0 * (a12_0 +
-        b12_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t20;
-    const double q1_2 = lam1_2 + t21;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
-    const double t24 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t24;
-    const double t25 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t25;
-    const double t26 = 0.25 * lam1_2;
-    const double X1_2 = 0.25 * t21 + t26;
-    const double Y1_0 = 0.25 * Y0_0 + t24;
-    const double Y1_1 = 0.25 * t20 + t25;
-    const double Y1_2 = 0.25 * t21 + t26;
-    const double Z1_0 = 0.25 * Z0_0 + t24;
-    const double Z1_1 = 0.25 * t20 + t25;
-    const double Z1_2 = 0.25 * t21 + t26;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -5043,12 +5571,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
-    const double t27 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t27;
-    const double t28 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t27 + c2_0 * t28;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t28 + c22_0 * t27 + c2_0 * (a22_0 +
-        b22_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -5058,18 +5584,15 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
-    const double t29 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t29;
-    const double t30 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t30;
-    const double t31 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t31;
-    const double Y2_0 = 0.25 * Y1_0 + t29;
-    const double Y2_1 = 0.25 * Y1_1 + t30;
-    const double Y2_2 = 0.25 * Y1_2 + t31;
-    const double Z2_0 = 0.25 * Z1_0 + t29;
-    const double Z2_1 = 0.25 * Z1_1 + t30;
-    const double Z2_2 = 0.25 * Z1_2 + t31;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -5082,12 +5605,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
-    const double t32 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t32;
-    const double t33 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t32 + c3_0 * t33;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t33 + c32_0 * t32 + c3_0 * (a32_0 +
-        b32_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -5097,18 +5618,15 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
-    const double t34 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t34;
-    const double t35 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t35;
-    const double t36 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t36;
-    const double Y3_0 = 0.25 * Y2_0 + t34;
-    const double Y3_1 = 0.25 * Y2_1 + t35;
-    const double Y3_2 = 0.25 * Y2_2 + t36;
-    const double Z3_0 = 0.25 * Z2_0 + t34;
-    const double Z3_1 = 0.25 * Z2_1 + t35;
-    const double Z3_2 = 0.25 * Z2_2 + t36;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -5121,12 +5639,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
-    const double t37 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t37;
-    const double t38 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t37 + c4_0 * t38;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t38 + c42_0 * t37 + c4_0 * (a42_0 +
-        b42_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -5136,18 +5652,15 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
-    const double t39 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t39;
-    const double t40 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t40;
-    const double t41 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t41;
-    const double Y4_0 = 0.25 * Y3_0 + t39;
-    const double Y4_1 = 0.25 * Y3_1 + t40;
-    const double Y4_2 = 0.25 * Y3_2 + t41;
-    const double Z4_0 = 0.25 * Z3_0 + t39;
-    const double Z4_1 = 0.25 * Z3_1 + t40;
-    const double Z4_2 = 0.25 * Z3_2 + t41;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -5160,12 +5673,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
-    const double t42 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t42;
-    const double t43 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t42 + c5_0 * t43;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t43 + c52_0 * t42 + c5_0 * (a52_0 +
-        b52_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -5175,37 +5686,27 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
-    const double t44 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t44;
-    const double t45 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t45;
-    const double t46 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t46;
-    const double Y5_0 = 0.25 * Y4_0 + t44;
-    const double Y5_1 = 0.25 * Y4_1 + t45;
-    const double Y5_2 = 0.25 * Y4_2 + t46;
-    const double Z5_0 = 0.25 * Z4_0 + t44;
-    const double Z5_1 = 0.25 * Z4_1 + t45;
-    const double Z5_2 = 0.25 * Z4_2 + t46;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
-    const double t47 = -mean_0;
-    const double t48 = -X5_0 - t47;
-    const double dx_0 = over_0 * t48;
-    const double t49 = -mean_1;
-    const double t50 = -X5_1 - t49;
-    const double dx_1 = over1_0 * t48 + over_0 * t50;
-    const double t51 = -mean_2;
-    const double dx_2 = over1_0 * t50 + over2_0 * t48 + over_0 * (-X5_2 - t51);
-    const double t52 = -Y5_0 - t47;
-    const double dy_0 = over_0 * t52;
-    const double t53 = -Y5_1 - t49;
-    const double dy_1 = over1_0 * t52 + over_0 * t53;
-    const double dy_2 = over1_0 * t53 + over2_0 * t52 + over_0 * (-Y5_2 - t51);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -5213,39 +5714,33 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t54 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t54;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t54;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
-    const double t55 = 3.0 * xy_0;
-    const double t56 = t55 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t56;
-    const double t57 = 3.0 * xy_1;
-    const double t58 = t57 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t58 + dz_1 * t56;
-    const double t59 = 3.0 * xy_2;
-    const double E3_2 = dz_0 * (t59 - 8.0 * zz_2) + dz_1 * t58 + dz_2 * t56;
-    const double t60 = t55 - 3.0 * zz_0;
-    const double E4_0 = t60 * zz_0;
-    const double t61 = t57 - 3.0 * zz_1;
-    const double E4_1 = t60 * zz_1 + t61 * zz_0;
-    const double E4_2 = t60 * zz_2 + t61 * zz_1 + zz_0 * (t59 - 3.0 * zz_2);
-    const double t62 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t62;
-    const double t63 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t63 + dz_1 * t62;
-    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * t63 + dz_2 * t62;
-    const double t64 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t64 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t65 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t65 - E3_1 * t64
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.17307692307692307 * E2_2 * E3_0 - 0.21428571428571427 * E2_2 - E3_1 * t65 - E3_2 * t64 +
-        0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -5268,110 +5763,107 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t66 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t66 * t66);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t67 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t67 * t67);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t68 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t68 * t68);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t69 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t69 * t69);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t70 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t70 * t70);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t71 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t71 * t71);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t72 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t72 * t72);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t73 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t73 * t73);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t74 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t74 * t74);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t75 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t75 * t75);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t76 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t76 * t76);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t77 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t77 * t77);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t78 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t78 * t78);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t79 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t79 * t79);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t80 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t80 * t80);
-    const double T3 = T * t1;
-    const double t81 = 8.0 * T3;
-    const double S_0 = t81 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
-        term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t81 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
-    const double S_2 = t81 * (tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double sum_2 = tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
         tangent_11 * term_11 + tangent_12 * tangent_12 * term_12 + tangent_13 * tangent_13 * term_13 + tangent_14 *
         tangent_14 * term_14 + tangent_15 * tangent_15 * term_15 + tangent_2 * tangent_2 * term_2 + tangent_3 *
         tangent_3 * term_3 + tangent_4 * tangent_4 * term_4 + tangent_5 * tangent_5 * term_5 + tangent_6 * tangent_6
-        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9);
-    const double t82 = 1.0 / c;
-    return 2.5464790894703255 * beta * t18 * (6.0 * S_0 * t82 + 7.0 * S_1 * t82 + 3.0 * S_2 * t82 - 6.0 * V2 -
-        7.0 * V4 - 3.0 * V6);
+        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c -
+        6.0 * V2 - 7.0 * V4 - 3.0 * V6) / A;
 }
 
 static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
-    const double A2 = A * A;
-    const double t1 = 1.0 / A2;
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double u_cr2 = u_cr * u_cr;
-    const double x2 = t1 * u_cr2;
-    const double y2 = root * root * t1;
+    const double A2 = A * A;
+    const double x2 = u_cr2 / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double b0_half_0_2 = b0_half_0 * b0_half_0;
     const double b0_half_0_3 = b0_half_0 * b0_half_0_2;
@@ -5383,52 +5875,49 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double t2 = 0.25 * lam0_0;
-    const double X0_0 = t2 + 0.25 * y2;
-    const double t3 = 0.25 * lam0_1;
-    const double t4 = 0.25 * lam0_2;
-    const double Y0_0 = 0.25 * t0 + t2;
-    const double Y0_1 = t3 + 0.25;
-    const double Z0_0 = t2 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double X0_2 = 0.25 * lam0_2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t3;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t4);
+    const double a11_0 = X0_1 * a1_half_0;
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t4);
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t3;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t4);
-    const double t5 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t5;
-    const double t6 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t5 + c1_0 * t6;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t6 + c12_0 * t5 + c1_0 * (a12_0 +
-        b12_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t3;
-    const double q1_2 = lam1_2 + t4;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
-    const double t7 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t7;
-    const double t8 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * t3 + t8;
-    const double t9 = 0.25 * lam1_2;
-    const double X1_2 = 0.25 * t4 + t9;
-    const double Y1_0 = 0.25 * Y0_0 + t7;
-    const double Y1_1 = 0.25 * Y0_1 + t8;
-    const double Y1_2 = 0.25 * t4 + t9;
-    const double Z1_0 = 0.25 * Z0_0 + t7;
-    const double Z1_1 = 0.25 * t3 + t8;
-    const double Z1_2 = 0.25 * t4 + t9;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -5441,12 +5930,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
-    const double t10 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t10;
-    const double t11 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t10 + c2_0 * t11;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t11 + c22_0 * t10 + c2_0 * (a22_0 +
-        b22_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -5456,18 +5943,15 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
-    const double t12 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t12;
-    const double t13 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t13;
-    const double t14 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t14;
-    const double Y2_0 = 0.25 * Y1_0 + t12;
-    const double Y2_1 = 0.25 * Y1_1 + t13;
-    const double Y2_2 = 0.25 * Y1_2 + t14;
-    const double Z2_0 = 0.25 * Z1_0 + t12;
-    const double Z2_1 = 0.25 * Z1_1 + t13;
-    const double Z2_2 = 0.25 * Z1_2 + t14;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -5480,12 +5964,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
-    const double t15 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t15;
-    const double t16 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t15 + c3_0 * t16;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t16 + c32_0 * t15 + c3_0 * (a32_0 +
-        b32_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -5495,18 +5977,15 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
-    const double t17 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t17;
-    const double t18 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t18;
-    const double t19 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t19;
-    const double Y3_0 = 0.25 * Y2_0 + t17;
-    const double Y3_1 = 0.25 * Y2_1 + t18;
-    const double Y3_2 = 0.25 * Y2_2 + t19;
-    const double Z3_0 = 0.25 * Z2_0 + t17;
-    const double Z3_1 = 0.25 * Z2_1 + t18;
-    const double Z3_2 = 0.25 * Z2_2 + t19;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -5519,12 +5998,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
-    const double t20 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t20;
-    const double t21 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t20 + c4_0 * t21;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t21 + c42_0 * t20 + c4_0 * (a42_0 +
-        b42_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -5534,18 +6011,15 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
-    const double t22 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t22;
-    const double t23 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t23;
-    const double t24 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t24;
-    const double Y4_0 = 0.25 * Y3_0 + t22;
-    const double Y4_1 = 0.25 * Y3_1 + t23;
-    const double Y4_2 = 0.25 * Y3_2 + t24;
-    const double Z4_0 = 0.25 * Z3_0 + t22;
-    const double Z4_1 = 0.25 * Z3_1 + t23;
-    const double Z4_2 = 0.25 * Z3_2 + t24;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -5558,12 +6032,10 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
-    const double t25 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t25;
-    const double t26 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t25 + c5_0 * t26;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t26 + c52_0 * t25 + c5_0 * (a52_0 +
-        b52_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -5573,37 +6045,27 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
-    const double t27 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t27;
-    const double t28 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t28;
-    const double t29 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t29;
-    const double Y5_0 = 0.25 * Y4_0 + t27;
-    const double Y5_1 = 0.25 * Y4_1 + t28;
-    const double Y5_2 = 0.25 * Y4_2 + t29;
-    const double Z5_0 = 0.25 * Z4_0 + t27;
-    const double Z5_1 = 0.25 * Z4_1 + t28;
-    const double Z5_2 = 0.25 * Z4_2 + t29;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
-    const double t30 = -mean_0;
-    const double t31 = -X5_0 - t30;
-    const double dx_0 = over_0 * t31;
-    const double t32 = -mean_1;
-    const double t33 = -X5_1 - t32;
-    const double dx_1 = over1_0 * t31 + over_0 * t33;
-    const double t34 = -mean_2;
-    const double dx_2 = over1_0 * t33 + over2_0 * t31 + over_0 * (-X5_2 - t34);
-    const double t35 = -Y5_0 - t30;
-    const double dy_0 = over_0 * t35;
-    const double t36 = -Y5_1 - t32;
-    const double dy_1 = over1_0 * t35 + over_0 * t36;
-    const double dy_2 = over1_0 * t36 + over2_0 * t35 + over_0 * (-Y5_2 - t34);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -5611,39 +6073,33 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t37 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t37;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t37;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
-    const double t38 = 3.0 * xy_0;
-    const double t39 = t38 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t39;
-    const double t40 = 3.0 * xy_1;
-    const double t41 = t40 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t41 + dz_1 * t39;
-    const double t42 = 3.0 * xy_2;
-    const double E3_2 = dz_0 * (t42 - 8.0 * zz_2) + dz_1 * t41 + dz_2 * t39;
-    const double t43 = t38 - 3.0 * zz_0;
-    const double E4_0 = t43 * zz_0;
-    const double t44 = t40 - 3.0 * zz_1;
-    const double E4_1 = t43 * zz_1 + t44 * zz_0;
-    const double E4_2 = t43 * zz_2 + t44 * zz_1 + zz_0 * (t42 - 3.0 * zz_2);
-    const double t45 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t45;
-    const double t46 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t46 + dz_1 * t45;
-    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * t46 + dz_2 * t45;
-    const double t47 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t47 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t48 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t48 - E3_1 * t47
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.17307692307692307 * E2_2 * E3_0 - 0.21428571428571427 * E2_2 - E3_1 * t48 - E3_2 * t47 +
-        0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -5673,6 +6129,8 @@ static inline double rod_spring_exact_h_AA(double A, double alpha, double beta, 
         return rod_spring_exact_h_AA_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
         return rod_spring_exact_h_AA_passed_0_steep(A, alpha, beta, u_cr);
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
+        return rod_spring_exact_h_AA_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
         return rod_spring_exact_h_AA_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
@@ -5684,9 +6142,10 @@ static inline double rod_spring_exact_h_AA(double A, double alpha, double beta, 
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 70 structured, 64 common subexpressions, 63 power chains
    Operations where passed_0_steep: 122 structured, 108 common subexpressions, 107 power chains
-   Operations where passed_1: 365 structured, 332 common subexpressions, 325 power chains
-   Operations where passed_1_steep_far: 1617 structured, 1423 common subexpressions, 1405 power chains
-   Operations where passed_1_steep: 1289 structured, 1115 common subexpressions, 1106 power chains
+   Operations where passed_1_far: 616 structured, 616 common subexpressions, 574 power chains
+   Operations where passed_1: 365 structured, 365 common subexpressions, 343 power chains
+   Operations where passed_1_steep_far: 1613 structured, 1613 common subexpressions, 1572 power chains
+   Operations where passed_1_steep: 1289 structured, 1289 common subexpressions, 1263 power chains
  */
 static inline double rod_spring_exact_h_AAA_passed_0(double A, double alpha, double beta, double u_cr)
 {
@@ -5771,6 +6230,200 @@ static inline double rod_spring_exact_h_AAA_passed_0_steep(double A, double alph
     return -2.0 * beta * (B * (5.0 * m + 3.0) / k3 + C * (7.0 * m - 3.0) / k2);
 }
 
+static inline double rod_spring_exact_h_AAA_passed_1_far(double A, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double U2 = 4.0 * A2 * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double tangent_1_2 = tangent_1 * tangent_1;
+    const double tangent_10_2 = tangent_10 * tangent_10;
+    const double tangent_11_2 = tangent_11 * tangent_11;
+    const double tangent_12_2 = tangent_12 * tangent_12;
+    const double tangent_13_2 = tangent_13 * tangent_13;
+    const double tangent_14_2 = tangent_14 * tangent_14;
+    const double tangent_15_2 = tangent_15 * tangent_15;
+    const double tangent_2_2 = tangent_2 * tangent_2;
+    const double tangent_3_2 = tangent_3 * tangent_3;
+    const double tangent_4_2 = tangent_4 * tangent_4;
+    const double tangent_5_2 = tangent_5 * tangent_5;
+    const double tangent_6_2 = tangent_6 * tangent_6;
+    const double tangent_7_2 = tangent_7 * tangent_7;
+    const double tangent_8_2 = tangent_8 * tangent_8;
+    const double tangent_9_2 = tangent_9 * tangent_9;
+    const double sum_2 = tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 + tangent_13_2 *
+        term_13 + tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_1_2 * term_1 + tangent_2_2 * term_2 +
+        tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 * term_6 + tangent_7_2 *
+        term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9;
+    const double tangent_1_3 = tangent_1 * tangent_1_2;
+    const double tangent_10_3 = tangent_10 * tangent_10_2;
+    const double tangent_11_3 = tangent_11 * tangent_11_2;
+    const double tangent_12_3 = tangent_12 * tangent_12_2;
+    const double tangent_13_3 = tangent_13 * tangent_13_2;
+    const double tangent_14_3 = tangent_14 * tangent_14_2;
+    const double tangent_15_3 = tangent_15 * tangent_15_2;
+    const double tangent_2_3 = tangent_2 * tangent_2_2;
+    const double tangent_3_3 = tangent_3 * tangent_3_2;
+    const double tangent_4_3 = tangent_4 * tangent_4_2;
+    const double tangent_5_3 = tangent_5 * tangent_5_2;
+    const double tangent_6_3 = tangent_6 * tangent_6_2;
+    const double tangent_7_3 = tangent_7 * tangent_7_2;
+    const double tangent_8_3 = tangent_8 * tangent_8_2;
+    const double tangent_9_3 = tangent_9 * tangent_9_2;
+    const double sum_3 = tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 + tangent_13_3 *
+        term_13 + tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_1_3 * term_1 + tangent_2_3 * term_2 +
+        tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 * term_6 + tangent_7_3 *
+        term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (-192.0 * T3 * sum_0 * u_cr2 / c - 384.0 * T3 * sum_1 * u_cr2 / c - 360.0
+        * T3 * sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2;
+}
+
 static inline double rod_spring_exact_h_AAA_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
@@ -5796,169 +6449,139 @@ static inline double rod_spring_exact_h_AAA_passed_1(double A, double alpha, dou
     const double A2 = A * A;
     const double U2 = 4.0 * A2 * t0;
     const double v2_1 = 0.99379661859049351 * g_1 * g_1;
-    const double t1 = U2 * v2_1;
-    const double square_1 = 1.0 - t1;
+    const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double fall_1 = f_1 * v2_1 / square_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
-    const double t2 = U2 * v2_2;
-    const double square_2 = 1.0 - t2;
+    const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double fall_2 = f_2 * v2_2 / square_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
-    const double t3 = U2 * v2_3;
-    const double square_3 = 1.0 - t3;
+    const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double fall_3 = f_3 * v2_3 / square_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
-    const double t4 = U2 * v2_4;
-    const double square_4 = 1.0 - t4;
+    const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double fall_4 = f_4 * v2_4 / square_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
-    const double t5 = U2 * v2_5;
-    const double square_5 = 1.0 - t5;
+    const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double fall_5 = f_5 * v2_5 / square_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
-    const double t6 = U2 * v2_6;
-    const double square_6 = 1.0 - t6;
+    const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double fall_6 = f_6 * v2_6 / square_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
-    const double t7 = U2 * v2_7;
-    const double square_7 = 1.0 - t7;
+    const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double fall_7 = f_7 * v2_7 / square_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
-    const double t8 = U2 * v2_8;
-    const double square_8 = 1.0 - t8;
+    const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double fall_8 = f_8 * v2_8 / square_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
-    const double t9 = U2 * v2_9;
-    const double square_9 = 1.0 - t9;
+    const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double fall_9 = f_9 * v2_9 / square_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
-    const double t10 = U2 * v2_10;
-    const double square_10 = 1.0 - t10;
+    const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double fall_10 = f_10 * v2_10 / square_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
-    const double t11 = U2 * v2_11;
-    const double square_11 = 1.0 - t11;
+    const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double fall_11 = f_11 * v2_11 / square_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
-    const double t12 = U2 * v2_12;
-    const double square_12 = 1.0 - t12;
+    const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double fall_12 = f_12 * v2_12 / square_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
-    const double t13 = U2 * v2_13;
-    const double square_13 = 1.0 - t13;
+    const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double fall_13 = f_13 * v2_13 / square_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
-    const double t14 = U2 * v2_14;
-    const double square_14 = 1.0 - t14;
+    const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double fall_14 = f_14 * v2_14 / square_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
-    const double t15 = U2 * v2_15;
-    const double square_15 = 1.0 - t15;
+    const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
     const double fall_15 = f_15 * v2_15 / square_15;
-    const double sum_3 = fall_1 * (4.0 * t1 + 1.0) / (square_1 * square_1) + fall_10 * (4.0 * t10 + 1.0) /
-        (square_10 * square_10) + fall_11 * (4.0 * t11 + 1.0) / (square_11 * square_11) + fall_12 * (4.0 * t12 +
-        1.0) / (square_12 * square_12) + fall_13 * (4.0 * t13 + 1.0) / (square_13 * square_13) + fall_14 * (4.0 *
-        t14 + 1.0) / (square_14 * square_14) + fall_15 * (4.0 * t15 + 1.0) / (square_15 * square_15) + fall_2 * (4.0
-        * t2 + 1.0) / (square_2 * square_2) + fall_3 * (4.0 * t3 + 1.0) / (square_3 * square_3) + fall_4 * (4.0 * t4
-        + 1.0) / (square_4 * square_4) + fall_5 * (4.0 * t5 + 1.0) / (square_5 * square_5) + fall_6 * (4.0 * t6 +
-        1.0) / (square_6 * square_6) + fall_7 * (4.0 * t7 + 1.0) / (square_7 * square_7) + fall_8 * (4.0 * t8 + 1.0)
-        / (square_8 * square_8) + fall_9 * (4.0 * t9 + 1.0) / (square_9 * square_9);
+    const double sum_3 = fall_1 * (4.0 * U2 * v2_1 + 1.0) / (square_1 * square_1) + fall_10 * (4.0 * U2 * v2_10 +
+        1.0) / (square_10 * square_10) + fall_11 * (4.0 * U2 * v2_11 + 1.0) / (square_11 * square_11) + fall_12 *
+        (4.0 * U2 * v2_12 + 1.0) / (square_12 * square_12) + fall_13 * (4.0 * U2 * v2_13 + 1.0) / (square_13 *
+        square_13) + fall_14 * (4.0 * U2 * v2_14 + 1.0) / (square_14 * square_14) + fall_15 * (4.0 * U2 * v2_15 +
+        1.0) / (square_15 * square_15) + fall_2 * (4.0 * U2 * v2_2 + 1.0) / (square_2 * square_2) + fall_3 * (4.0 *
+        U2 * v2_3 + 1.0) / (square_3 * square_3) + fall_4 * (4.0 * U2 * v2_4 + 1.0) / (square_4 * square_4) + fall_5
+        * (4.0 * U2 * v2_5 + 1.0) / (square_5 * square_5) + fall_6 * (4.0 * U2 * v2_6 + 1.0) / (square_6 * square_6)
+        + fall_7 * (4.0 * U2 * v2_7 + 1.0) / (square_7 * square_7) + fall_8 * (4.0 * U2 * v2_8 + 1.0) / (square_8 *
+        square_8) + fall_9 * (4.0 * U2 * v2_9 + 1.0) / (square_9 * square_9);
+    const double T4 = t0 * t0;
+    const double T5 = T * T4;
     const double u_cr2 = u_cr * u_cr;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
-    const double c2 = c * c;
-    const double c3 = c * c2;
-    const double t16 = u_cr5 / c3;
-    const double A4 = A2 * A2;
-    const double t17 = 3.0 / (A4 * root);
-    const double T4 = t0 * t0;
-    const double T5 = T * T4;
     const double root2 = root * root;
     const double root3 = root * root2;
+    const double c2 = c * c;
+    const double c3 = c * c2;
+    const double A4 = A2 * A2;
     const double c4 = c2 * c2;
     const double c5 = c * c4;
-    return -2.5464790894703255 * beta * (96.0 * T5 * sum_3 + t16 * t17 - t17 * u_cr5 / c5 + t16 / (A2 * root3));
+    return -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4
+        * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
 static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
     const double a0_half_0_2 = a0_half_0 * a0_half_0;
     const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
     const double a02_0 = -a0_half_0_3;
     const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double lam0_2 = a02_0 * b0_0 + a02_0;
@@ -5968,41 +6591,43 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
     const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
-    const double t18 = 0.25 * lam0_0;
-    const double X0_0 = t18 + 0.25 * y2;
-    const double t19 = 0.25 * lam0_1;
-    const double X0_1 = t19 + 0.25;
-    const double t20 = 0.25 * lam0_2;
-    const double t21 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * t0 + t18;
-    const double Z0_0 = t18 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double X0_2 = 0.25 * lam0_2;
+    const double X0_3 = 0.25 * lam0_3;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Y0_3 = 0.25 * lam0_3;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
+    const double Z0_3 = 0.25 * lam0_3;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t20);
-    const double a13_0 = a1_half_0 * (-2.0 * a11_0 * a12_0 + t21);
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
+    const double a13_0 = a1_half_0 * (X0_3 - 2.0 * a11_0 * a12_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t19;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t20);
-    const double b13_0 = b1_half_0 * (-2.0 * b11_0 * b12_0 + t21);
+    const double b11_0 = Y0_1 * b1_half_0;
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
+    const double b13_0 = b1_half_0 * (Y0_3 - 2.0 * b11_0 * b12_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t19;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t20);
-    const double c13_0 = c1_half_0 * (-2.0 * c11_0 * c12_0 + t21);
-    const double t22 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t22;
-    const double t23 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t22 + c1_0 * t23;
-    const double t24 = a12_0 + b12_0;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t23 + c12_0 * t22 + c1_0 * t24;
-    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * t24 + c12_0 * t23 +
-        c13_0 * t22 + c1_0 * (a13_0 + b13_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double c13_0 = c1_half_0 * (Z0_3 - 2.0 * c11_0 * c12_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
+    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * (a12_0 + b12_0) +
+        c12_0 * (a11_0 + b11_0) + c13_0 * (a1_0 + b1_0) + c1_0 * (a13_0 + b13_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t19;
-    const double q1_2 = lam1_2 + t20;
-    const double q1_3 = lam1_3 + t21;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
+    const double q1_3 = Z0_3 + lam1_3;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
@@ -6011,22 +6636,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
     const double term13_0 = -term1_0 * (below1_1 * term12_0 + below1_2 * term11_0 + below1_3 * term1_0);
-    const double t25 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t25;
-    const double t26 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t26;
-    const double t27 = 0.25 * lam1_2;
-    const double X1_2 = 0.25 * t20 + t27;
-    const double t28 = 0.25 * lam1_3;
-    const double X1_3 = 0.25 * t21 + t28;
-    const double Y1_0 = 0.25 * Y0_0 + t25;
-    const double Y1_1 = 0.25 * t19 + t26;
-    const double Y1_2 = 0.25 * t20 + t27;
-    const double Y1_3 = 0.25 * t21 + t28;
-    const double Z1_0 = 0.25 * Z0_0 + t25;
-    const double Z1_1 = 0.25 * t19 + t26;
-    const double Z1_2 = 0.25 * t20 + t27;
-    const double Z1_3 = 0.25 * t21 + t28;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double X1_3 = 0.25 * X0_3 + 0.25 * lam1_3;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Y1_3 = 0.25 * Y0_3 + 0.25 * lam1_3;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
+    const double Z1_3 = 0.25 * Z0_3 + 0.25 * lam1_3;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -6042,14 +6663,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
     const double c23_0 = c2_half_0 * (Z1_3 - 2.0 * c21_0 * c22_0);
-    const double t29 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t29;
-    const double t30 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t29 + c2_0 * t30;
-    const double t31 = a22_0 + b22_0;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t30 + c22_0 * t29 + c2_0 * t31;
-    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * t31 + c22_0 * t30 +
-        c23_0 * t29 + c2_0 * (a23_0 + b23_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
+    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * (a22_0 + b22_0) +
+        c22_0 * (a21_0 + b21_0) + c23_0 * (a2_0 + b2_0) + c2_0 * (a23_0 + b23_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -6062,22 +6681,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
     const double term23_0 = -term2_0 * (below2_1 * term22_0 + below2_2 * term21_0 + below2_3 * term2_0);
-    const double t32 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t32;
-    const double t33 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t33;
-    const double t34 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t34;
-    const double t35 = 0.25 * lam2_3;
-    const double X2_3 = 0.25 * X1_3 + t35;
-    const double Y2_0 = 0.25 * Y1_0 + t32;
-    const double Y2_1 = 0.25 * Y1_1 + t33;
-    const double Y2_2 = 0.25 * Y1_2 + t34;
-    const double Y2_3 = 0.25 * Y1_3 + t35;
-    const double Z2_0 = 0.25 * Z1_0 + t32;
-    const double Z2_1 = 0.25 * Z1_1 + t33;
-    const double Z2_2 = 0.25 * Z1_2 + t34;
-    const double Z2_3 = 0.25 * Z1_3 + t35;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double X2_3 = 0.25 * X1_3 + 0.25 * lam2_3;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Y2_3 = 0.25 * Y1_3 + 0.25 * lam2_3;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
+    const double Z2_3 = 0.25 * Z1_3 + 0.25 * lam2_3;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -6093,14 +6708,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
     const double c33_0 = c3_half_0 * (Z2_3 - 2.0 * c31_0 * c32_0);
-    const double t36 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t36;
-    const double t37 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t36 + c3_0 * t37;
-    const double t38 = a32_0 + b32_0;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t37 + c32_0 * t36 + c3_0 * t38;
-    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * t38 + c32_0 * t37 +
-        c33_0 * t36 + c3_0 * (a33_0 + b33_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
+    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * (a32_0 + b32_0) +
+        c32_0 * (a31_0 + b31_0) + c33_0 * (a3_0 + b3_0) + c3_0 * (a33_0 + b33_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -6113,22 +6726,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
     const double term33_0 = -term3_0 * (below3_1 * term32_0 + below3_2 * term31_0 + below3_3 * term3_0);
-    const double t39 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t39;
-    const double t40 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t40;
-    const double t41 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t41;
-    const double t42 = 0.25 * lam3_3;
-    const double X3_3 = 0.25 * X2_3 + t42;
-    const double Y3_0 = 0.25 * Y2_0 + t39;
-    const double Y3_1 = 0.25 * Y2_1 + t40;
-    const double Y3_2 = 0.25 * Y2_2 + t41;
-    const double Y3_3 = 0.25 * Y2_3 + t42;
-    const double Z3_0 = 0.25 * Z2_0 + t39;
-    const double Z3_1 = 0.25 * Z2_1 + t40;
-    const double Z3_2 = 0.25 * Z2_2 + t41;
-    const double Z3_3 = 0.25 * Z2_3 + t42;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double X3_3 = 0.25 * X2_3 + 0.25 * lam3_3;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Y3_3 = 0.25 * Y2_3 + 0.25 * lam3_3;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
+    const double Z3_3 = 0.25 * Z2_3 + 0.25 * lam3_3;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -6144,14 +6753,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
     const double c43_0 = c4_half_0 * (Z3_3 - 2.0 * c41_0 * c42_0);
-    const double t43 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t43;
-    const double t44 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t43 + c4_0 * t44;
-    const double t45 = a42_0 + b42_0;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t44 + c42_0 * t43 + c4_0 * t45;
-    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * t45 + c42_0 * t44 +
-        c43_0 * t43 + c4_0 * (a43_0 + b43_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
+    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * (a42_0 + b42_0) +
+        c42_0 * (a41_0 + b41_0) + c43_0 * (a4_0 + b4_0) + c4_0 * (a43_0 + b43_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -6164,22 +6771,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
     const double term43_0 = -term4_0 * (below4_1 * term42_0 + below4_2 * term41_0 + below4_3 * term4_0);
-    const double t46 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t46;
-    const double t47 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t47;
-    const double t48 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t48;
-    const double t49 = 0.25 * lam4_3;
-    const double X4_3 = 0.25 * X3_3 + t49;
-    const double Y4_0 = 0.25 * Y3_0 + t46;
-    const double Y4_1 = 0.25 * Y3_1 + t47;
-    const double Y4_2 = 0.25 * Y3_2 + t48;
-    const double Y4_3 = 0.25 * Y3_3 + t49;
-    const double Z4_0 = 0.25 * Z3_0 + t46;
-    const double Z4_1 = 0.25 * Z3_1 + t47;
-    const double Z4_2 = 0.25 * Z3_2 + t48;
-    const double Z4_3 = 0.25 * Z3_3 + t49;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double X4_3 = 0.25 * X3_3 + 0.25 * lam4_3;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Y4_3 = 0.25 * Y3_3 + 0.25 * lam4_3;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
+    const double Z4_3 = 0.25 * Z3_3 + 0.25 * lam4_3;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -6195,14 +6798,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
     const double c53_0 = c5_half_0 * (Z4_3 - 2.0 * c51_0 * c52_0);
-    const double t50 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t50;
-    const double t51 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t50 + c5_0 * t51;
-    const double t52 = a52_0 + b52_0;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t51 + c52_0 * t50 + c5_0 * t52;
-    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * t52 + c52_0 * t51 +
-        c53_0 * t50 + c5_0 * (a53_0 + b53_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
+    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * (a52_0 + b52_0) +
+        c52_0 * (a51_0 + b51_0) + c53_0 * (a5_0 + b5_0) + c5_0 * (a53_0 + b53_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -6215,22 +6816,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
     const double term53_0 = -term5_0 * (below5_1 * term52_0 + below5_2 * term51_0 + below5_3 * term5_0);
-    const double t53 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t53;
-    const double t54 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t54;
-    const double t55 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t55;
-    const double t56 = 0.25 * lam5_3;
-    const double X5_3 = 0.25 * X4_3 + t56;
-    const double Y5_0 = 0.25 * Y4_0 + t53;
-    const double Y5_1 = 0.25 * Y4_1 + t54;
-    const double Y5_2 = 0.25 * Y4_2 + t55;
-    const double Y5_3 = 0.25 * Y4_3 + t56;
-    const double Z5_0 = 0.25 * Z4_0 + t53;
-    const double Z5_1 = 0.25 * Z4_1 + t54;
-    const double Z5_2 = 0.25 * Z4_2 + t55;
-    const double Z5_3 = 0.25 * Z4_3 + t56;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double X5_3 = 0.25 * X4_3 + 0.25 * lam5_3;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Y5_3 = 0.25 * Y4_3 + 0.25 * lam5_3;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
+    const double Z5_3 = 0.25 * Z4_3 + 0.25 * lam5_3;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
@@ -6239,24 +6836,16 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
     const double over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0);
-    const double t57 = -mean_0;
-    const double t58 = -X5_0 - t57;
-    const double dx_0 = over_0 * t58;
-    const double t59 = -mean_1;
-    const double t60 = -X5_1 - t59;
-    const double dx_1 = over1_0 * t58 + over_0 * t60;
-    const double t61 = -mean_2;
-    const double t62 = -X5_2 - t61;
-    const double dx_2 = over1_0 * t60 + over2_0 * t58 + over_0 * t62;
-    const double t63 = -mean_3;
-    const double dx_3 = over1_0 * t62 + over2_0 * t60 + over3_0 * t58 + over_0 * (-X5_3 - t63);
-    const double t64 = -Y5_0 - t57;
-    const double dy_0 = over_0 * t64;
-    const double t65 = -Y5_1 - t59;
-    const double dy_1 = over1_0 * t64 + over_0 * t65;
-    const double t66 = -Y5_2 - t61;
-    const double dy_2 = over1_0 * t65 + over2_0 * t64 + over_0 * t66;
-    const double dy_3 = over1_0 * t66 + over2_0 * t65 + over3_0 * t64 + over_0 * (-Y5_3 - t63);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dx_3 = over1_0 * (-X5_2 + mean_2) + over2_0 * (-X5_1 + mean_1) + over3_0 * (-X5_0 + mean_0) +
+        over_0 * (-X5_3 + mean_3);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
+    const double dy_3 = over1_0 * (-Y5_2 + mean_2) + over2_0 * (-Y5_1 + mean_1) + over3_0 * (-Y5_0 + mean_0) +
+        over_0 * (-Y5_3 + mean_3);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -6266,53 +6855,45 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t67 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t67;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t67;
-    const double zz_3 = 2.0 * dz_1 * dz_2 + dz_3 * t67;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
+    const double zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
     const double E2_3 = xy_3 - 6.0 * zz_3;
-    const double t68 = 3.0 * xy_0;
-    const double t69 = t68 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t69;
-    const double t70 = 3.0 * xy_1;
-    const double t71 = t70 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t71 + dz_1 * t69;
-    const double t72 = 3.0 * xy_2;
-    const double t73 = t72 - 8.0 * zz_2;
-    const double E3_2 = dz_0 * t73 + dz_1 * t71 + dz_2 * t69;
-    const double t74 = 3.0 * xy_3;
-    const double E3_3 = dz_0 * (t74 - 8.0 * zz_3) + dz_1 * t73 + dz_2 * t71 + dz_3 * t69;
-    const double t75 = t68 - 3.0 * zz_0;
-    const double E4_0 = t75 * zz_0;
-    const double t76 = t70 - 3.0 * zz_1;
-    const double E4_1 = t75 * zz_1 + t76 * zz_0;
-    const double t77 = t72 - 3.0 * zz_2;
-    const double E4_2 = t75 * zz_2 + t76 * zz_1 + t77 * zz_0;
-    const double E4_3 = t75 * zz_3 + t76 * zz_2 + t77 * zz_1 + zz_0 * (t74 - 3.0 * zz_3);
-    const double t78 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t78;
-    const double t79 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t79 + dz_1 * t78;
-    const double t80 = xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0;
-    const double E5_2 = dz_0 * t80 + dz_1 * t79 + dz_2 * t78;
-    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * t80 + dz_2 * t79 +
-        dz_3 * t78;
-    const double t81 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t81 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t82 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t82 - E3_1 * t81
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double t83 = 0.17307692307692307 * E2_2;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.21428571428571427 * E2_2 - E3_0 * t83 - E3_1 * t82 - E3_2 * t81 + 0.16666666666666666 * E3_2 -
-        0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
-    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 + 0.20454545454545456 * E2_1 * E2_2 -
-        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 - E3_1 * t83 - E3_2 * t82 - E3_3 * t81 +
-        0.16666666666666666 * E3_3 - 0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E3_3 = dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 -
+        8.0 * zz_1) + dz_3 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E4_3 = zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 -
+        3.0 * zz_1) + zz_3 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1
+        * zz_1 + xy_2 * zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
+    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 +
+        0.20454545454545456 * E2_1 * E2_2 - 0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 -
+        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 -
+        0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -6343,86 +6924,84 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t84 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t84 * t84);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t85 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t85 * t85);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t86 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t86 * t86);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t87 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t87 * t87);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t88 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t88 * t88);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t89 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t89 * t89);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t90 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t90 * t90);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t91 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t91 * t91);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t92 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t92 * t92);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t93 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t93 * t93);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t94 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t94 * t94);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t95 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t95 * t95);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t96 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t96 * t96);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t97 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t97 * t97);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t98 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t98 * t98);
-    const double T3 = T * t1;
-    const double t99 = 8.0 * T3;
-    const double S_0 = t99 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
-        term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t99 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
     const double tangent_1_2 = tangent_1 * tangent_1;
     const double tangent_10_2 = tangent_10 * tangent_10;
     const double tangent_11_2 = tangent_11 * tangent_11;
@@ -6438,10 +7017,10 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double tangent_7_2 = tangent_7 * tangent_7;
     const double tangent_8_2 = tangent_8 * tangent_8;
     const double tangent_9_2 = tangent_9 * tangent_9;
-    const double S_2 = t99 * (tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 +
-        tangent_13_2 * term_13 + tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_1_2 * term_1 +
-        tangent_2_2 * term_2 + tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 *
-        term_6 + tangent_7_2 * term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9);
+    const double sum_2 = tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 + tangent_13_2 *
+        term_13 + tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_1_2 * term_1 + tangent_2_2 * term_2 +
+        tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 * term_6 + tangent_7_2 *
+        term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9;
     const double tangent_1_3 = tangent_1 * tangent_1_2;
     const double tangent_10_3 = tangent_10 * tangent_10_2;
     const double tangent_11_3 = tangent_11 * tangent_11_2;
@@ -6457,30 +7036,29 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
     const double tangent_7_3 = tangent_7 * tangent_7_2;
     const double tangent_8_3 = tangent_8 * tangent_8_2;
     const double tangent_9_3 = tangent_9 * tangent_9_2;
-    const double S_3 = t99 * (tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 +
-        tangent_13_3 * term_13 + tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_1_3 * term_1 +
-        tangent_2_3 * term_2 + tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 *
-        term_6 + tangent_7_3 * term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9);
-    const double t100 = 1.0 / c;
-    return 2.5464790894703255 * beta * t17 * (-24.0 * S_0 * t100 - 48.0 * S_1 * t100 - 45.0 * S_2 * t100 - 15.0
-        * S_3 * t100 + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8);
+    const double sum_3 = tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 + tangent_13_3 *
+        term_13 + tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_1_3 * term_1 + tangent_2_3 * term_2 +
+        tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 * term_6 + tangent_7_3 *
+        term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (-192.0 * T3 * sum_0 / c - 384.0 * T3 * sum_1 / c - 360.0 * T3 * sum_2 /
+        c - 120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2;
 }
 
 static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
-    const double A2 = A * A;
-    const double t1 = 1.0 / A2;
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double u_cr2 = u_cr * u_cr;
-    const double x2 = t1 * u_cr2;
+    const double A2 = A * A;
+    const double x2 = u_cr2 / A2;
     const double root2 = root * root;
-    const double y2 = root2 * t1;
+    const double y2 = root2 / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double b0_half_0_2 = b0_half_0 * b0_half_0;
     const double b0_half_0_3 = b0_half_0 * b0_half_0_2;
@@ -6495,41 +7073,43 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
     const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
-    const double t2 = 0.25 * lam0_0;
-    const double X0_0 = t2 + 0.25 * y2;
-    const double t3 = 0.25 * lam0_1;
-    const double t4 = 0.25 * lam0_2;
-    const double t5 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * t0 + t2;
-    const double Y0_1 = t3 + 0.25;
-    const double Z0_0 = t2 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double X0_2 = 0.25 * lam0_2;
+    const double X0_3 = 0.25 * lam0_3;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Y0_3 = 0.25 * lam0_3;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
+    const double Z0_3 = 0.25 * lam0_3;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t3;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t4);
-    const double a13_0 = a1_half_0 * (-2.0 * a11_0 * a12_0 + t5);
+    const double a11_0 = X0_1 * a1_half_0;
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
+    const double a13_0 = a1_half_0 * (X0_3 - 2.0 * a11_0 * a12_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t4);
-    const double b13_0 = b1_half_0 * (-2.0 * b11_0 * b12_0 + t5);
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
+    const double b13_0 = b1_half_0 * (Y0_3 - 2.0 * b11_0 * b12_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t3;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t4);
-    const double c13_0 = c1_half_0 * (-2.0 * c11_0 * c12_0 + t5);
-    const double t6 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t6;
-    const double t7 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t6 + c1_0 * t7;
-    const double t8 = a12_0 + b12_0;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t7 + c12_0 * t6 + c1_0 * t8;
-    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * t8 + c12_0 * t7 +
-        c13_0 * t6 + c1_0 * (a13_0 + b13_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double c13_0 = c1_half_0 * (Z0_3 - 2.0 * c11_0 * c12_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
+    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * (a12_0 + b12_0) +
+        c12_0 * (a11_0 + b11_0) + c13_0 * (a1_0 + b1_0) + c1_0 * (a13_0 + b13_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t3;
-    const double q1_2 = lam1_2 + t4;
-    const double q1_3 = lam1_3 + t5;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
+    const double q1_3 = Z0_3 + lam1_3;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
@@ -6538,22 +7118,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
     const double term13_0 = -term1_0 * (below1_1 * term12_0 + below1_2 * term11_0 + below1_3 * term1_0);
-    const double t9 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t9;
-    const double t10 = 0.25 * lam1_1;
-    const double X1_1 = t10 + 0.25 * t3;
-    const double t11 = 0.25 * lam1_2;
-    const double X1_2 = t11 + 0.25 * t4;
-    const double t12 = 0.25 * lam1_3;
-    const double X1_3 = t12 + 0.25 * t5;
-    const double Y1_0 = 0.25 * Y0_0 + t9;
-    const double Y1_1 = 0.25 * Y0_1 + t10;
-    const double Y1_2 = t11 + 0.25 * t4;
-    const double Y1_3 = t12 + 0.25 * t5;
-    const double Z1_0 = 0.25 * Z0_0 + t9;
-    const double Z1_1 = t10 + 0.25 * t3;
-    const double Z1_2 = t11 + 0.25 * t4;
-    const double Z1_3 = t12 + 0.25 * t5;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double X1_3 = 0.25 * X0_3 + 0.25 * lam1_3;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Y1_3 = 0.25 * Y0_3 + 0.25 * lam1_3;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
+    const double Z1_3 = 0.25 * Z0_3 + 0.25 * lam1_3;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -6569,14 +7145,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
     const double c23_0 = c2_half_0 * (Z1_3 - 2.0 * c21_0 * c22_0);
-    const double t13 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t13;
-    const double t14 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t13 + c2_0 * t14;
-    const double t15 = a22_0 + b22_0;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t14 + c22_0 * t13 + c2_0 * t15;
-    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * t15 + c22_0 * t14 +
-        c23_0 * t13 + c2_0 * (a23_0 + b23_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
+    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * (a22_0 + b22_0) +
+        c22_0 * (a21_0 + b21_0) + c23_0 * (a2_0 + b2_0) + c2_0 * (a23_0 + b23_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -6589,22 +7163,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
     const double term23_0 = -term2_0 * (below2_1 * term22_0 + below2_2 * term21_0 + below2_3 * term2_0);
-    const double t16 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t16;
-    const double t17 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t17;
-    const double t18 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t18;
-    const double t19 = 0.25 * lam2_3;
-    const double X2_3 = 0.25 * X1_3 + t19;
-    const double Y2_0 = 0.25 * Y1_0 + t16;
-    const double Y2_1 = 0.25 * Y1_1 + t17;
-    const double Y2_2 = 0.25 * Y1_2 + t18;
-    const double Y2_3 = 0.25 * Y1_3 + t19;
-    const double Z2_0 = 0.25 * Z1_0 + t16;
-    const double Z2_1 = 0.25 * Z1_1 + t17;
-    const double Z2_2 = 0.25 * Z1_2 + t18;
-    const double Z2_3 = 0.25 * Z1_3 + t19;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double X2_3 = 0.25 * X1_3 + 0.25 * lam2_3;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Y2_3 = 0.25 * Y1_3 + 0.25 * lam2_3;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
+    const double Z2_3 = 0.25 * Z1_3 + 0.25 * lam2_3;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -6620,14 +7190,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
     const double c33_0 = c3_half_0 * (Z2_3 - 2.0 * c31_0 * c32_0);
-    const double t20 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t20;
-    const double t21 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t20 + c3_0 * t21;
-    const double t22 = a32_0 + b32_0;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t21 + c32_0 * t20 + c3_0 * t22;
-    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * t22 + c32_0 * t21 +
-        c33_0 * t20 + c3_0 * (a33_0 + b33_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
+    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * (a32_0 + b32_0) +
+        c32_0 * (a31_0 + b31_0) + c33_0 * (a3_0 + b3_0) + c3_0 * (a33_0 + b33_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -6640,22 +7208,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
     const double term33_0 = -term3_0 * (below3_1 * term32_0 + below3_2 * term31_0 + below3_3 * term3_0);
-    const double t23 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t23;
-    const double t24 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t24;
-    const double t25 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t25;
-    const double t26 = 0.25 * lam3_3;
-    const double X3_3 = 0.25 * X2_3 + t26;
-    const double Y3_0 = 0.25 * Y2_0 + t23;
-    const double Y3_1 = 0.25 * Y2_1 + t24;
-    const double Y3_2 = 0.25 * Y2_2 + t25;
-    const double Y3_3 = 0.25 * Y2_3 + t26;
-    const double Z3_0 = 0.25 * Z2_0 + t23;
-    const double Z3_1 = 0.25 * Z2_1 + t24;
-    const double Z3_2 = 0.25 * Z2_2 + t25;
-    const double Z3_3 = 0.25 * Z2_3 + t26;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double X3_3 = 0.25 * X2_3 + 0.25 * lam3_3;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Y3_3 = 0.25 * Y2_3 + 0.25 * lam3_3;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
+    const double Z3_3 = 0.25 * Z2_3 + 0.25 * lam3_3;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -6671,14 +7235,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
     const double c43_0 = c4_half_0 * (Z3_3 - 2.0 * c41_0 * c42_0);
-    const double t27 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t27;
-    const double t28 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t27 + c4_0 * t28;
-    const double t29 = a42_0 + b42_0;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t28 + c42_0 * t27 + c4_0 * t29;
-    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * t29 + c42_0 * t28 +
-        c43_0 * t27 + c4_0 * (a43_0 + b43_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
+    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * (a42_0 + b42_0) +
+        c42_0 * (a41_0 + b41_0) + c43_0 * (a4_0 + b4_0) + c4_0 * (a43_0 + b43_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -6691,22 +7253,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
     const double term43_0 = -term4_0 * (below4_1 * term42_0 + below4_2 * term41_0 + below4_3 * term4_0);
-    const double t30 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t30;
-    const double t31 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t31;
-    const double t32 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t32;
-    const double t33 = 0.25 * lam4_3;
-    const double X4_3 = 0.25 * X3_3 + t33;
-    const double Y4_0 = 0.25 * Y3_0 + t30;
-    const double Y4_1 = 0.25 * Y3_1 + t31;
-    const double Y4_2 = 0.25 * Y3_2 + t32;
-    const double Y4_3 = 0.25 * Y3_3 + t33;
-    const double Z4_0 = 0.25 * Z3_0 + t30;
-    const double Z4_1 = 0.25 * Z3_1 + t31;
-    const double Z4_2 = 0.25 * Z3_2 + t32;
-    const double Z4_3 = 0.25 * Z3_3 + t33;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double X4_3 = 0.25 * X3_3 + 0.25 * lam4_3;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Y4_3 = 0.25 * Y3_3 + 0.25 * lam4_3;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
+    const double Z4_3 = 0.25 * Z3_3 + 0.25 * lam4_3;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -6722,14 +7280,12 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
     const double c53_0 = c5_half_0 * (Z4_3 - 2.0 * c51_0 * c52_0);
-    const double t34 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t34;
-    const double t35 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t34 + c5_0 * t35;
-    const double t36 = a52_0 + b52_0;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t35 + c52_0 * t34 + c5_0 * t36;
-    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * t36 + c52_0 * t35 +
-        c53_0 * t34 + c5_0 * (a53_0 + b53_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
+    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * (a52_0 + b52_0) +
+        c52_0 * (a51_0 + b51_0) + c53_0 * (a5_0 + b5_0) + c5_0 * (a53_0 + b53_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -6742,22 +7298,18 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
     const double term53_0 = -term5_0 * (below5_1 * term52_0 + below5_2 * term51_0 + below5_3 * term5_0);
-    const double t37 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t37;
-    const double t38 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t38;
-    const double t39 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t39;
-    const double t40 = 0.25 * lam5_3;
-    const double X5_3 = 0.25 * X4_3 + t40;
-    const double Y5_0 = 0.25 * Y4_0 + t37;
-    const double Y5_1 = 0.25 * Y4_1 + t38;
-    const double Y5_2 = 0.25 * Y4_2 + t39;
-    const double Y5_3 = 0.25 * Y4_3 + t40;
-    const double Z5_0 = 0.25 * Z4_0 + t37;
-    const double Z5_1 = 0.25 * Z4_1 + t38;
-    const double Z5_2 = 0.25 * Z4_2 + t39;
-    const double Z5_3 = 0.25 * Z4_3 + t40;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double X5_3 = 0.25 * X4_3 + 0.25 * lam5_3;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Y5_3 = 0.25 * Y4_3 + 0.25 * lam5_3;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
+    const double Z5_3 = 0.25 * Z4_3 + 0.25 * lam5_3;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
@@ -6766,24 +7318,16 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
     const double over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0);
-    const double t41 = -mean_0;
-    const double t42 = -X5_0 - t41;
-    const double dx_0 = over_0 * t42;
-    const double t43 = -mean_1;
-    const double t44 = -X5_1 - t43;
-    const double dx_1 = over1_0 * t42 + over_0 * t44;
-    const double t45 = -mean_2;
-    const double t46 = -X5_2 - t45;
-    const double dx_2 = over1_0 * t44 + over2_0 * t42 + over_0 * t46;
-    const double t47 = -mean_3;
-    const double dx_3 = over1_0 * t46 + over2_0 * t44 + over3_0 * t42 + over_0 * (-X5_3 - t47);
-    const double t48 = -Y5_0 - t41;
-    const double dy_0 = over_0 * t48;
-    const double t49 = -Y5_1 - t43;
-    const double dy_1 = over1_0 * t48 + over_0 * t49;
-    const double t50 = -Y5_2 - t45;
-    const double dy_2 = over1_0 * t49 + over2_0 * t48 + over_0 * t50;
-    const double dy_3 = over1_0 * t50 + over2_0 * t49 + over3_0 * t48 + over_0 * (-Y5_3 - t47);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dx_3 = over1_0 * (-X5_2 + mean_2) + over2_0 * (-X5_1 + mean_1) + over3_0 * (-X5_0 + mean_0) +
+        over_0 * (-X5_3 + mean_3);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
+    const double dy_3 = over1_0 * (-Y5_2 + mean_2) + over2_0 * (-Y5_1 + mean_1) + over3_0 * (-Y5_0 + mean_0) +
+        over_0 * (-Y5_3 + mean_3);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -6793,53 +7337,45 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t51 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t51;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t51;
-    const double zz_3 = 2.0 * dz_1 * dz_2 + dz_3 * t51;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
+    const double zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
     const double E2_3 = xy_3 - 6.0 * zz_3;
-    const double t52 = 3.0 * xy_0;
-    const double t53 = t52 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t53;
-    const double t54 = 3.0 * xy_1;
-    const double t55 = t54 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t55 + dz_1 * t53;
-    const double t56 = 3.0 * xy_2;
-    const double t57 = t56 - 8.0 * zz_2;
-    const double E3_2 = dz_0 * t57 + dz_1 * t55 + dz_2 * t53;
-    const double t58 = 3.0 * xy_3;
-    const double E3_3 = dz_0 * (t58 - 8.0 * zz_3) + dz_1 * t57 + dz_2 * t55 + dz_3 * t53;
-    const double t59 = t52 - 3.0 * zz_0;
-    const double E4_0 = t59 * zz_0;
-    const double t60 = t54 - 3.0 * zz_1;
-    const double E4_1 = t59 * zz_1 + t60 * zz_0;
-    const double t61 = t56 - 3.0 * zz_2;
-    const double E4_2 = t59 * zz_2 + t60 * zz_1 + t61 * zz_0;
-    const double E4_3 = t59 * zz_3 + t60 * zz_2 + t61 * zz_1 + zz_0 * (t58 - 3.0 * zz_3);
-    const double t62 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t62;
-    const double t63 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t63 + dz_1 * t62;
-    const double t64 = xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0;
-    const double E5_2 = dz_0 * t64 + dz_1 * t63 + dz_2 * t62;
-    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * t64 + dz_2 * t63 +
-        dz_3 * t62;
-    const double t65 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t65 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t66 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t66 - E3_1 * t65
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double t67 = 0.17307692307692307 * E2_2;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.21428571428571427 * E2_2 - E3_0 * t67 - E3_1 * t66 - E3_2 * t65 + 0.16666666666666666 * E3_2 -
-        0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
-    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 + 0.20454545454545456 * E2_1 * E2_2 -
-        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 - E3_1 * t67 - E3_2 * t66 - E3_3 * t65 +
-        0.16666666666666666 * E3_3 - 0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E3_3 = dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 -
+        8.0 * zz_1) + dz_3 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E4_3 = zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 -
+        3.0 * zz_1) + zz_3 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1
+        * zz_1 + xy_2 * zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
+    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 +
+        0.20454545454545456 * E2_1 * E2_2 - 0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 -
+        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 -
+        0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -6865,16 +7401,14 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
     const double V8 = -3.2000000000000002 * R_3 * third * x2_3;
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
+    const double root3 = root * root2;
     const double c2 = c * c;
     const double c3 = c * c2;
-    const double t68 = u_cr5 / c3;
     const double A4 = A2 * A2;
-    const double t69 = 3.0 / (A4 * root);
-    const double root3 = root * root2;
     const double c4 = c2 * c2;
     const double c5 = c * c4;
-    return -2.5464790894703255 * beta * (3.0 * A2 * (5.0 * A2 * V8 + 6.0 * V6) + 3.0 * V4 + t68 * t69 + t1 * t68
-        / root3 - t69 * u_cr5 / c5);
+    return -2.5464790894703255 * beta * (3.0 * A2 * (5.0 * A2 * V8 + 6.0 * V6) + 3.0 * V4 - 3.0 * u_cr5 / (A4 *
+        c5 * root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
 static inline double rod_spring_exact_h_AAA(double A, double alpha, double beta, double u_cr)
@@ -6883,6 +7417,8 @@ static inline double rod_spring_exact_h_AAA(double A, double alpha, double beta,
         return rod_spring_exact_h_AAA_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
         return rod_spring_exact_h_AAA_passed_0_steep(A, alpha, beta, u_cr);
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
+        return rod_spring_exact_h_AAA_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
         return rod_spring_exact_h_AAA_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
@@ -6894,9 +7430,10 @@ static inline double rod_spring_exact_h_AAA(double A, double alpha, double beta,
    Equation (20)-(22). Domain: A >= 0.
    Operations where passed_0: 60 structured, 55 common subexpressions, 55 power chains
    Operations where passed_0_steep: 116 structured, 103 common subexpressions, 103 power chains
-   Operations where passed_1: 368 structured, 367 common subexpressions, 366 power chains
-   Operations where passed_1_steep_far: 304 structured, 288 common subexpressions, 287 power chains
-   Operations where passed_1_steep: 304 structured, 288 common subexpressions, 287 power chains
+   Operations where passed_1_far: 368 structured, 368 common subexpressions, 366 power chains
+   Operations where passed_1: 368 structured, 368 common subexpressions, 366 power chains
+   Operations where passed_1_steep_far: 304 structured, 304 common subexpressions, 302 power chains
+   Operations where passed_1_steep: 304 structured, 304 common subexpressions, 302 power chains
  */
 static inline double rod_spring_exact_H_passed_0(double A, double alpha, double beta, double u_cr)
 {
@@ -6967,6 +7504,125 @@ static inline double rod_spring_exact_H_passed_0_steep(double A, double alpha, d
         128.0 * t7;
     const double P = t8 * (e + tau);
     return -2.0 * A * P * beta - A * (alpha - 1.0);
+}
+
+static inline double rod_spring_exact_H_passed_1_far(double A, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c;
 }
 
 static inline double rod_spring_exact_H_passed_1(double A, double alpha, double beta, double u_cr)
@@ -7082,38 +7738,37 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double t2 = 1.0 / (A * A);
-    const double x2 = t2 * u_cr * u_cr;
-    const double y2 = root * root * t2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
-    const double t3 = 0.25 * lam0_0;
-    const double X0_0 = t3 + 0.25 * y2;
-    const double Y0_0 = 0.25 * t0 + t3;
-    const double Z0_0 = t3 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
     const double a1_0 = sqrt(X0_0);
     const double b1_0 = sqrt(Y0_0);
     const double c1_0 = sqrt(Z0_0);
@@ -7121,10 +7776,9 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
     const double q1_0 = Z0_0 + lam1_0;
     const double below1_0 = c1_0 * q1_0;
     const double term1_0 = 1.0 / below1_0;
-    const double t4 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t4;
-    const double Y1_0 = 0.25 * Y0_0 + t4;
-    const double Z1_0 = 0.25 * Z0_0 + t4;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
     const double a2_0 = sqrt(X1_0);
     const double b2_0 = sqrt(Y1_0);
     const double c2_0 = sqrt(Z1_0);
@@ -7132,10 +7786,9 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
     const double q2_0 = Z1_0 + lam2_0;
     const double below2_0 = c2_0 * q2_0;
     const double term2_0 = 1.0 / below2_0;
-    const double t5 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t5;
-    const double Y2_0 = 0.25 * Y1_0 + t5;
-    const double Z2_0 = 0.25 * Z1_0 + t5;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
     const double a3_0 = sqrt(X2_0);
     const double b3_0 = sqrt(Y2_0);
     const double c3_0 = sqrt(Z2_0);
@@ -7143,10 +7796,9 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
     const double q3_0 = Z2_0 + lam3_0;
     const double below3_0 = c3_0 * q3_0;
     const double term3_0 = 1.0 / below3_0;
-    const double t6 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t6;
-    const double Y3_0 = 0.25 * Y2_0 + t6;
-    const double Z3_0 = 0.25 * Z2_0 + t6;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
     const double a4_0 = sqrt(X3_0);
     const double b4_0 = sqrt(Y3_0);
     const double c4_0 = sqrt(Z3_0);
@@ -7154,10 +7806,9 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
     const double q4_0 = Z3_0 + lam4_0;
     const double below4_0 = c4_0 * q4_0;
     const double term4_0 = 1.0 / below4_0;
-    const double t7 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t7;
-    const double Y4_0 = 0.25 * Y3_0 + t7;
-    const double Z4_0 = 0.25 * Z3_0 + t7;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
     const double a5_0 = sqrt(X4_0);
     const double b5_0 = sqrt(Y4_0);
     const double c5_0 = sqrt(Z4_0);
@@ -7165,22 +7816,19 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
     const double q5_0 = Z4_0 + lam5_0;
     const double below5_0 = c5_0 * q5_0;
     const double term5_0 = 1.0 / below5_0;
-    const double t8 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t8;
-    const double Y5_0 = 0.25 * Y4_0 + t8;
-    const double Z5_0 = 0.25 * Z4_0 + t8;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double over_0 = 1.0 / mean_0;
-    const double t9 = -mean_0;
-    const double dx_0 = over_0 * (-X5_0 - t9);
-    const double dy_0 = over_0 * (-Y5_0 - t9);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double xy_0 = dx_0 * dy_0;
     const double zz_0 = dz_0 * dz_0;
     const double E2_0 = xy_0 - 6.0 * zz_0;
-    const double t10 = 3.0 * xy_0;
-    const double E3_0 = dz_0 * (t10 - 8.0 * zz_0);
-    const double E4_0 = zz_0 * (t10 - 3.0 * zz_0);
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
     const double E5_0 = dz_0 * xy_0 * zz_0;
     const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
         0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
@@ -7236,48 +7884,47 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    return 2.5464790894703255 * A * beta * (S_0 / c - V2);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2);
 }
 
 static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double t2 = 1.0 / (A * A);
-    const double x2 = t2 * u_cr * u_cr;
-    const double y2 = root * root * t2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
-    const double t3 = 0.25 * lam0_0;
-    const double X0_0 = t3 + 0.25 * y2;
-    const double Y0_0 = 0.25 * t0 + t3;
-    const double Z0_0 = t3 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
     const double a1_0 = sqrt(X0_0);
     const double b1_0 = sqrt(Y0_0);
     const double c1_0 = sqrt(Z0_0);
@@ -7285,10 +7932,9 @@ static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, d
     const double q1_0 = Z0_0 + lam1_0;
     const double below1_0 = c1_0 * q1_0;
     const double term1_0 = 1.0 / below1_0;
-    const double t4 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t4;
-    const double Y1_0 = 0.25 * Y0_0 + t4;
-    const double Z1_0 = 0.25 * Z0_0 + t4;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
     const double a2_0 = sqrt(X1_0);
     const double b2_0 = sqrt(Y1_0);
     const double c2_0 = sqrt(Z1_0);
@@ -7296,10 +7942,9 @@ static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, d
     const double q2_0 = Z1_0 + lam2_0;
     const double below2_0 = c2_0 * q2_0;
     const double term2_0 = 1.0 / below2_0;
-    const double t5 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t5;
-    const double Y2_0 = 0.25 * Y1_0 + t5;
-    const double Z2_0 = 0.25 * Z1_0 + t5;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
     const double a3_0 = sqrt(X2_0);
     const double b3_0 = sqrt(Y2_0);
     const double c3_0 = sqrt(Z2_0);
@@ -7307,10 +7952,9 @@ static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, d
     const double q3_0 = Z2_0 + lam3_0;
     const double below3_0 = c3_0 * q3_0;
     const double term3_0 = 1.0 / below3_0;
-    const double t6 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t6;
-    const double Y3_0 = 0.25 * Y2_0 + t6;
-    const double Z3_0 = 0.25 * Z2_0 + t6;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
     const double a4_0 = sqrt(X3_0);
     const double b4_0 = sqrt(Y3_0);
     const double c4_0 = sqrt(Z3_0);
@@ -7318,10 +7962,9 @@ static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, d
     const double q4_0 = Z3_0 + lam4_0;
     const double below4_0 = c4_0 * q4_0;
     const double term4_0 = 1.0 / below4_0;
-    const double t7 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t7;
-    const double Y4_0 = 0.25 * Y3_0 + t7;
-    const double Z4_0 = 0.25 * Z3_0 + t7;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
     const double a5_0 = sqrt(X4_0);
     const double b5_0 = sqrt(Y4_0);
     const double c5_0 = sqrt(Z4_0);
@@ -7329,22 +7972,19 @@ static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, d
     const double q5_0 = Z4_0 + lam5_0;
     const double below5_0 = c5_0 * q5_0;
     const double term5_0 = 1.0 / below5_0;
-    const double t8 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t8;
-    const double Y5_0 = 0.25 * Y4_0 + t8;
-    const double Z5_0 = 0.25 * Z4_0 + t8;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double over_0 = 1.0 / mean_0;
-    const double t9 = -mean_0;
-    const double dx_0 = over_0 * (-X5_0 - t9);
-    const double dy_0 = over_0 * (-Y5_0 - t9);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double xy_0 = dx_0 * dy_0;
     const double zz_0 = dz_0 * dz_0;
     const double E2_0 = xy_0 - 6.0 * zz_0;
-    const double t10 = 3.0 * xy_0;
-    const double E3_0 = dz_0 * (t10 - 8.0 * zz_0);
-    const double E4_0 = zz_0 * (t10 - 3.0 * zz_0);
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
     const double E5_0 = dz_0 * xy_0 * zz_0;
     const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
         0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
@@ -7400,10 +8040,10 @@ static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, d
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    return 2.5464790894703255 * A * beta * (S_0 / c - V2);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2);
 }
 
 static inline double rod_spring_exact_H(double A, double alpha, double beta, double u_cr)
@@ -7412,6 +8052,8 @@ static inline double rod_spring_exact_H(double A, double alpha, double beta, dou
         return rod_spring_exact_H_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
         return rod_spring_exact_H_passed_0_steep(A, alpha, beta, u_cr);
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
+        return rod_spring_exact_H_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
         return rod_spring_exact_H_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
@@ -7423,9 +8065,10 @@ static inline double rod_spring_exact_H(double A, double alpha, double beta, dou
    Equation (31). Domain: A >= 0.
    Operations where passed_0: 71 structured, 65 common subexpressions, 65 power chains
    Operations where passed_0_steep: 127 structured, 113 common subexpressions, 113 power chains
-   Operations where passed_1: 421 structured, 419 common subexpressions, 416 power chains
-   Operations where passed_1_steep_far: 682 structured, 606 common subexpressions, 605 power chains
-   Operations where passed_1_steep: 557 structured, 512 common subexpressions, 511 power chains
+   Operations where passed_1_far: 495 structured, 495 common subexpressions, 475 power chains
+   Operations where passed_1: 421 structured, 421 common subexpressions, 416 power chains
+   Operations where passed_1_steep_far: 681 structured, 681 common subexpressions, 662 power chains
+   Operations where passed_1_steep: 557 structured, 557 common subexpressions, 554 power chains
  */
 static inline double rod_spring_exact_H_A_passed_0(double A, double alpha, double beta, double u_cr)
 {
@@ -7510,6 +8153,160 @@ static inline double rod_spring_exact_H_A_passed_0_steep(double A, double alpha,
     return -alpha - 2.0 * beta * (B * m / k - C * m + P) + 1.0;
 }
 
+static inline double rod_spring_exact_H_A_passed_1_far(double A, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c);
+}
+
 static inline double rod_spring_exact_H_A_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
@@ -7532,82 +8329,82 @@ static inline double rod_spring_exact_H_A_passed_1(double A, double alpha, doubl
     const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
     const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
     const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
-    const double t1 = A * A;
-    const double U2 = 4.0 * t0 * t1;
+    const double A2 = A * A;
+    const double U2 = 4.0 * A2 * t0;
     const double v2_1 = 0.99379661859049351 * g_1 * g_1;
     const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double fall_1 = f_1 * v2_1 / square_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
     const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double fall_2 = f_2 * v2_2 / square_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
     const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double fall_3 = f_3 * v2_3 / square_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
     const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double fall_4 = f_4 * v2_4 / square_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
     const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double fall_5 = f_5 * v2_5 / square_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
     const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double fall_6 = f_6 * v2_6 / square_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
     const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double fall_7 = f_7 * v2_7 / square_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
     const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double fall_8 = f_8 * v2_8 / square_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
     const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double fall_9 = f_9 * v2_9 / square_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
     const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double fall_10 = f_10 * v2_10 / square_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
     const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double fall_11 = f_11 * v2_11 / square_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
     const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double fall_12 = f_12 * v2_12 / square_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
     const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double fall_13 = f_13 * v2_13 / square_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
     const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double fall_14 = f_14 * v2_14 / square_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
     const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
     const double fall_15 = f_15 * v2_15 / square_15;
     const double sum_0 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
         (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1) + f_10 * g_10 * (0.46337585185798008
@@ -7636,91 +8433,73 @@ static inline double rod_spring_exact_H_A_passed_1(double A, double alpha, doubl
     const double T4 = t0 * t0;
     const double T5 = T * T4;
     const double T3 = T * t0;
-    return -2.5464790894703255 * beta * (-8.0 * T3 * sum_0 * u_cr * u_cr / c + 32.0 * T5 * sum_1 * t1);
+    return -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c);
 }
 
 static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double t18 = 0.25 * lam0_0;
-    const double X0_0 = t18 + 0.25 * y2;
-    const double t19 = 0.25 * lam0_1;
-    const double X0_1 = t19 + 0.25;
-    const double Y0_0 = 0.25 * t0 + t18;
-    const double Z0_0 = t18 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t19;
+    const double b11_0 = Y0_1 * b1_half_0;
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t19;
-    const double t20 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t20;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t20 + c1_0 * (a11_0 + b11_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t19;
+    const double q1_1 = Z0_1 + lam1_1;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
-    const double t21 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t21;
-    const double t22 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t22;
-    const double Y1_0 = 0.25 * Y0_0 + t21;
-    const double Y1_1 = 0.25 * t19 + t22;
-    const double Z1_0 = 0.25 * Z0_0 + t21;
-    const double Z1_1 = 0.25 * t19 + t22;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -7730,23 +8509,20 @@ static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double al
     const double c2_0 = sqrt(Z1_0);
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
-    const double t23 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t23;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t23 + c2_0 * (a21_0 + b21_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double below2_0 = c2_0 * q2_0;
     const double below2_1 = c21_0 * q2_0 + c2_0 * q2_1;
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
-    const double t24 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t24;
-    const double t25 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t25;
-    const double Y2_0 = 0.25 * Y1_0 + t24;
-    const double Y2_1 = 0.25 * Y1_1 + t25;
-    const double Z2_0 = 0.25 * Z1_0 + t24;
-    const double Z2_1 = 0.25 * Z1_1 + t25;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -7756,23 +8532,20 @@ static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double al
     const double c3_0 = sqrt(Z2_0);
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
-    const double t26 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t26;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t26 + c3_0 * (a31_0 + b31_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double below3_0 = c3_0 * q3_0;
     const double below3_1 = c31_0 * q3_0 + c3_0 * q3_1;
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
-    const double t27 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t27;
-    const double t28 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t28;
-    const double Y3_0 = 0.25 * Y2_0 + t27;
-    const double Y3_1 = 0.25 * Y2_1 + t28;
-    const double Z3_0 = 0.25 * Z2_0 + t27;
-    const double Z3_1 = 0.25 * Z2_1 + t28;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -7782,23 +8555,20 @@ static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double al
     const double c4_0 = sqrt(Z3_0);
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
-    const double t29 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t29;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t29 + c4_0 * (a41_0 + b41_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double below4_0 = c4_0 * q4_0;
     const double below4_1 = c41_0 * q4_0 + c4_0 * q4_1;
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
-    const double t30 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t30;
-    const double t31 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t31;
-    const double Y4_0 = 0.25 * Y3_0 + t30;
-    const double Y4_1 = 0.25 * Y3_1 + t31;
-    const double Z4_0 = 0.25 * Z3_0 + t30;
-    const double Z4_1 = 0.25 * Z3_1 + t31;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -7808,35 +8578,28 @@ static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double al
     const double c5_0 = sqrt(Z4_0);
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
-    const double t32 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t32;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t32 + c5_0 * (a51_0 + b51_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double below5_0 = c5_0 * q5_0;
     const double below5_1 = c51_0 * q5_0 + c5_0 * q5_1;
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
-    const double t33 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t33;
-    const double t34 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t34;
-    const double Y5_0 = 0.25 * Y4_0 + t33;
-    const double Y5_1 = 0.25 * Y4_1 + t34;
-    const double Z5_0 = 0.25 * Z4_0 + t33;
-    const double Z5_1 = 0.25 * Z4_1 + t34;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
-    const double t35 = -mean_0;
-    const double t36 = -X5_0 - t35;
-    const double dx_0 = over_0 * t36;
-    const double t37 = -mean_1;
-    const double dx_1 = over1_0 * t36 + over_0 * (-X5_1 - t37);
-    const double t38 = -Y5_0 - t35;
-    const double dy_0 = over_0 * t38;
-    const double dy_1 = over1_0 * t38 + over_0 * (-Y5_1 - t37);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double xy_0 = dx_0 * dy_0;
@@ -7845,23 +8608,18 @@ static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double al
     const double zz_1 = 2.0 * dz_0 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
-    const double t39 = 3.0 * xy_0;
-    const double t40 = t39 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t40;
-    const double t41 = 3.0 * xy_1;
-    const double E3_1 = dz_0 * (t41 - 8.0 * zz_1) + dz_1 * t40;
-    const double t42 = t39 - 3.0 * zz_0;
-    const double E4_0 = t42 * zz_0;
-    const double E4_1 = t42 * zz_1 + zz_0 * (t41 - 3.0 * zz_1);
-    const double t43 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t43;
-    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * t43;
-    const double t44 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t44 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_1 * E3_0 -
-        0.21428571428571427 * E2_1 - E3_1 * t44 + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 +
-        0.11538461538461539 * E5_1;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -7878,158 +8636,152 @@ static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double al
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t45 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t45 * t45);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t46 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t46 * t46);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t47 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t47 * t47);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t48 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t48 * t48);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t49 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t49 * t49);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t50 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t50 * t50);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t51 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t51 * t51);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t52 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t52 * t52);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t53 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t53 * t53);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t54 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t54 * t54);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t55 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t55 * t55);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t56 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t56 * t56);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t57 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t57 * t57);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t58 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t58 * t58);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t59 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t59 * t59);
-    const double T3 = T * t1;
-    const double t60 = 8.0 * T3;
-    const double S_0 = t60 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
-        term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t60 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
-    const double t61 = 1.0 / c;
-    return 2.5464790894703255 * beta * (-2.0 * S_0 * t61 - S_1 * t61 + 2.0 * V2 + V4);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4);
 }
 
 static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double g_1 = 1.0 / (0.99379661859049351 * t1 + 1.0);
-    const double g_2 = 1.0 / (0.96760297675669993 * t1 + 1.0);
-    const double g_3 = 1.0 / (0.92164198121722729 * t1 + 1.0);
-    const double g_4 = 1.0 / (0.85784652785798998 * t1 + 1.0);
-    const double g_5 = 1.0 / (0.77891309933755515 * t1 + 1.0);
-    const double g_6 = 1.0 / (0.68817935411770381 * t1 + 1.0);
-    const double g_7 = 1.0 / (0.58948218524948104 * t1 + 1.0);
-    const double g_8 = 1.0 / (0.4869953130832757 * t1 + 1.0);
-    const double g_9 = 1.0 / (0.38505274377519932 * t1 + 1.0);
-    const double g_10 = 1.0 / (0.28796547636914854 * t1 + 1.0);
-    const double g_11 = 1.0 / (0.19983919110743342 * t1 + 1.0);
-    const double g_12 = 1.0 / (0.12440062341181206 * t1 + 1.0);
-    const double g_13 = 1.0 / (0.064839964168231387 * t1 + 1.0);
-    const double g_14 = 1.0 / (0.023675950313912963 * t1 + 1.0);
-    const double g_15 = 1.0 / (0.0026493505760394136 * t1 + 1.0);
-    const double t2 = A * A;
-    const double t3 = 1.0 / t2;
-    const double x2 = t3 * u_cr * u_cr;
-    const double y2 = root * root * t3;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_0 * b0_half_0 + b0_half_0;
     const double q0_0 = lam0_0 + 1.0;
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
-    const double t4 = 0.25 * lam0_0;
-    const double X0_0 = t4 + 0.25 * y2;
-    const double t5 = 0.25 * lam0_1;
-    const double Y0_0 = 0.25 * t0 + t4;
-    const double Y0_1 = t5 + 0.25;
-    const double Z0_0 = t4 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t5;
+    const double a11_0 = X0_1 * a1_half_0;
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t5;
-    const double t6 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t6;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t6 + c1_0 * (a11_0 + b11_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t5;
+    const double q1_1 = Z0_1 + lam1_1;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
-    const double t7 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t7;
-    const double t8 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * t5 + t8;
-    const double Y1_0 = 0.25 * Y0_0 + t7;
-    const double Y1_1 = 0.25 * Y0_1 + t8;
-    const double Z1_0 = 0.25 * Z0_0 + t7;
-    const double Z1_1 = 0.25 * t5 + t8;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -8039,23 +8791,20 @@ static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha,
     const double c2_0 = sqrt(Z1_0);
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
-    const double t9 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t9;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t9 + c2_0 * (a21_0 + b21_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double below2_0 = c2_0 * q2_0;
     const double below2_1 = c21_0 * q2_0 + c2_0 * q2_1;
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
-    const double t10 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t10;
-    const double t11 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t11;
-    const double Y2_0 = 0.25 * Y1_0 + t10;
-    const double Y2_1 = 0.25 * Y1_1 + t11;
-    const double Z2_0 = 0.25 * Z1_0 + t10;
-    const double Z2_1 = 0.25 * Z1_1 + t11;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -8065,23 +8814,20 @@ static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha,
     const double c3_0 = sqrt(Z2_0);
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
-    const double t12 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t12;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t12 + c3_0 * (a31_0 + b31_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double below3_0 = c3_0 * q3_0;
     const double below3_1 = c31_0 * q3_0 + c3_0 * q3_1;
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
-    const double t13 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t13;
-    const double t14 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t14;
-    const double Y3_0 = 0.25 * Y2_0 + t13;
-    const double Y3_1 = 0.25 * Y2_1 + t14;
-    const double Z3_0 = 0.25 * Z2_0 + t13;
-    const double Z3_1 = 0.25 * Z2_1 + t14;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -8091,23 +8837,20 @@ static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha,
     const double c4_0 = sqrt(Z3_0);
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
-    const double t15 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t15;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t15 + c4_0 * (a41_0 + b41_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double below4_0 = c4_0 * q4_0;
     const double below4_1 = c41_0 * q4_0 + c4_0 * q4_1;
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
-    const double t16 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t16;
-    const double t17 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t17;
-    const double Y4_0 = 0.25 * Y3_0 + t16;
-    const double Y4_1 = 0.25 * Y3_1 + t17;
-    const double Z4_0 = 0.25 * Z3_0 + t16;
-    const double Z4_1 = 0.25 * Z3_1 + t17;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -8117,35 +8860,28 @@ static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha,
     const double c5_0 = sqrt(Z4_0);
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
-    const double t18 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t18;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t18 + c5_0 * (a51_0 + b51_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double below5_0 = c5_0 * q5_0;
     const double below5_1 = c51_0 * q5_0 + c5_0 * q5_1;
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
-    const double t19 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t19;
-    const double t20 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t20;
-    const double Y5_0 = 0.25 * Y4_0 + t19;
-    const double Y5_1 = 0.25 * Y4_1 + t20;
-    const double Z5_0 = 0.25 * Z4_0 + t19;
-    const double Z5_1 = 0.25 * Z4_1 + t20;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
-    const double t21 = -mean_0;
-    const double t22 = -X5_0 - t21;
-    const double dx_0 = over_0 * t22;
-    const double t23 = -mean_1;
-    const double dx_1 = over1_0 * t22 + over_0 * (-X5_1 - t23);
-    const double t24 = -Y5_0 - t21;
-    const double dy_0 = over_0 * t24;
-    const double dy_1 = over1_0 * t24 + over_0 * (-Y5_1 - t23);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double xy_0 = dx_0 * dy_0;
@@ -8154,23 +8890,18 @@ static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha,
     const double zz_1 = 2.0 * dz_0 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
-    const double t25 = 3.0 * xy_0;
-    const double t26 = t25 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t26;
-    const double t27 = 3.0 * xy_1;
-    const double E3_1 = dz_0 * (t27 - 8.0 * zz_1) + dz_1 * t26;
-    const double t28 = t25 - 3.0 * zz_0;
-    const double E4_0 = t28 * zz_0;
-    const double E4_1 = t28 * zz_1 + zz_0 * (t27 - 3.0 * zz_1);
-    const double t29 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t29;
-    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * t29;
-    const double t30 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t30 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_1 * E3_0 -
-        0.21428571428571427 * E2_1 - E3_1 * t30 + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 +
-        0.11538461538461539 * E5_1;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -8229,10 +8960,10 @@ static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha,
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double T3 = T * t1;
-    const double S_0 = 8.0 * T3 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 +
-        term_3 + term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    return -2.5464790894703255 * beta * (-S_0 / c + V2 + V4 * t2);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double T3 = T * t0;
+    return -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2);
 }
 
 static inline double rod_spring_exact_H_A(double A, double alpha, double beta, double u_cr)
@@ -8241,6 +8972,8 @@ static inline double rod_spring_exact_H_A(double A, double alpha, double beta, d
         return rod_spring_exact_H_A_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
         return rod_spring_exact_H_A_passed_0_steep(A, alpha, beta, u_cr);
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
+        return rod_spring_exact_H_A_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
         return rod_spring_exact_H_A_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
@@ -8252,9 +8985,10 @@ static inline double rod_spring_exact_H_A(double A, double alpha, double beta, d
    Equation from (31). Domain: A >= 0.
    Operations where passed_0: 64 structured, 58 common subexpressions, 58 power chains
    Operations where passed_0_steep: 116 structured, 102 common subexpressions, 102 power chains
-   Operations where passed_1: 260 structured, 274 common subexpressions, 270 power chains
-   Operations where passed_1_steep_far: 1092 structured, 968 common subexpressions, 967 power chains
-   Operations where passed_1_steep: 797 structured, 706 common subexpressions, 703 power chains
+   Operations where passed_1_far: 548 structured, 548 common subexpressions, 525 power chains
+   Operations where passed_1: 260 structured, 260 common subexpressions, 255 power chains
+   Operations where passed_1_steep_far: 1089 structured, 1089 common subexpressions, 1068 power chains
+   Operations where passed_1_steep: 797 structured, 797 common subexpressions, 792 power chains
  */
 static inline double rod_spring_exact_H_AA_passed_0(double A, double alpha, double beta, double u_cr)
 {
@@ -8335,6 +9069,166 @@ static inline double rod_spring_exact_H_AA_passed_0_steep(double A, double alpha
     return -2.0 * A * beta * (2.0 * B / (k * k) + C / k);
 }
 
+static inline double rod_spring_exact_H_AA_passed_1_far(double A, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double U2 = 4.0 * A * A * t0;
+    const double v2_1 = 0.99379661859049351 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.96760297675669993 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.92164198121722729 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.85784652785798998 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.77891309933755515 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.68817935411770381 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.58948218524948104 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.4869953130832757 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.38505274377519932 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.28796547636914854 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.19983919110743342 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.12440062341181206 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.064839964168231387 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.023675950313912963 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
+    const double term_1 = f_1 * g_1 * (0.0031065159253504597 - 0.0030968654841560038 * t0) * (g_1 *
+        (0.99689348407464951 * t0 + 0.99689348407464951) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.01633187672025279 - 0.016065146523047254 * t0) * (g_2 *
+        (0.98366812327974718 * t0 + 0.98366812327974718) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.039978135031692487 - 0.03837988375108025 * t0) * (g_3 *
+        (0.96002186496830755 * t0 + 0.96002186496830755) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.073799952570725677 - 0.068353519571284313 * t0) * (g_4 *
+        (0.92620004742927431 * t0 + 0.92620004742927431) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.11743946420794732 - 0.10364743645449757 * t0) * (g_5 * (0.88256053579205274
+        * t0 + 0.88256053579205274) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.17043423761723162 - 0.14138640826506463 * t0) * (g_6 * (0.82956576238276836
+        * t0 + 0.82956576238276836) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.23222256789517381 - 0.1782952468553452 * t0) * (g_7 * (0.76777743210482619
+        * t0 + 0.76777743210482619) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.30214950520668421 - 0.21085518171004011 * t0) * (g_8 * (0.69785049479331585
+        * t0 + 0.69785049479331585) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.37947381701075716 - 0.23547343921404354 * t0) * (g_9 * (0.62052618298924289
+        * t0 + 0.62052618298924289) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.46337585185798008 - 0.24865867177287138 * t0) * (g_10 *
+        (0.53662414814201986 * t0 + 0.53662414814201986) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.55296623046191085 - 0.24719457843065576 * t0) * (g_11 *
+        (0.44703376953808915 * t0 + 0.44703376953808915) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.64729527446912194 - 0.22830410211906604 * t0) * (g_12 *
+        (0.35270472553087812 * t0 + 0.35270472553087812) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.7453630738321102 - 0.18979696199965845 * t0) * (g_13 *
+        (0.25463692616788985 * t0 + 0.25463692616788985) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.8461300863914164 - 0.13019396329467059 * t0) * (g_14 *
+        (0.15386991360858354 * t0 + 0.15386991360858354) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.94852815744468233 - 0.048822491979278279 * t0) * (g_15 *
+        (0.051471842555317698 * t0 + 0.051471842555317698) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double sum_2 = tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
+        tangent_11 * term_11 + tangent_12 * tangent_12 * term_12 + tangent_13 * tangent_13 * term_13 + tangent_14 *
+        tangent_14 * term_14 + tangent_15 * tangent_15 * term_15 + tangent_2 * tangent_2 * term_2 + tangent_3 *
+        tangent_3 * term_3 + tangent_4 * tangent_4 * term_4 + tangent_5 * tangent_5 * term_5 + tangent_6 * tangent_6
+        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 *
+        T3 * sum_2 * u_cr2 / c) / A;
+}
+
 static inline double rod_spring_exact_H_AA_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
@@ -8363,95 +9257,81 @@ static inline double rod_spring_exact_H_AA_passed_1(double A, double alpha, doub
     const double square_1 = -U2 * v2_1 + 1.0;
     const double delta_1 = sqrt(square_1);
     const double f_1 = 0.007968192496166605 * g_1 * v2_1 / delta_1;
-    const double t1 = 1.0 / square_1;
-    const double fall_1 = f_1 * t1 * v2_1;
     const double v2_2 = 0.96760297675669993 * g_2 * g_2;
     const double square_2 = -U2 * v2_2 + 1.0;
     const double delta_2 = sqrt(square_2);
     const double f_2 = 0.018466468311090958 * g_2 * v2_2 / delta_2;
-    const double t2 = 1.0 / square_2;
-    const double fall_2 = f_2 * t2 * v2_2;
     const double v2_3 = 0.92164198121722729 * g_3 * g_3;
     const double square_3 = -U2 * v2_3 + 1.0;
     const double delta_3 = sqrt(square_3);
     const double f_3 = 0.028784707883323369 * g_3 * v2_3 / delta_3;
-    const double t3 = 1.0 / square_3;
-    const double fall_3 = f_3 * t3 * v2_3;
     const double v2_4 = 0.85784652785798998 * g_4 * g_4;
     const double square_4 = -U2 * v2_4 + 1.0;
     const double delta_4 = sqrt(square_4);
     const double f_4 = 0.03879919256962705 * g_4 * v2_4 / delta_4;
-    const double t4 = 1.0 / square_4;
-    const double fall_4 = f_4 * t4 * v2_4;
     const double v2_5 = 0.77891309933755515 * g_5 * g_5;
     const double square_5 = -U2 * v2_5 + 1.0;
     const double delta_5 = sqrt(square_5);
     const double f_5 = 0.048402672830594053 * g_5 * v2_5 / delta_5;
-    const double t5 = 1.0 / square_5;
-    const double fall_5 = f_5 * t5 * v2_5;
     const double v2_6 = 0.68817935411770381 * g_6 * g_6;
     const double square_6 = -U2 * v2_6 + 1.0;
     const double delta_6 = sqrt(square_6);
     const double f_6 = 0.057493156217619065 * g_6 * v2_6 / delta_6;
-    const double t6 = 1.0 / square_6;
-    const double fall_6 = f_6 * t6 * v2_6;
     const double v2_7 = 0.58948218524948104 * g_7 * g_7;
     const double square_7 = -U2 * v2_7 + 1.0;
     const double delta_7 = sqrt(square_7);
     const double f_7 = 0.065974229882180491 * g_7 * v2_7 / delta_7;
-    const double t7 = 1.0 / square_7;
-    const double fall_7 = f_7 * t7 * v2_7;
     const double v2_8 = 0.4869953130832757 * g_8 * g_8;
     const double square_8 = -U2 * v2_8 + 1.0;
     const double delta_8 = sqrt(square_8);
     const double f_8 = 0.073755974737705204 * g_8 * v2_8 / delta_8;
-    const double t8 = 1.0 / square_8;
-    const double fall_8 = f_8 * t8 * v2_8;
     const double v2_9 = 0.38505274377519932 * g_9 * g_9;
     const double square_9 = -U2 * v2_9 + 1.0;
     const double delta_9 = sqrt(square_9);
     const double f_9 = 0.080755895229420213 * g_9 * v2_9 / delta_9;
-    const double t9 = 1.0 / square_9;
-    const double fall_9 = f_9 * t9 * v2_9;
     const double v2_10 = 0.28796547636914854 * g_10 * g_10;
     const double square_10 = -U2 * v2_10 + 1.0;
     const double delta_10 = sqrt(square_10);
     const double f_10 = 0.086899787201082976 * g_10 * v2_10 / delta_10;
-    const double t10 = 1.0 / square_10;
-    const double fall_10 = f_10 * t10 * v2_10;
     const double v2_11 = 0.19983919110743342 * g_11 * g_11;
     const double square_11 = -U2 * v2_11 + 1.0;
     const double delta_11 = sqrt(square_11);
     const double f_11 = 0.092122522237786122 * g_11 * v2_11 / delta_11;
-    const double t11 = 1.0 / square_11;
-    const double fall_11 = f_11 * t11 * v2_11;
     const double v2_12 = 0.12440062341181206 * g_12 * g_12;
     const double square_12 = -U2 * v2_12 + 1.0;
     const double delta_12 = sqrt(square_12);
     const double f_12 = 0.096368737174644253 * g_12 * v2_12 / delta_12;
-    const double t12 = 1.0 / square_12;
-    const double fall_12 = f_12 * t12 * v2_12;
     const double v2_13 = 0.064839964168231387 * g_13 * g_13;
     const double square_13 = -U2 * v2_13 + 1.0;
     const double delta_13 = sqrt(square_13);
     const double f_13 = 0.099593420586795267 * g_13 * v2_13 / delta_13;
-    const double t13 = 1.0 / square_13;
-    const double fall_13 = f_13 * t13 * v2_13;
     const double v2_14 = 0.023675950313912963 * g_14 * g_14;
     const double square_14 = -U2 * v2_14 + 1.0;
     const double delta_14 = sqrt(square_14);
     const double f_14 = 0.1017623897484055 * g_14 * v2_14 / delta_14;
-    const double t14 = 1.0 / square_14;
-    const double fall_14 = f_14 * t14 * v2_14;
     const double v2_15 = 0.0026493505760394136 * g_15 * g_15;
     const double square_15 = -U2 * v2_15 + 1.0;
     const double delta_15 = sqrt(square_15);
     const double f_15 = 0.10285265289355884 * g_15 * v2_15 / delta_15;
-    const double t15 = 1.0 / square_15;
-    const double fall_15 = f_15 * t15 * v2_15;
-    const double sum_2 = fall_1 * t1 + fall_10 * t10 + fall_11 * t11 + fall_12 * t12 + fall_13 * t13 + fall_14 * t14
-        + fall_15 * t15 + fall_2 * t2 + fall_3 * t3 + fall_4 * t4 + fall_5 * t5 + fall_6 * t6 + fall_7 * t7 + fall_8
-        * t8 + fall_9 * t9;
+    const double fall_1 = f_1 * v2_1 / square_1;
+    const double fall_2 = f_2 * v2_2 / square_2;
+    const double fall_3 = f_3 * v2_3 / square_3;
+    const double fall_4 = f_4 * v2_4 / square_4;
+    const double fall_5 = f_5 * v2_5 / square_5;
+    const double fall_6 = f_6 * v2_6 / square_6;
+    const double fall_7 = f_7 * v2_7 / square_7;
+    const double fall_8 = f_8 * v2_8 / square_8;
+    const double fall_9 = f_9 * v2_9 / square_9;
+    const double fall_10 = f_10 * v2_10 / square_10;
+    const double fall_11 = f_11 * v2_11 / square_11;
+    const double fall_12 = f_12 * v2_12 / square_12;
+    const double fall_13 = f_13 * v2_13 / square_13;
+    const double fall_14 = f_14 * v2_14 / square_14;
+    const double fall_15 = f_15 * v2_15 / square_15;
+    const double sum_2 = fall_1 / square_1 + fall_10 / square_10 + fall_11 / square_11 + fall_12 / square_12 +
+        fall_13 / square_13 + fall_14 / square_14 + fall_15 / square_15 + fall_2 / square_2 + fall_3 / square_3 +
+        fall_4 / square_4 + fall_5 / square_5 + fall_6 / square_6 + fall_7 / square_7 + fall_8 / square_8 + fall_9 /
+        square_9;
     const double T4 = t0 * t0;
     const double T5 = T * T4;
     const double u_cr2 = u_cr * u_cr;
@@ -8467,51 +9347,35 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
-    const double t1 = T * T;
-    const double t2 = 0.99379661859049351 * t1;
-    const double g_1 = 1.0 / (t2 + 1.0);
-    const double t3 = 0.96760297675669993 * t1;
-    const double g_2 = 1.0 / (t3 + 1.0);
-    const double t4 = 0.92164198121722729 * t1;
-    const double g_3 = 1.0 / (t4 + 1.0);
-    const double t5 = 0.85784652785798998 * t1;
-    const double g_4 = 1.0 / (t5 + 1.0);
-    const double t6 = 0.77891309933755515 * t1;
-    const double g_5 = 1.0 / (t6 + 1.0);
-    const double t7 = 0.68817935411770381 * t1;
-    const double g_6 = 1.0 / (t7 + 1.0);
-    const double t8 = 0.58948218524948104 * t1;
-    const double g_7 = 1.0 / (t8 + 1.0);
-    const double t9 = 0.4869953130832757 * t1;
-    const double g_8 = 1.0 / (t9 + 1.0);
-    const double t10 = 0.38505274377519932 * t1;
-    const double g_9 = 1.0 / (t10 + 1.0);
-    const double t11 = 0.28796547636914854 * t1;
-    const double g_10 = 1.0 / (t11 + 1.0);
-    const double t12 = 0.19983919110743342 * t1;
-    const double g_11 = 1.0 / (t12 + 1.0);
-    const double t13 = 0.12440062341181206 * t1;
-    const double g_12 = 1.0 / (t13 + 1.0);
-    const double t14 = 0.064839964168231387 * t1;
-    const double g_13 = 1.0 / (t14 + 1.0);
-    const double t15 = 0.023675950313912963 * t1;
-    const double g_14 = 1.0 / (t15 + 1.0);
-    const double t16 = 0.0026493505760394136 * t1;
-    const double g_15 = 1.0 / (t16 + 1.0);
-    const double t17 = 1.0 / (A * A);
-    const double x2 = t17 * u_cr * u_cr;
-    const double y2 = root * root * t17;
-    const double t18 = 1.0 / A;
-    const double third = 0.33333333333333331 * t18 * u_cr * x2;
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.96760297675669993 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.92164198121722729 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.85784652785798998 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.77891309933755515 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.68817935411770381 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.58948218524948104 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.4869953130832757 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.38505274377519932 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.28796547636914854 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.19983919110743342 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.12440062341181206 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.064839964168231387 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.023675950313912963 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.0026493505760394136 * t0 + 1.0);
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
+    const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
     const double a0_half_0_2 = a0_half_0 * a0_half_0;
     const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
     const double a02_0 = -a0_half_0_3;
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double lam0_2 = a02_0 * b0_0 + a02_0;
@@ -8519,52 +9383,49 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double t19 = 0.25 * lam0_0;
-    const double X0_0 = t19 + 0.25 * y2;
-    const double t20 = 0.25 * lam0_1;
-    const double X0_1 = t20 + 0.25;
-    const double t21 = 0.25 * lam0_2;
-    const double Y0_0 = 0.25 * t0 + t19;
-    const double Z0_0 = t19 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double X0_2 = 0.25 * lam0_2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
     const double a11_0 = X0_1 * a1_half_0;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t21);
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
-    const double b11_0 = b1_half_0 * t20;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t21);
+    const double b11_0 = Y0_1 * b1_half_0;
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t20;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t21);
-    const double t22 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t22;
-    const double t23 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t22 + c1_0 * t23;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t23 + c12_0 * t22 + c1_0 * (a12_0 +
-        b12_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t20;
-    const double q1_2 = lam1_2 + t21;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
-    const double t24 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t24;
-    const double t25 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * X0_1 + t25;
-    const double t26 = 0.25 * lam1_2;
-    const double X1_2 = 0.25 * t21 + t26;
-    const double Y1_0 = 0.25 * Y0_0 + t24;
-    const double Y1_1 = 0.25 * t20 + t25;
-    const double Y1_2 = 0.25 * t21 + t26;
-    const double Z1_0 = 0.25 * Z0_0 + t24;
-    const double Z1_1 = 0.25 * t20 + t25;
-    const double Z1_2 = 0.25 * t21 + t26;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -8577,12 +9438,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
-    const double t27 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t27;
-    const double t28 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t27 + c2_0 * t28;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t28 + c22_0 * t27 + c2_0 * (a22_0 +
-        b22_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -8592,18 +9451,15 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
-    const double t29 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t29;
-    const double t30 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t30;
-    const double t31 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t31;
-    const double Y2_0 = 0.25 * Y1_0 + t29;
-    const double Y2_1 = 0.25 * Y1_1 + t30;
-    const double Y2_2 = 0.25 * Y1_2 + t31;
-    const double Z2_0 = 0.25 * Z1_0 + t29;
-    const double Z2_1 = 0.25 * Z1_1 + t30;
-    const double Z2_2 = 0.25 * Z1_2 + t31;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -8616,12 +9472,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
-    const double t32 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t32;
-    const double t33 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t32 + c3_0 * t33;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t33 + c32_0 * t32 + c3_0 * (a32_0 +
-        b32_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -8631,18 +9485,15 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
-    const double t34 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t34;
-    const double t35 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t35;
-    const double t36 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t36;
-    const double Y3_0 = 0.25 * Y2_0 + t34;
-    const double Y3_1 = 0.25 * Y2_1 + t35;
-    const double Y3_2 = 0.25 * Y2_2 + t36;
-    const double Z3_0 = 0.25 * Z2_0 + t34;
-    const double Z3_1 = 0.25 * Z2_1 + t35;
-    const double Z3_2 = 0.25 * Z2_2 + t36;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -8655,12 +9506,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
-    const double t37 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t37;
-    const double t38 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t37 + c4_0 * t38;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t38 + c42_0 * t37 + c4_0 * (a42_0 +
-        b42_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -8670,18 +9519,15 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
-    const double t39 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t39;
-    const double t40 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t40;
-    const double t41 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t41;
-    const double Y4_0 = 0.25 * Y3_0 + t39;
-    const double Y4_1 = 0.25 * Y3_1 + t40;
-    const double Y4_2 = 0.25 * Y3_2 + t41;
-    const double Z4_0 = 0.25 * Z3_0 + t39;
-    const double Z4_1 = 0.25 * Z3_1 + t40;
-    const double Z4_2 = 0.25 * Z3_2 + t41;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -8694,12 +9540,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
-    const double t42 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t42;
-    const double t43 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t42 + c5_0 * t43;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t43 + c52_0 * t42 + c5_0 * (a52_0 +
-        b52_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -8709,37 +9553,27 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
-    const double t44 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t44;
-    const double t45 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t45;
-    const double t46 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t46;
-    const double Y5_0 = 0.25 * Y4_0 + t44;
-    const double Y5_1 = 0.25 * Y4_1 + t45;
-    const double Y5_2 = 0.25 * Y4_2 + t46;
-    const double Z5_0 = 0.25 * Z4_0 + t44;
-    const double Z5_1 = 0.25 * Z4_1 + t45;
-    const double Z5_2 = 0.25 * Z4_2 + t46;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
-    const double t47 = -mean_0;
-    const double t48 = -X5_0 - t47;
-    const double dx_0 = over_0 * t48;
-    const double t49 = -mean_1;
-    const double t50 = -X5_1 - t49;
-    const double dx_1 = over1_0 * t48 + over_0 * t50;
-    const double t51 = -mean_2;
-    const double dx_2 = over1_0 * t50 + over2_0 * t48 + over_0 * (-X5_2 - t51);
-    const double t52 = -Y5_0 - t47;
-    const double dy_0 = over_0 * t52;
-    const double t53 = -Y5_1 - t49;
-    const double dy_1 = over1_0 * t52 + over_0 * t53;
-    const double dy_2 = over1_0 * t53 + over2_0 * t52 + over_0 * (-Y5_2 - t51);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -8747,39 +9581,33 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t54 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t54;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t54;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
-    const double t55 = 3.0 * xy_0;
-    const double t56 = t55 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t56;
-    const double t57 = 3.0 * xy_1;
-    const double t58 = t57 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t58 + dz_1 * t56;
-    const double t59 = 3.0 * xy_2;
-    const double E3_2 = dz_0 * (t59 - 8.0 * zz_2) + dz_1 * t58 + dz_2 * t56;
-    const double t60 = t55 - 3.0 * zz_0;
-    const double E4_0 = t60 * zz_0;
-    const double t61 = t57 - 3.0 * zz_1;
-    const double E4_1 = t60 * zz_1 + t61 * zz_0;
-    const double E4_2 = t60 * zz_2 + t61 * zz_1 + zz_0 * (t59 - 3.0 * zz_2);
-    const double t62 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t62;
-    const double t63 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t63 + dz_1 * t62;
-    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * t63 + dz_2 * t62;
-    const double t64 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t64 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t65 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t65 - E3_1 * t64
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.17307692307692307 * E2_2 * E3_0 - 0.21428571428571427 * E2_2 - E3_1 * t65 - E3_2 * t64 +
-        0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -8802,110 +9630,107 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
     const double g_1_2 = g_1 * g_1;
     const double g_1_3 = g_1 * g_1_2;
     const double term_1 = 0.0079187627589685176 * g_1_3;
-    const double t66 = 1.0 - t2;
-    const double tangent_1 = 3.975186474361974 * t1 / (t66 * t66);
+    const double t1 = 1.0 - 0.99379661859049351 * t0;
+    const double tangent_1 = 3.975186474361974 * t0 / (t1 * t1);
     const double g_2_2 = g_2 * g_2;
     const double g_2_3 = g_2 * g_2_2;
     const double term_2 = 0.017868209707994881 * g_2_3;
-    const double t67 = 1.0 - t3;
-    const double tangent_2 = 3.8704119070267997 * t1 / (t67 * t67);
+    const double t2 = 1.0 - 0.96760297675669993 * t0;
+    const double tangent_2 = 3.8704119070267997 * t0 / (t2 * t2);
     const double g_3_2 = g_3 * g_3;
     const double g_3_3 = g_3 * g_3_2;
     const double term_3 = 0.026529195202345292 * g_3_3;
-    const double t68 = 1.0 - t4;
-    const double tangent_3 = 3.6865679248689092 * t1 / (t68 * t68);
+    const double t3 = 1.0 - 0.92164198121722729 * t0;
+    const double tangent_3 = 3.6865679248689092 * t0 / (t3 * t3);
     const double g_4_2 = g_4 * g_4;
     const double g_4_3 = g_4 * g_4_2;
     const double term_4 = 0.033283752629548087 * g_4_3;
-    const double t69 = 1.0 - t5;
-    const double tangent_4 = 3.4313861114319599 * t1 / (t69 * t69);
+    const double t4 = 1.0 - 0.85784652785798998 * t0;
+    const double tangent_4 = 3.4313861114319599 * t0 / (t4 * t4);
     const double g_5_2 = g_5 * g_5;
     const double g_5_3 = g_5 * g_5_2;
     const double term_5 = 0.037701475910699687 * g_5_3;
-    const double t70 = 1.0 - t6;
-    const double tangent_5 = 3.1156523973502206 * t1 / (t70 * t70);
+    const double t5 = 1.0 - 0.77891309933755515 * t0;
+    const double tangent_5 = 3.1156523973502206 * t0 / (t5 * t5);
     const double g_6_2 = g_6 * g_6;
     const double g_6_3 = g_6 * g_6_2;
     const double term_6 = 0.039565603112029335 * g_6_3;
-    const double t71 = 1.0 - t7;
-    const double tangent_6 = 2.7527174164708152 * t1 / (t71 * t71);
+    const double t6 = 1.0 - 0.68817935411770381 * t0;
+    const double tangent_6 = 2.7527174164708152 * t0 / (t6 * t6);
     const double g_7_2 = g_7 * g_7;
     const double g_7_3 = g_7 * g_7_2;
     const double term_7 = 0.038890633201099367 * g_7_3;
-    const double t72 = 1.0 - t8;
-    const double tangent_7 = 2.3579287409979242 * t1 / (t72 * t72);
+    const double t7 = 1.0 - 0.58948218524948104 * t0;
+    const double tangent_7 = 2.3579287409979242 * t0 / (t7 * t7);
     const double g_8_2 = g_8 * g_8;
     const double g_8_3 = g_8 * g_8_2;
     const double term_8 = 0.035918814009150916 * g_8_3;
-    const double t73 = 1.0 - t9;
-    const double tangent_8 = 1.9479812523331028 * t1 / (t73 * t73);
+    const double t8 = 1.0 - 0.4869953130832757 * t0;
+    const double tangent_8 = 1.9479812523331028 * t0 / (t8 * t8);
     const double g_9_2 = g_9 * g_9;
     const double g_9_3 = g_9 * g_9_2;
     const double term_9 = 0.031095279034110784 * g_9_3;
-    const double t74 = 1.0 - t10;
-    const double tangent_9 = 1.5402109751007973 * t1 / (t74 * t74);
+    const double t9 = 1.0 - 0.38505274377519932 * t0;
+    const double tangent_9 = 1.5402109751007973 * t0 / (t9 * t9);
     const double g_10_2 = g_10 * g_10;
     const double g_10_3 = g_10 * g_10_2;
     const double term_10 = 0.025024138617737494 * g_10_3;
-    const double t75 = 1.0 - t11;
-    const double tangent_10 = 1.1518619054765942 * t1 / (t75 * t75);
+    const double t10 = 1.0 - 0.28796547636914854 * t0;
+    const double tangent_10 = 1.1518619054765942 * t0 / (t10 * t10);
     const double g_11_2 = g_11 * g_11;
     const double g_11_3 = g_11 * g_11_2;
     const double term_11 = 0.018409690326775727 * g_11_3;
-    const double t76 = 1.0 - t12;
-    const double tangent_11 = 0.79935676442973369 * t1 / (t76 * t76);
+    const double t11 = 1.0 - 0.19983919110743342 * t0;
+    const double tangent_11 = 0.79935676442973369 * t0 / (t11 * t11);
     const double g_12_2 = g_12 * g_12;
     const double g_12_3 = g_12 * g_12_2;
     const double term_12 = 0.011988330981934815 * g_12_3;
-    const double t77 = 1.0 - t13;
-    const double tangent_12 = 0.49760249364724823 * t1 / (t77 * t77);
+    const double t12 = 1.0 - 0.12440062341181206 * t0;
+    const double tangent_12 = 0.49760249364724823 * t0 / (t12 * t12);
     const double g_13_2 = g_13 * g_13;
     const double g_13_3 = g_13 * g_13_2;
     const double term_13 = 0.0064576338222394032 * g_13_3;
-    const double t78 = 1.0 - t14;
-    const double tangent_13 = 0.25935985667292555 * t1 / (t78 * t78);
+    const double t13 = 1.0 - 0.064839964168231387 * t0;
+    const double tangent_13 = 0.25935985667292555 * t0 / (t13 * t13);
     const double g_14_2 = g_14 * g_14;
     const double g_14_3 = g_14 * g_14_2;
     const double term_14 = 0.0024093212835082948 * g_14_3;
-    const double t79 = 1.0 - t15;
-    const double tangent_14 = 0.094703801255651851 * t1 / (t79 * t79);
+    const double t14 = 1.0 - 0.023675950313912963 * t0;
+    const double tangent_14 = 0.094703801255651851 * t0 / (t14 * t14);
     const double g_15_2 = g_15 * g_15;
     const double g_15_3 = g_15 * g_15_2;
     const double term_15 = 0.00027249273519073196 * g_15_3;
-    const double t80 = 1.0 - t16;
-    const double tangent_15 = 0.010597402304157654 * t1 / (t80 * t80);
-    const double T3 = T * t1;
-    const double t81 = 8.0 * T3;
-    const double S_0 = t81 * (term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
-        term_4 + term_5 + term_6 + term_7 + term_8 + term_9);
-    const double S_1 = t81 * (tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 *
-        term_12 + tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 +
-        tangent_3 * term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 +
-        tangent_8 * term_8 + tangent_9 * term_9);
-    const double S_2 = t81 * (tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
+    const double t15 = 1.0 - 0.0026493505760394136 * t0;
+    const double tangent_15 = 0.010597402304157654 * t0 / (t15 * t15);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_2 + term_3 +
+        term_4 + term_5 + term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_2 * term_2 + tangent_3 * term_3
+        + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9;
+    const double sum_2 = tangent_1 * tangent_1 * term_1 + tangent_10 * tangent_10 * term_10 + tangent_11 *
         tangent_11 * term_11 + tangent_12 * tangent_12 * term_12 + tangent_13 * tangent_13 * term_13 + tangent_14 *
         tangent_14 * term_14 + tangent_15 * tangent_15 * term_15 + tangent_2 * tangent_2 * term_2 + tangent_3 *
         tangent_3 * term_3 + tangent_4 * tangent_4 * term_4 + tangent_5 * tangent_5 * term_5 + tangent_6 * tangent_6
-        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9);
-    const double t82 = 1.0 / c;
-    return 2.5464790894703255 * beta * t18 * (6.0 * S_0 * t82 + 7.0 * S_1 * t82 + 3.0 * S_2 * t82 - 6.0 * V2 -
-        7.0 * V4 - 3.0 * V6);
+        * term_6 + tangent_7 * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9;
+    const double T3 = T * t0;
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c -
+        6.0 * V2 - 7.0 * V4 - 3.0 * V6) / A;
 }
 
 static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = (1.0 - u_cr) * (u_cr + 1.0);
-    const double c = sqrt(t0);
-    const double A2 = A * A;
-    const double t1 = 1.0 / A2;
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double u_cr2 = u_cr * u_cr;
-    const double x2 = t1 * u_cr2;
-    const double y2 = root * root * t1;
+    const double A2 = A * A;
+    const double x2 = u_cr2 / A2;
+    const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(t0);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double b0_half_0_2 = b0_half_0 * b0_half_0;
     const double b0_half_0_3 = b0_half_0 * b0_half_0_2;
@@ -8917,52 +9742,49 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double term0_0 = 1.0 / q0_0;
     const double term01_0 = -lam0_1 * term0_0 * term0_0;
     const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
-    const double t2 = 0.25 * lam0_0;
-    const double X0_0 = t2 + 0.25 * y2;
-    const double t3 = 0.25 * lam0_1;
-    const double t4 = 0.25 * lam0_2;
-    const double Y0_0 = 0.25 * t0 + t2;
-    const double Y0_1 = t3 + 0.25;
-    const double Z0_0 = t2 + 0.25;
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1;
+    const double X0_2 = 0.25 * lam0_2;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1 + 0.25;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
     const double a1_0 = sqrt(X0_0);
     const double a1_half_0 = 0.5 / a1_0;
-    const double a11_0 = a1_half_0 * t3;
-    const double a12_0 = a1_half_0 * (-a11_0 * a11_0 + t4);
+    const double a11_0 = X0_1 * a1_half_0;
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
     const double b1_0 = sqrt(Y0_0);
     const double b1_half_0 = 0.5 / b1_0;
     const double b11_0 = Y0_1 * b1_half_0;
-    const double b12_0 = b1_half_0 * (-b11_0 * b11_0 + t4);
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
     const double c1_0 = sqrt(Z0_0);
     const double c1_half_0 = 0.5 / c1_0;
-    const double c11_0 = c1_half_0 * t3;
-    const double c12_0 = c1_half_0 * (-c11_0 * c11_0 + t4);
-    const double t5 = a1_0 + b1_0;
-    const double lam1_0 = a1_0 * b1_0 + c1_0 * t5;
-    const double t6 = a11_0 + b11_0;
-    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * t5 + c1_0 * t6;
-    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * t6 + c12_0 * t5 + c1_0 * (a12_0 +
-        b12_0);
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
     const double q1_0 = Z0_0 + lam1_0;
-    const double q1_1 = lam1_1 + t3;
-    const double q1_2 = lam1_2 + t4;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
     const double below1_0 = c1_0 * q1_0;
     const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
     const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
     const double term1_0 = 1.0 / below1_0;
     const double term11_0 = -below1_1 * term1_0 * term1_0;
     const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
-    const double t7 = 0.25 * lam1_0;
-    const double X1_0 = 0.25 * X0_0 + t7;
-    const double t8 = 0.25 * lam1_1;
-    const double X1_1 = 0.25 * t3 + t8;
-    const double t9 = 0.25 * lam1_2;
-    const double X1_2 = 0.25 * t4 + t9;
-    const double Y1_0 = 0.25 * Y0_0 + t7;
-    const double Y1_1 = 0.25 * Y0_1 + t8;
-    const double Y1_2 = 0.25 * t4 + t9;
-    const double Z1_0 = 0.25 * Z0_0 + t7;
-    const double Z1_1 = 0.25 * t3 + t8;
-    const double Z1_2 = 0.25 * t4 + t9;
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
     const double a2_0 = sqrt(X1_0);
     const double a2_half_0 = 0.5 / a2_0;
     const double a21_0 = X1_1 * a2_half_0;
@@ -8975,12 +9797,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double c2_half_0 = 0.5 / c2_0;
     const double c21_0 = Z1_1 * c2_half_0;
     const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
-    const double t10 = a2_0 + b2_0;
-    const double lam2_0 = a2_0 * b2_0 + c2_0 * t10;
-    const double t11 = a21_0 + b21_0;
-    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * t10 + c2_0 * t11;
-    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * t11 + c22_0 * t10 + c2_0 * (a22_0 +
-        b22_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
     const double q2_0 = Z1_0 + lam2_0;
     const double q2_1 = Z1_1 + lam2_1;
     const double q2_2 = Z1_2 + lam2_2;
@@ -8990,18 +9810,15 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double term2_0 = 1.0 / below2_0;
     const double term21_0 = -below2_1 * term2_0 * term2_0;
     const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
-    const double t12 = 0.25 * lam2_0;
-    const double X2_0 = 0.25 * X1_0 + t12;
-    const double t13 = 0.25 * lam2_1;
-    const double X2_1 = 0.25 * X1_1 + t13;
-    const double t14 = 0.25 * lam2_2;
-    const double X2_2 = 0.25 * X1_2 + t14;
-    const double Y2_0 = 0.25 * Y1_0 + t12;
-    const double Y2_1 = 0.25 * Y1_1 + t13;
-    const double Y2_2 = 0.25 * Y1_2 + t14;
-    const double Z2_0 = 0.25 * Z1_0 + t12;
-    const double Z2_1 = 0.25 * Z1_1 + t13;
-    const double Z2_2 = 0.25 * Z1_2 + t14;
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
     const double a3_0 = sqrt(X2_0);
     const double a3_half_0 = 0.5 / a3_0;
     const double a31_0 = X2_1 * a3_half_0;
@@ -9014,12 +9831,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double c3_half_0 = 0.5 / c3_0;
     const double c31_0 = Z2_1 * c3_half_0;
     const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
-    const double t15 = a3_0 + b3_0;
-    const double lam3_0 = a3_0 * b3_0 + c3_0 * t15;
-    const double t16 = a31_0 + b31_0;
-    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * t15 + c3_0 * t16;
-    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * t16 + c32_0 * t15 + c3_0 * (a32_0 +
-        b32_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
     const double q3_0 = Z2_0 + lam3_0;
     const double q3_1 = Z2_1 + lam3_1;
     const double q3_2 = Z2_2 + lam3_2;
@@ -9029,18 +9844,15 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double term3_0 = 1.0 / below3_0;
     const double term31_0 = -below3_1 * term3_0 * term3_0;
     const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
-    const double t17 = 0.25 * lam3_0;
-    const double X3_0 = 0.25 * X2_0 + t17;
-    const double t18 = 0.25 * lam3_1;
-    const double X3_1 = 0.25 * X2_1 + t18;
-    const double t19 = 0.25 * lam3_2;
-    const double X3_2 = 0.25 * X2_2 + t19;
-    const double Y3_0 = 0.25 * Y2_0 + t17;
-    const double Y3_1 = 0.25 * Y2_1 + t18;
-    const double Y3_2 = 0.25 * Y2_2 + t19;
-    const double Z3_0 = 0.25 * Z2_0 + t17;
-    const double Z3_1 = 0.25 * Z2_1 + t18;
-    const double Z3_2 = 0.25 * Z2_2 + t19;
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
     const double a4_0 = sqrt(X3_0);
     const double a4_half_0 = 0.5 / a4_0;
     const double a41_0 = X3_1 * a4_half_0;
@@ -9053,12 +9865,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double c4_half_0 = 0.5 / c4_0;
     const double c41_0 = Z3_1 * c4_half_0;
     const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
-    const double t20 = a4_0 + b4_0;
-    const double lam4_0 = a4_0 * b4_0 + c4_0 * t20;
-    const double t21 = a41_0 + b41_0;
-    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * t20 + c4_0 * t21;
-    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * t21 + c42_0 * t20 + c4_0 * (a42_0 +
-        b42_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
     const double q4_0 = Z3_0 + lam4_0;
     const double q4_1 = Z3_1 + lam4_1;
     const double q4_2 = Z3_2 + lam4_2;
@@ -9068,18 +9878,15 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double term4_0 = 1.0 / below4_0;
     const double term41_0 = -below4_1 * term4_0 * term4_0;
     const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
-    const double t22 = 0.25 * lam4_0;
-    const double X4_0 = 0.25 * X3_0 + t22;
-    const double t23 = 0.25 * lam4_1;
-    const double X4_1 = 0.25 * X3_1 + t23;
-    const double t24 = 0.25 * lam4_2;
-    const double X4_2 = 0.25 * X3_2 + t24;
-    const double Y4_0 = 0.25 * Y3_0 + t22;
-    const double Y4_1 = 0.25 * Y3_1 + t23;
-    const double Y4_2 = 0.25 * Y3_2 + t24;
-    const double Z4_0 = 0.25 * Z3_0 + t22;
-    const double Z4_1 = 0.25 * Z3_1 + t23;
-    const double Z4_2 = 0.25 * Z3_2 + t24;
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
     const double a5_0 = sqrt(X4_0);
     const double a5_half_0 = 0.5 / a5_0;
     const double a51_0 = X4_1 * a5_half_0;
@@ -9092,12 +9899,10 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double c5_half_0 = 0.5 / c5_0;
     const double c51_0 = Z4_1 * c5_half_0;
     const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
-    const double t25 = a5_0 + b5_0;
-    const double lam5_0 = a5_0 * b5_0 + c5_0 * t25;
-    const double t26 = a51_0 + b51_0;
-    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * t25 + c5_0 * t26;
-    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * t26 + c52_0 * t25 + c5_0 * (a52_0 +
-        b52_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
     const double q5_0 = Z4_0 + lam5_0;
     const double q5_1 = Z4_1 + lam5_1;
     const double q5_2 = Z4_2 + lam5_2;
@@ -9107,37 +9912,27 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double term5_0 = 1.0 / below5_0;
     const double term51_0 = -below5_1 * term5_0 * term5_0;
     const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
-    const double t27 = 0.25 * lam5_0;
-    const double X5_0 = 0.25 * X4_0 + t27;
-    const double t28 = 0.25 * lam5_1;
-    const double X5_1 = 0.25 * X4_1 + t28;
-    const double t29 = 0.25 * lam5_2;
-    const double X5_2 = 0.25 * X4_2 + t29;
-    const double Y5_0 = 0.25 * Y4_0 + t27;
-    const double Y5_1 = 0.25 * Y4_1 + t28;
-    const double Y5_2 = 0.25 * Y4_2 + t29;
-    const double Z5_0 = 0.25 * Z4_0 + t27;
-    const double Z5_1 = 0.25 * Z4_1 + t28;
-    const double Z5_2 = 0.25 * Z4_2 + t29;
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
     const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
     const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
     const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
     const double over_0 = 1.0 / mean_0;
     const double over1_0 = -mean_1 * over_0 * over_0;
     const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
-    const double t30 = -mean_0;
-    const double t31 = -X5_0 - t30;
-    const double dx_0 = over_0 * t31;
-    const double t32 = -mean_1;
-    const double t33 = -X5_1 - t32;
-    const double dx_1 = over1_0 * t31 + over_0 * t33;
-    const double t34 = -mean_2;
-    const double dx_2 = over1_0 * t33 + over2_0 * t31 + over_0 * (-X5_2 - t34);
-    const double t35 = -Y5_0 - t30;
-    const double dy_0 = over_0 * t35;
-    const double t36 = -Y5_1 - t32;
-    const double dy_1 = over1_0 * t35 + over_0 * t36;
-    const double dy_2 = over1_0 * t36 + over2_0 * t35 + over_0 * (-Y5_2 - t34);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
     const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
     const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
     const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
@@ -9145,39 +9940,33 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
     const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
     const double zz_0 = dz_0 * dz_0;
-    const double t37 = 2.0 * dz_0;
-    const double zz_1 = dz_1 * t37;
-    const double zz_2 = dz_1 * dz_1 + dz_2 * t37;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
     const double E2_0 = xy_0 - 6.0 * zz_0;
     const double E2_1 = xy_1 - 6.0 * zz_1;
     const double E2_2 = xy_2 - 6.0 * zz_2;
-    const double t38 = 3.0 * xy_0;
-    const double t39 = t38 - 8.0 * zz_0;
-    const double E3_0 = dz_0 * t39;
-    const double t40 = 3.0 * xy_1;
-    const double t41 = t40 - 8.0 * zz_1;
-    const double E3_1 = dz_0 * t41 + dz_1 * t39;
-    const double t42 = 3.0 * xy_2;
-    const double E3_2 = dz_0 * (t42 - 8.0 * zz_2) + dz_1 * t41 + dz_2 * t39;
-    const double t43 = t38 - 3.0 * zz_0;
-    const double E4_0 = t43 * zz_0;
-    const double t44 = t40 - 3.0 * zz_1;
-    const double E4_1 = t43 * zz_1 + t44 * zz_0;
-    const double E4_2 = t43 * zz_2 + t44 * zz_1 + zz_0 * (t42 - 3.0 * zz_2);
-    const double t45 = xy_0 * zz_0;
-    const double E5_0 = dz_0 * t45;
-    const double t46 = xy_0 * zz_1 + xy_1 * zz_0;
-    const double E5_1 = dz_0 * t46 + dz_1 * t45;
-    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * t46 + dz_2 * t45;
-    const double t47 = 0.17307692307692307 * E2_0;
-    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.21428571428571427 * E2_0 - E3_0 * t47 +
-        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0;
-    const double t48 = 0.17307692307692307 * E2_1;
-    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.21428571428571427 * E2_1 - E3_0 * t48 - E3_1 * t47
-        + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
-    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 + 0.10227272727272728 * E2_1 * E2_1 -
-        0.17307692307692307 * E2_2 * E3_0 - 0.21428571428571427 * E2_2 - E3_1 * t48 - E3_2 * t47 +
-        0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
     const double sq_0 = sqrt(over_0);
     const double sq_half_0 = 0.5 / sq_0;
     const double sq1_0 = over1_0 * sq_half_0;
@@ -9207,6 +9996,8 @@ static inline double rod_spring_exact_H_AA(double A, double alpha, double beta, 
         return rod_spring_exact_H_AA_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
         return rod_spring_exact_H_AA_passed_0_steep(A, alpha, beta, u_cr);
+    if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
+        return rod_spring_exact_H_AA_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
         return rod_spring_exact_H_AA_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)

@@ -69,6 +69,28 @@ SF_WIDE void rod_spring_exact_averaged_passed_0_steep_loop(ptrdiff_t n, const do
     }
 }
 
+SF_WIDE void rod_spring_exact_averaged_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], u_cr[i]};
+        double values[4];
+        rod_spring_exact_averaged_passed_1_far(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
 SF_WIDE void rod_spring_exact_averaged_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -143,13 +165,14 @@ static SF_WIDE void rod_spring_exact_averaged_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_averaged_loops[] = {
     rod_spring_exact_averaged_passed_0_loop,
     rod_spring_exact_averaged_passed_0_steep_loop,
+    rod_spring_exact_averaged_passed_1_far_loop,
     rod_spring_exact_averaged_passed_1_loop,
     rod_spring_exact_averaged_passed_1_steep_far_loop,
     rod_spring_exact_averaged_passed_1_steep_loop,
@@ -189,6 +212,26 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_0_steep_loop(ptrdiff_t n, const 
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[3];
         rod_spring_exact_averaged_3_passed_0_steep(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+    }
+}
+
+SF_WIDE void rod_spring_exact_averaged_3_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], u_cr[i]};
+        double values[3];
+        rod_spring_exact_averaged_3_passed_1_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -263,13 +306,14 @@ static SF_WIDE void rod_spring_exact_averaged_3_regime(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_averaged_3_loops[] = {
     rod_spring_exact_averaged_3_passed_0_loop,
     rod_spring_exact_averaged_3_passed_0_steep_loop,
+    rod_spring_exact_averaged_3_passed_1_far_loop,
     rod_spring_exact_averaged_3_passed_1_loop,
     rod_spring_exact_averaged_3_passed_1_steep_far_loop,
     rod_spring_exact_averaged_3_passed_1_steep_loop,
@@ -306,6 +350,24 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_0_steep_loop(ptrdiff_t n, const 
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[2];
         rod_spring_exact_averaged_2_passed_0_steep(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+    }
+}
+
+SF_WIDE void rod_spring_exact_averaged_2_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], u_cr[i]};
+        double values[2];
+        rod_spring_exact_averaged_2_passed_1_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
@@ -373,13 +435,14 @@ static SF_WIDE void rod_spring_exact_averaged_2_regime(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_averaged_2_loops[] = {
     rod_spring_exact_averaged_2_passed_0_loop,
     rod_spring_exact_averaged_2_passed_0_steep_loop,
+    rod_spring_exact_averaged_2_passed_1_far_loop,
     rod_spring_exact_averaged_2_passed_1_loop,
     rod_spring_exact_averaged_2_passed_1_steep_far_loop,
     rod_spring_exact_averaged_2_passed_1_steep_loop,
@@ -408,6 +471,19 @@ SF_WIDE void rod_spring_exact_h_passed_0_steep_loop(ptrdiff_t n, const double *c
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = rod_spring_exact_h_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
+SF_WIDE void rod_spring_exact_h_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
@@ -458,13 +534,14 @@ static SF_WIDE void rod_spring_exact_h_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_h_loops[] = {
     rod_spring_exact_h_passed_0_loop,
     rod_spring_exact_h_passed_0_steep_loop,
+    rod_spring_exact_h_passed_1_far_loop,
     rod_spring_exact_h_passed_1_loop,
     rod_spring_exact_h_passed_1_steep_far_loop,
     rod_spring_exact_h_passed_1_steep_loop,
@@ -493,6 +570,19 @@ SF_WIDE void rod_spring_exact_h_A_passed_0_steep_loop(ptrdiff_t n, const double 
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = rod_spring_exact_h_A_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
+SF_WIDE void rod_spring_exact_h_A_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_A_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
@@ -543,13 +633,14 @@ static SF_WIDE void rod_spring_exact_h_A_regime(ptrdiff_t n, const double *const
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_h_A_loops[] = {
     rod_spring_exact_h_A_passed_0_loop,
     rod_spring_exact_h_A_passed_0_steep_loop,
+    rod_spring_exact_h_A_passed_1_far_loop,
     rod_spring_exact_h_A_passed_1_loop,
     rod_spring_exact_h_A_passed_1_steep_far_loop,
     rod_spring_exact_h_A_passed_1_steep_loop,
@@ -578,6 +669,19 @@ SF_WIDE void rod_spring_exact_h_AA_passed_0_steep_loop(ptrdiff_t n, const double
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = rod_spring_exact_h_AA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
+SF_WIDE void rod_spring_exact_h_AA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_AA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
@@ -628,13 +732,14 @@ static SF_WIDE void rod_spring_exact_h_AA_regime(ptrdiff_t n, const double *cons
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_h_AA_loops[] = {
     rod_spring_exact_h_AA_passed_0_loop,
     rod_spring_exact_h_AA_passed_0_steep_loop,
+    rod_spring_exact_h_AA_passed_1_far_loop,
     rod_spring_exact_h_AA_passed_1_loop,
     rod_spring_exact_h_AA_passed_1_steep_far_loop,
     rod_spring_exact_h_AA_passed_1_steep_loop,
@@ -663,6 +768,19 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_0_steep_loop(ptrdiff_t n, const doubl
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = rod_spring_exact_h_AAA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
+SF_WIDE void rod_spring_exact_h_AAA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_h_AAA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
@@ -713,13 +831,14 @@ static SF_WIDE void rod_spring_exact_h_AAA_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_h_AAA_loops[] = {
     rod_spring_exact_h_AAA_passed_0_loop,
     rod_spring_exact_h_AAA_passed_0_steep_loop,
+    rod_spring_exact_h_AAA_passed_1_far_loop,
     rod_spring_exact_h_AAA_passed_1_loop,
     rod_spring_exact_h_AAA_passed_1_steep_far_loop,
     rod_spring_exact_h_AAA_passed_1_steep_loop,
@@ -748,6 +867,19 @@ SF_WIDE void rod_spring_exact_H_passed_0_steep_loop(ptrdiff_t n, const double *c
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = rod_spring_exact_H_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
+SF_WIDE void rod_spring_exact_H_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_H_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
@@ -798,13 +930,14 @@ static SF_WIDE void rod_spring_exact_H_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_H_loops[] = {
     rod_spring_exact_H_passed_0_loop,
     rod_spring_exact_H_passed_0_steep_loop,
+    rod_spring_exact_H_passed_1_far_loop,
     rod_spring_exact_H_passed_1_loop,
     rod_spring_exact_H_passed_1_steep_far_loop,
     rod_spring_exact_H_passed_1_steep_loop,
@@ -833,6 +966,19 @@ SF_WIDE void rod_spring_exact_H_A_passed_0_steep_loop(ptrdiff_t n, const double 
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = rod_spring_exact_H_A_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
+SF_WIDE void rod_spring_exact_H_A_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_H_A_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
@@ -883,13 +1029,14 @@ static SF_WIDE void rod_spring_exact_H_A_regime(ptrdiff_t n, const double *const
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_H_A_loops[] = {
     rod_spring_exact_H_A_passed_0_loop,
     rod_spring_exact_H_A_passed_0_steep_loop,
+    rod_spring_exact_H_A_passed_1_far_loop,
     rod_spring_exact_H_A_passed_1_loop,
     rod_spring_exact_H_A_passed_1_steep_far_loop,
     rod_spring_exact_H_A_passed_1_steep_loop,
@@ -918,6 +1065,19 @@ SF_WIDE void rod_spring_exact_H_AA_passed_0_steep_loop(ptrdiff_t n, const double
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = rod_spring_exact_H_AA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+    }
+}
+
+SF_WIDE void rod_spring_exact_H_AA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_exact_H_AA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
@@ -968,13 +1128,14 @@ static SF_WIDE void rod_spring_exact_H_AA_regime(ptrdiff_t n, const double *cons
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
 static const sf_loop rod_spring_exact_H_AA_loops[] = {
     rod_spring_exact_H_AA_passed_0_loop,
     rod_spring_exact_H_AA_passed_0_steep_loop,
+    rod_spring_exact_H_AA_passed_1_far_loop,
     rod_spring_exact_H_AA_passed_1_loop,
     rod_spring_exact_H_AA_passed_1_steep_far_loop,
     rod_spring_exact_H_AA_passed_1_steep_loop,
@@ -1145,7 +1306,7 @@ static void rod_spring_exact_R_chain_1(ptrdiff_t n, const double *const *in, dou
 static void rod_spring_exact_R_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
@@ -1153,12 +1314,20 @@ static void rod_spring_exact_R_chain_2(ptrdiff_t n, const double *const *in, dou
 static void rod_spring_exact_R_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
 static void rod_spring_exact_R_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
+}
+
+static void rod_spring_exact_R_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
@@ -1174,7 +1343,7 @@ static SF_WIDE void rod_spring_exact_R_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1184,6 +1353,7 @@ static const sf_loop rod_spring_exact_R_loops[] = {
     rod_spring_exact_R_chain_2,
     rod_spring_exact_R_chain_3,
     rod_spring_exact_R_chain_4,
+    rod_spring_exact_R_chain_5,
 };
 
 static void rod_spring_exact_I_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1222,7 +1392,7 @@ static void rod_spring_exact_F_chain_2(ptrdiff_t n, const double *const *in, dou
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
@@ -1232,12 +1402,22 @@ static void rod_spring_exact_F_chain_3(ptrdiff_t n, const double *const *in, dou
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
 static void rod_spring_exact_F_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_F_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1255,7 +1435,7 @@ static SF_WIDE void rod_spring_exact_F_regime(ptrdiff_t n, const double *const *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1265,6 +1445,7 @@ static const sf_loop rod_spring_exact_F_loops[] = {
     rod_spring_exact_F_chain_2,
     rod_spring_exact_F_chain_3,
     rod_spring_exact_F_chain_4,
+    rod_spring_exact_F_chain_5,
 };
 
 static void rod_spring_exact_F_A_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1295,7 +1476,7 @@ static void rod_spring_exact_F_A_chain_2(ptrdiff_t n, const double *const *in, d
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -1306,12 +1487,23 @@ static void rod_spring_exact_F_A_chain_3(ptrdiff_t n, const double *const *in, d
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_F_A_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_F_A_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1330,7 +1522,7 @@ static SF_WIDE void rod_spring_exact_F_A_regime(ptrdiff_t n, const double *const
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1340,6 +1532,7 @@ static const sf_loop rod_spring_exact_F_A_loops[] = {
     rod_spring_exact_F_A_chain_2,
     rod_spring_exact_F_A_chain_3,
     rod_spring_exact_F_A_chain_4,
+    rod_spring_exact_F_A_chain_5,
 };
 
 static void rod_spring_exact_F_AA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1373,7 +1566,7 @@ static void rod_spring_exact_F_AA_chain_2(ptrdiff_t n, const double *const *in, 
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_3_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
@@ -1385,12 +1578,24 @@ static void rod_spring_exact_F_AA_chain_3(ptrdiff_t n, const double *const *in, 
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_3_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
 static void rod_spring_exact_F_AA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2});
+    slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
+}
+
+static void rod_spring_exact_F_AA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1410,7 +1615,7 @@ static SF_WIDE void rod_spring_exact_F_AA_regime(ptrdiff_t n, const double *cons
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1420,6 +1625,7 @@ static const sf_loop rod_spring_exact_F_AA_loops[] = {
     rod_spring_exact_F_AA_chain_2,
     rod_spring_exact_F_AA_chain_3,
     rod_spring_exact_F_AA_chain_4,
+    rod_spring_exact_F_AA_chain_5,
 };
 
 static void rod_spring_exact_F_AAA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1456,7 +1662,7 @@ static void rod_spring_exact_F_AAA_chain_2(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
@@ -1469,12 +1675,25 @@ static void rod_spring_exact_F_AAA_chain_3(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
 static void rod_spring_exact_F_AAA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    double average_3[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2, average_3});
+    slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
+}
+
+static void rod_spring_exact_F_AAA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1495,7 +1714,7 @@ static SF_WIDE void rod_spring_exact_F_AAA_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1505,6 +1724,7 @@ static const sf_loop rod_spring_exact_F_AAA_loops[] = {
     rod_spring_exact_F_AAA_chain_2,
     rod_spring_exact_F_AAA_chain_3,
     rod_spring_exact_F_AAA_chain_4,
+    rod_spring_exact_F_AAA_chain_5,
 };
 
 static void rod_spring_exact_F_Omega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1532,7 +1752,7 @@ static void rod_spring_exact_F_Omega_chain_2(ptrdiff_t n, const double *const *i
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
@@ -1542,12 +1762,22 @@ static void rod_spring_exact_F_Omega_chain_3(ptrdiff_t n, const double *const *i
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
 static void rod_spring_exact_F_Omega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_F_Omega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1565,7 +1795,7 @@ static SF_WIDE void rod_spring_exact_F_Omega_regime(ptrdiff_t n, const double *c
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1575,6 +1805,7 @@ static const sf_loop rod_spring_exact_F_Omega_loops[] = {
     rod_spring_exact_F_Omega_chain_2,
     rod_spring_exact_F_Omega_chain_3,
     rod_spring_exact_F_Omega_chain_4,
+    rod_spring_exact_F_Omega_chain_5,
 };
 
 static void rod_spring_exact_F_AOmega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1605,7 +1836,7 @@ static void rod_spring_exact_F_AOmega_chain_2(ptrdiff_t n, const double *const *
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -1616,12 +1847,23 @@ static void rod_spring_exact_F_AOmega_chain_3(ptrdiff_t n, const double *const *
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_F_AOmega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_F_AOmega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1640,7 +1882,7 @@ static SF_WIDE void rod_spring_exact_F_AOmega_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1650,6 +1892,7 @@ static const sf_loop rod_spring_exact_F_AOmega_loops[] = {
     rod_spring_exact_F_AOmega_chain_2,
     rod_spring_exact_F_AOmega_chain_3,
     rod_spring_exact_F_AOmega_chain_4,
+    rod_spring_exact_F_AOmega_chain_5,
 };
 
 static void rod_spring_exact_phase_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1677,7 +1920,7 @@ static void rod_spring_exact_phase_chain_2(ptrdiff_t n, const double *const *in,
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
@@ -1687,12 +1930,22 @@ static void rod_spring_exact_phase_chain_3(ptrdiff_t n, const double *const *in,
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
 static void rod_spring_exact_phase_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_phase_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1710,7 +1963,7 @@ static SF_WIDE void rod_spring_exact_phase_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1720,6 +1973,7 @@ static const sf_loop rod_spring_exact_phase_loops[] = {
     rod_spring_exact_phase_chain_2,
     rod_spring_exact_phase_chain_3,
     rod_spring_exact_phase_chain_4,
+    rod_spring_exact_phase_chain_5,
 };
 
 static void rod_spring_exact_jacobian_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1750,7 +2004,7 @@ static void rod_spring_exact_jacobian_chain_2(ptrdiff_t n, const double *const *
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -1761,12 +2015,23 @@ static void rod_spring_exact_jacobian_chain_3(ptrdiff_t n, const double *const *
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_jacobian_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_jacobian_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1785,7 +2050,7 @@ static SF_WIDE void rod_spring_exact_jacobian_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1795,6 +2060,7 @@ static const sf_loop rod_spring_exact_jacobian_loops[] = {
     rod_spring_exact_jacobian_chain_2,
     rod_spring_exact_jacobian_chain_3,
     rod_spring_exact_jacobian_chain_4,
+    rod_spring_exact_jacobian_chain_5,
 };
 
 static void rod_spring_exact_stability_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1825,7 +2091,7 @@ static void rod_spring_exact_stability_chain_2(ptrdiff_t n, const double *const 
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -1836,12 +2102,23 @@ static void rod_spring_exact_stability_chain_3(ptrdiff_t n, const double *const 
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_stability_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_stability_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1860,7 +2137,7 @@ static SF_WIDE void rod_spring_exact_stability_regime(ptrdiff_t n, const double 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1870,6 +2147,7 @@ static const sf_loop rod_spring_exact_stability_loops[] = {
     rod_spring_exact_stability_chain_2,
     rod_spring_exact_stability_chain_3,
     rod_spring_exact_stability_chain_4,
+    rod_spring_exact_stability_chain_5,
 };
 
 static void rod_spring_exact_transmissibility_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1897,7 +2175,7 @@ static void rod_spring_exact_transmissibility_chain_2(ptrdiff_t n, const double 
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
@@ -1907,12 +2185,22 @@ static void rod_spring_exact_transmissibility_chain_3(ptrdiff_t n, const double 
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
 static void rod_spring_exact_transmissibility_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_transmissibility_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1930,7 +2218,7 @@ static SF_WIDE void rod_spring_exact_transmissibility_regime(ptrdiff_t n, const 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -1940,6 +2228,7 @@ static const sf_loop rod_spring_exact_transmissibility_loops[] = {
     rod_spring_exact_transmissibility_chain_2,
     rod_spring_exact_transmissibility_chain_3,
     rod_spring_exact_transmissibility_chain_4,
+    rod_spring_exact_transmissibility_chain_5,
 };
 
 static void rod_spring_exact_backbone_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1961,7 +2250,7 @@ static void rod_spring_exact_backbone_chain_1(ptrdiff_t n, const double *const *
 static void rod_spring_exact_backbone_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
@@ -1969,12 +2258,20 @@ static void rod_spring_exact_backbone_chain_2(ptrdiff_t n, const double *const *
 static void rod_spring_exact_backbone_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
 static void rod_spring_exact_backbone_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+        (double *[]){average_0});
+    slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
+}
+
+static void rod_spring_exact_backbone_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
@@ -1990,7 +2287,7 @@ static SF_WIDE void rod_spring_exact_backbone_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -2000,6 +2297,7 @@ static const sf_loop rod_spring_exact_backbone_loops[] = {
     rod_spring_exact_backbone_chain_2,
     rod_spring_exact_backbone_chain_3,
     rod_spring_exact_backbone_chain_4,
+    rod_spring_exact_backbone_chain_5,
 };
 
 static void rod_spring_exact_limit_envelope_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -2027,34 +2325,34 @@ static const sf_loop rod_spring_exact_equivalent_damping_loops[] = {
 static const sf_kernel kernels[] = {
     {"averaged",
      "h, h_A, h_AA, h_AAA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 4, 5, 't', rod_spring_exact_averaged_regime, rod_spring_exact_averaged_loops},
+     4, 4, 6, 't', rod_spring_exact_averaged_regime, rod_spring_exact_averaged_loops},
     {"averaged_3",
      "h, h_A, h_AA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 3, 5, 't', rod_spring_exact_averaged_3_regime, rod_spring_exact_averaged_3_loops},
+     4, 3, 6, 't', rod_spring_exact_averaged_3_regime, rod_spring_exact_averaged_3_loops},
     {"averaged_2",
      "h, h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 2, 5, 't', rod_spring_exact_averaged_2_regime, rod_spring_exact_averaged_2_loops},
+     4, 2, 6, 't', rod_spring_exact_averaged_2_regime, rod_spring_exact_averaged_2_loops},
     {"h",
      "The averaged restoring force h = H - A. Equation (20)-(22). Domain: A >= 0.",
-     4, 1, 5, 's', rod_spring_exact_h_regime, rod_spring_exact_h_loops},
+     4, 1, 6, 's', rod_spring_exact_h_regime, rod_spring_exact_h_loops},
     {"h_A",
      "d/dA of the averaged restoring force h = H - A. Equation (31). Domain: A >= 0.",
-     4, 1, 5, 's', rod_spring_exact_h_A_regime, rod_spring_exact_h_A_loops},
+     4, 1, 6, 's', rod_spring_exact_h_A_regime, rod_spring_exact_h_A_loops},
     {"h_AA",
      "d2/dA2 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     4, 1, 5, 's', rod_spring_exact_h_AA_regime, rod_spring_exact_h_AA_loops},
+     4, 1, 6, 's', rod_spring_exact_h_AA_regime, rod_spring_exact_h_AA_loops},
     {"h_AAA",
      "d3/dA3 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     4, 1, 5, 's', rod_spring_exact_h_AAA_regime, rod_spring_exact_h_AAA_loops},
+     4, 1, 6, 's', rod_spring_exact_h_AAA_regime, rod_spring_exact_h_AAA_loops},
     {"H",
      "The averaged force H beside the vertical spring. Equation (20)-(22). Domain: A >= 0.",
-     4, 1, 5, 's', rod_spring_exact_H_regime, rod_spring_exact_H_loops},
+     4, 1, 6, 's', rod_spring_exact_H_regime, rod_spring_exact_H_loops},
     {"H_A",
      "d/dA of the averaged force H beside the vertical spring. Equation (31). Domain: A >= 0.",
-     4, 1, 5, 's', rod_spring_exact_H_A_regime, rod_spring_exact_H_A_loops},
+     4, 1, 6, 's', rod_spring_exact_H_A_regime, rod_spring_exact_H_A_loops},
     {"H_AA",
      "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
-     4, 1, 5, 's', rod_spring_exact_H_AA_regime, rod_spring_exact_H_AA_loops},
+     4, 1, 6, 's', rod_spring_exact_H_AA_regime, rod_spring_exact_H_AA_loops},
     {"coefficients",
      "The parameters alpha, beta, u_cr from the design ratios. Equation (5), (7). Domain: any ratios.",
      3, 3, 1, 't', NULL, rod_spring_exact_coefficients_loops},
@@ -2072,45 +2370,45 @@ static const sf_kernel kernels[] = {
      4, 1, 2, 's', rod_spring_exact_untruncated_force_regime, rod_spring_exact_untruncated_force_loops},
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_R_regime, rod_spring_exact_R_loops},
+     7, 1, 6, 's', rod_spring_exact_R_regime, rod_spring_exact_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
      7, 1, 1, 's', NULL, rod_spring_exact_I_loops},
     {"F",
      "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 5, 's', rod_spring_exact_F_regime, rod_spring_exact_F_loops},
+     8, 1, 6, 's', rod_spring_exact_F_regime, rod_spring_exact_F_loops},
     {"F_A",
      "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_F_A_regime, rod_spring_exact_F_A_loops},
+     7, 1, 6, 's', rod_spring_exact_F_A_regime, rod_spring_exact_F_A_loops},
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_F_AA_regime, rod_spring_exact_F_AA_loops},
+     7, 1, 6, 's', rod_spring_exact_F_AA_regime, rod_spring_exact_F_AA_loops},
     {"F_AAA",
      "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_F_AAA_regime, rod_spring_exact_F_AAA_loops},
+     7, 1, 6, 's', rod_spring_exact_F_AAA_regime, rod_spring_exact_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_F_Omega_regime, rod_spring_exact_F_Omega_loops},
+     7, 1, 6, 's', rod_spring_exact_F_Omega_regime, rod_spring_exact_F_Omega_loops},
     {"F_AOmega",
      "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_F_AOmega_regime, rod_spring_exact_F_AOmega_loops},
+     7, 1, 6, 's', rod_spring_exact_F_AOmega_regime, rod_spring_exact_F_AOmega_loops},
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_phase_regime, rod_spring_exact_phase_loops},
+     7, 1, 6, 's', rod_spring_exact_phase_regime, rod_spring_exact_phase_loops},
     {"jacobian",
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
-     7, 4, 5, 't', rod_spring_exact_jacobian_regime, rod_spring_exact_jacobian_loops},
+     7, 4, 6, 't', rod_spring_exact_jacobian_regime, rod_spring_exact_jacobian_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_stability_regime, rod_spring_exact_stability_loops},
+     7, 1, 6, 's', rod_spring_exact_stability_regime, rod_spring_exact_stability_loops},
     {"transmissibility",
      "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
      "0, A > 0, F_0 > 0.",
-     8, 1, 5, 's', rod_spring_exact_transmissibility_regime, rod_spring_exact_transmissibility_loops},
+     8, 1, 6, 's', rod_spring_exact_transmissibility_regime, rod_spring_exact_transmissibility_loops},
     {"backbone",
      "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     4, 1, 5, 's', rod_spring_exact_backbone_regime, rod_spring_exact_backbone_loops},
+     4, 1, 6, 's', rod_spring_exact_backbone_regime, rod_spring_exact_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",

@@ -10,21 +10,25 @@
 
 void rod_spring_exact_averaged_2_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_2_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_averaged_2_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_2_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_2_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_2_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_averaged_3_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_3_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_averaged_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_averaged_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
+void rod_spring_exact_h_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void rod_spring_exact_h_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out);
@@ -64,7 +68,7 @@ static void rod_spring_exact_mu0_R_chain_1(ptrdiff_t n, const double *const *in,
 static void rod_spring_exact_mu0_R_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_mu0_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
@@ -72,12 +76,20 @@ static void rod_spring_exact_mu0_R_chain_2(ptrdiff_t n, const double *const *in,
 static void rod_spring_exact_mu0_R_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_mu0_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
 static void rod_spring_exact_mu0_R_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_mu0_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
+}
+
+static void rod_spring_exact_mu0_R_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
@@ -93,7 +105,7 @@ static SF_WIDE void rod_spring_exact_mu0_R_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -103,6 +115,7 @@ static const sf_loop rod_spring_exact_mu0_R_loops[] = {
     rod_spring_exact_mu0_R_chain_2,
     rod_spring_exact_mu0_R_chain_3,
     rod_spring_exact_mu0_R_chain_4,
+    rod_spring_exact_mu0_R_chain_5,
 };
 
 static void rod_spring_exact_mu0_I_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -141,7 +154,7 @@ static void rod_spring_exact_mu0_F_chain_2(ptrdiff_t n, const double *const *in,
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_mu0_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
@@ -151,12 +164,22 @@ static void rod_spring_exact_mu0_F_chain_3(ptrdiff_t n, const double *const *in,
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_mu0_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
 static void rod_spring_exact_mu0_F_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_mu0_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_mu0_F_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -174,7 +197,7 @@ static SF_WIDE void rod_spring_exact_mu0_F_regime(ptrdiff_t n, const double *con
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -184,6 +207,7 @@ static const sf_loop rod_spring_exact_mu0_F_loops[] = {
     rod_spring_exact_mu0_F_chain_2,
     rod_spring_exact_mu0_F_chain_3,
     rod_spring_exact_mu0_F_chain_4,
+    rod_spring_exact_mu0_F_chain_5,
 };
 
 static void rod_spring_exact_mu0_F_A_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -214,7 +238,7 @@ static void rod_spring_exact_mu0_F_A_chain_2(ptrdiff_t n, const double *const *i
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -225,12 +249,23 @@ static void rod_spring_exact_mu0_F_A_chain_3(ptrdiff_t n, const double *const *i
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_mu0_F_A_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_mu0_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_mu0_F_A_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -249,7 +284,7 @@ static SF_WIDE void rod_spring_exact_mu0_F_A_regime(ptrdiff_t n, const double *c
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -259,6 +294,7 @@ static const sf_loop rod_spring_exact_mu0_F_A_loops[] = {
     rod_spring_exact_mu0_F_A_chain_2,
     rod_spring_exact_mu0_F_A_chain_3,
     rod_spring_exact_mu0_F_A_chain_4,
+    rod_spring_exact_mu0_F_A_chain_5,
 };
 
 static void rod_spring_exact_mu0_F_AA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -292,7 +328,7 @@ static void rod_spring_exact_mu0_F_AA_chain_2(ptrdiff_t n, const double *const *
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_3_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_mu0_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
@@ -304,12 +340,24 @@ static void rod_spring_exact_mu0_F_AA_chain_3(ptrdiff_t n, const double *const *
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_3_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_mu0_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
 static void rod_spring_exact_mu0_F_AA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2});
+    slow_flow_mu0_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
+}
+
+static void rod_spring_exact_mu0_F_AA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -329,7 +377,7 @@ static SF_WIDE void rod_spring_exact_mu0_F_AA_regime(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -339,6 +387,7 @@ static const sf_loop rod_spring_exact_mu0_F_AA_loops[] = {
     rod_spring_exact_mu0_F_AA_chain_2,
     rod_spring_exact_mu0_F_AA_chain_3,
     rod_spring_exact_mu0_F_AA_chain_4,
+    rod_spring_exact_mu0_F_AA_chain_5,
 };
 
 static void rod_spring_exact_mu0_F_AAA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -375,7 +424,7 @@ static void rod_spring_exact_mu0_F_AAA_chain_2(ptrdiff_t n, const double *const 
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_mu0_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
@@ -388,12 +437,25 @@ static void rod_spring_exact_mu0_F_AAA_chain_3(ptrdiff_t n, const double *const 
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_mu0_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
 static void rod_spring_exact_mu0_F_AAA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    double average_2[SF_BLOCK];
+    double average_3[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1, average_2, average_3});
+    slow_flow_mu0_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
+}
+
+static void rod_spring_exact_mu0_F_AAA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -414,7 +476,7 @@ static SF_WIDE void rod_spring_exact_mu0_F_AAA_regime(ptrdiff_t n, const double 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -424,6 +486,7 @@ static const sf_loop rod_spring_exact_mu0_F_AAA_loops[] = {
     rod_spring_exact_mu0_F_AAA_chain_2,
     rod_spring_exact_mu0_F_AAA_chain_3,
     rod_spring_exact_mu0_F_AAA_chain_4,
+    rod_spring_exact_mu0_F_AAA_chain_5,
 };
 
 static void rod_spring_exact_mu0_F_Omega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -451,7 +514,7 @@ static void rod_spring_exact_mu0_F_Omega_chain_2(ptrdiff_t n, const double *cons
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_mu0_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
@@ -461,12 +524,22 @@ static void rod_spring_exact_mu0_F_Omega_chain_3(ptrdiff_t n, const double *cons
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_mu0_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
 static void rod_spring_exact_mu0_F_Omega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_mu0_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_mu0_F_Omega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -484,7 +557,7 @@ static SF_WIDE void rod_spring_exact_mu0_F_Omega_regime(ptrdiff_t n, const doubl
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -494,6 +567,7 @@ static const sf_loop rod_spring_exact_mu0_F_Omega_loops[] = {
     rod_spring_exact_mu0_F_Omega_chain_2,
     rod_spring_exact_mu0_F_Omega_chain_3,
     rod_spring_exact_mu0_F_Omega_chain_4,
+    rod_spring_exact_mu0_F_Omega_chain_5,
 };
 
 static void rod_spring_exact_mu0_F_AOmega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -524,7 +598,7 @@ static void rod_spring_exact_mu0_F_AOmega_chain_2(ptrdiff_t n, const double *con
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -535,12 +609,23 @@ static void rod_spring_exact_mu0_F_AOmega_chain_3(ptrdiff_t n, const double *con
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_mu0_F_AOmega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_mu0_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_mu0_F_AOmega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -559,7 +644,7 @@ static SF_WIDE void rod_spring_exact_mu0_F_AOmega_regime(ptrdiff_t n, const doub
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -569,6 +654,7 @@ static const sf_loop rod_spring_exact_mu0_F_AOmega_loops[] = {
     rod_spring_exact_mu0_F_AOmega_chain_2,
     rod_spring_exact_mu0_F_AOmega_chain_3,
     rod_spring_exact_mu0_F_AOmega_chain_4,
+    rod_spring_exact_mu0_F_AOmega_chain_5,
 };
 
 static void rod_spring_exact_mu0_phase_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -596,7 +682,7 @@ static void rod_spring_exact_mu0_phase_chain_2(ptrdiff_t n, const double *const 
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_mu0_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
@@ -606,12 +692,22 @@ static void rod_spring_exact_mu0_phase_chain_3(ptrdiff_t n, const double *const 
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_mu0_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
 static void rod_spring_exact_mu0_phase_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0});
+    slow_flow_mu0_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
+}
+
+static void rod_spring_exact_mu0_phase_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -629,7 +725,7 @@ static SF_WIDE void rod_spring_exact_mu0_phase_regime(ptrdiff_t n, const double 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -639,6 +735,7 @@ static const sf_loop rod_spring_exact_mu0_phase_loops[] = {
     rod_spring_exact_mu0_phase_chain_2,
     rod_spring_exact_mu0_phase_chain_3,
     rod_spring_exact_mu0_phase_chain_4,
+    rod_spring_exact_mu0_phase_chain_5,
 };
 
 static void rod_spring_exact_mu0_jacobian_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -669,7 +766,7 @@ static void rod_spring_exact_mu0_jacobian_chain_2(ptrdiff_t n, const double *con
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -680,12 +777,23 @@ static void rod_spring_exact_mu0_jacobian_chain_3(ptrdiff_t n, const double *con
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_mu0_jacobian_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_mu0_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_mu0_jacobian_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -704,7 +812,7 @@ static SF_WIDE void rod_spring_exact_mu0_jacobian_regime(ptrdiff_t n, const doub
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -714,6 +822,7 @@ static const sf_loop rod_spring_exact_mu0_jacobian_loops[] = {
     rod_spring_exact_mu0_jacobian_chain_2,
     rod_spring_exact_mu0_jacobian_chain_3,
     rod_spring_exact_mu0_jacobian_chain_4,
+    rod_spring_exact_mu0_jacobian_chain_5,
 };
 
 static void rod_spring_exact_mu0_stability_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -744,7 +853,7 @@ static void rod_spring_exact_mu0_stability_chain_2(ptrdiff_t n, const double *co
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
@@ -755,12 +864,23 @@ static void rod_spring_exact_mu0_stability_chain_3(ptrdiff_t n, const double *co
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_mu0_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
 static void rod_spring_exact_mu0_stability_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    double average_1[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
+    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+        (double *[]){average_0, average_1});
+    slow_flow_mu0_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
+}
+
+static void rod_spring_exact_mu0_stability_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -779,7 +899,7 @@ static SF_WIDE void rod_spring_exact_mu0_stability_regime(ptrdiff_t n, const dou
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -789,6 +909,7 @@ static const sf_loop rod_spring_exact_mu0_stability_loops[] = {
     rod_spring_exact_mu0_stability_chain_2,
     rod_spring_exact_mu0_stability_chain_3,
     rod_spring_exact_mu0_stability_chain_4,
+    rod_spring_exact_mu0_stability_chain_5,
 };
 
 static void rod_spring_exact_mu0_transmissibility_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -816,7 +937,7 @@ static void rod_spring_exact_mu0_transmissibility_chain_2(ptrdiff_t n, const dou
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_mu0_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
@@ -826,12 +947,22 @@ static void rod_spring_exact_mu0_transmissibility_chain_3(ptrdiff_t n, const dou
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_mu0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_mu0_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
 static void rod_spring_exact_mu0_transmissibility_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double m[SF_BLOCK];
+    double average_0[SF_BLOCK];
+    slow_flow_mu0_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+        (double *[]){average_0});
+    slow_flow_mu0_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
+}
+
+static void rod_spring_exact_mu0_transmissibility_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -849,7 +980,7 @@ static SF_WIDE void rod_spring_exact_mu0_transmissibility_regime(ptrdiff_t n, co
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -859,6 +990,7 @@ static const sf_loop rod_spring_exact_mu0_transmissibility_loops[] = {
     rod_spring_exact_mu0_transmissibility_chain_2,
     rod_spring_exact_mu0_transmissibility_chain_3,
     rod_spring_exact_mu0_transmissibility_chain_4,
+    rod_spring_exact_mu0_transmissibility_chain_5,
 };
 
 static void rod_spring_exact_mu0_backbone_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -880,7 +1012,7 @@ static void rod_spring_exact_mu0_backbone_chain_1(ptrdiff_t n, const double *con
 static void rod_spring_exact_mu0_backbone_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_mu0_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
@@ -888,12 +1020,20 @@ static void rod_spring_exact_mu0_backbone_chain_2(ptrdiff_t n, const double *con
 static void rod_spring_exact_mu0_backbone_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_mu0_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
 static void rod_spring_exact_mu0_backbone_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    double average_0[SF_BLOCK];
+    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+        (double *[]){average_0});
+    slow_flow_mu0_backbone_loop(n, (const double *[]){in[0], average_0}, out);
+}
+
+static void rod_spring_exact_mu0_backbone_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
     rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
@@ -909,7 +1049,7 @@ static SF_WIDE void rod_spring_exact_mu0_backbone_regime(ptrdiff_t n, const doub
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i];
         const double u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 ? 2 : 1.05 * u_cr <= A ? 3 : 4;
+        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
 
@@ -919,6 +1059,7 @@ static const sf_loop rod_spring_exact_mu0_backbone_loops[] = {
     rod_spring_exact_mu0_backbone_chain_2,
     rod_spring_exact_mu0_backbone_chain_3,
     rod_spring_exact_mu0_backbone_chain_4,
+    rod_spring_exact_mu0_backbone_chain_5,
 };
 
 static void rod_spring_exact_mu0_limit_envelope_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
@@ -946,45 +1087,45 @@ static const sf_loop rod_spring_exact_mu0_equivalent_damping_loops[] = {
 static const sf_kernel kernels[] = {
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_R_regime, rod_spring_exact_mu0_R_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_R_regime, rod_spring_exact_mu0_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
      7, 1, 1, 's', NULL, rod_spring_exact_mu0_I_loops},
     {"F",
      "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 5, 's', rod_spring_exact_mu0_F_regime, rod_spring_exact_mu0_F_loops},
+     8, 1, 6, 's', rod_spring_exact_mu0_F_regime, rod_spring_exact_mu0_F_loops},
     {"F_A",
      "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_F_A_regime, rod_spring_exact_mu0_F_A_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_F_A_regime, rod_spring_exact_mu0_F_A_loops},
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_F_AA_regime, rod_spring_exact_mu0_F_AA_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_F_AA_regime, rod_spring_exact_mu0_F_AA_loops},
     {"F_AAA",
      "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_F_AAA_regime, rod_spring_exact_mu0_F_AAA_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_F_AAA_regime, rod_spring_exact_mu0_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_F_Omega_regime, rod_spring_exact_mu0_F_Omega_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_F_Omega_regime, rod_spring_exact_mu0_F_Omega_loops},
     {"F_AOmega",
      "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_F_AOmega_regime, rod_spring_exact_mu0_F_AOmega_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_F_AOmega_regime, rod_spring_exact_mu0_F_AOmega_loops},
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_phase_regime, rod_spring_exact_mu0_phase_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_phase_regime, rod_spring_exact_mu0_phase_loops},
     {"jacobian",
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
-     7, 4, 5, 't', rod_spring_exact_mu0_jacobian_regime, rod_spring_exact_mu0_jacobian_loops},
+     7, 4, 6, 't', rod_spring_exact_mu0_jacobian_regime, rod_spring_exact_mu0_jacobian_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
-     7, 1, 5, 's', rod_spring_exact_mu0_stability_regime, rod_spring_exact_mu0_stability_loops},
+     7, 1, 6, 's', rod_spring_exact_mu0_stability_regime, rod_spring_exact_mu0_stability_loops},
     {"transmissibility",
      "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
      "0, A > 0, F_0 > 0.",
-     8, 1, 5, 's', rod_spring_exact_mu0_transmissibility_regime, rod_spring_exact_mu0_transmissibility_loops},
+     8, 1, 6, 's', rod_spring_exact_mu0_transmissibility_regime, rod_spring_exact_mu0_transmissibility_loops},
     {"backbone",
      "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     4, 1, 5, 's', rod_spring_exact_mu0_backbone_regime, rod_spring_exact_mu0_backbone_loops},
+     4, 1, 6, 's', rod_spring_exact_mu0_backbone_regime, rod_spring_exact_mu0_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",
