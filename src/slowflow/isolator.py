@@ -7,6 +7,7 @@ dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency
 from __future__ import annotations
 
 import dataclasses
+import importlib
 import math
 import warnings
 from functools import cached_property, partial
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from slowflow import plan, solvers, validate
+from slowflow import plan, solvers, validate, validity
 from slowflow.folds import NO_FOLD
 from slowflow.many import Designs
 from slowflow.model import Floats, Model
@@ -31,7 +32,7 @@ from slowflow.results import (
     SteadyStates,
     words,
 )
-from slowflow_kernels import duffing, rod_spring, rod_spring_attached, rod_spring_exact
+from slowflow_kernels import duffing, rod_spring, rod_spring_attached
 
 if TYPE_CHECKING:
     from slowflow import exact
@@ -48,6 +49,11 @@ FORCES = ("truncated", "exact")
 WINDOW = (0.0, 2.0)
 #: the same for the equation of motion, whose cycle has ever more stops as Omega tends to 0
 EXACT_WINDOW = (0.5, 1.5)
+
+
+def _exact_kernels() -> ModuleType:
+    """The untruncated force's kernels, ten thousand lines that few need: loaded when they are."""
+    return importlib.import_module("slowflow_kernels.rod_spring_exact")
 
 
 class Oscillator:
@@ -86,7 +92,7 @@ class Oscillator:
         if planned.model is None:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
             return FrequencyResponse(none, none, flags, self._sticks(F_0), self._model, np.empty(0, np.intp), (), F_0)
-        return self._remarked(solvers.frequency_response(planned.model, F_0, samples, shown))
+        return self._remarked(solvers.frequency_response(planned.model, F_0, samples, shown), F_0)
 
     def amplitudes(self, Omega: Any, F_0: float) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
@@ -100,7 +106,7 @@ class Oscillator:
         if planned.model is None:
             none = np.empty(0)
             return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self._model)
-        return self._remarked(solvers.amplitudes(planned.model, at, F_0))
+        return self._remarked(solvers.amplitudes(planned.model, at, F_0), F_0)
 
     def saddle_nodes(self, F_0: float) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
@@ -109,8 +115,9 @@ class Oscillator:
         if planned.model is None or not planned.folds:
             none = np.empty(0)
             message = self._sticks(F_0) if planned.model is None else NO_FOLD.format(F_0)
-            return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message)
-        return self._remarked(solvers.saddle_nodes(planned.model, F_0))
+            found = SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self._model)
+            return found if planned.model is None else self._remarked(found, F_0)
+        return self._remarked(solvers.saddle_nodes(planned.model, F_0), F_0)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
@@ -259,13 +266,13 @@ class Oscillator:
     def _sticks(self, F_0: float) -> str:
         return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self._model.m:g}"
 
-    def _remarked(self, found: Answer) -> Answer:
-        """The answer with a remark where amplitudes exceed the mechanism's reach."""
+    def _remarked(self, found: Answer, F_0: float) -> Answer:
+        """The answer with remarks where averaging fails for friction, and where amplitudes exceed the reach."""
         reach = self._model.reach
-        if not found.A.size or found.A.max() <= reach or "cut at" in found.message:
-            return found
-        remark = f"amplitudes above {reach:g} are not reached: {self._model.kernels.REACH_REASON}"
-        return dataclasses.replace(found, message=words(found.message, remark))
+        remark = validity.near_sticking(self.mu, F_0)
+        if found.A.size and found.A.max() > reach and "cut at" not in found.message:
+            remark = words(f"amplitudes above {reach:g} are not reached: {self._model.kernels.REACH_REASON}", remark)
+        return dataclasses.replace(found, message=words(found.message, remark)) if remark else found
 
 
 class Isolator(Oscillator):
@@ -291,7 +298,7 @@ class Isolator(Oscillator):
         if self.delta_h == 0:  # the springs never touch the rod
             super().__init__(duffing, LINEAR, mu, zeta)
         else:
-            kernels = rod_spring_exact if self.force == "exact" else rod_spring
+            kernels = _exact_kernels() if self.force == "exact" else rod_spring
             own = kernels.coefficients(self.lam, self.r, self.delta_h)
             super().__init__(kernels, tuple(map(float, own)), mu, zeta)
         self.alpha, self.beta, self.gamma, self.u_cr = parameters
