@@ -1,7 +1,7 @@
 """Isolators with force="exact": folds, onset and detachment against quadrature of the force (5) in mpmath.
 
-The reference knows the geometry only: a rod of length 1, lam springs of stiffness r, shortened by delta_h. Newton's step
-from an answer to the reference's solution is the answer's error.
+The reference knows the geometry only: a rod of length 1, lam springs of stiffness r, shortened by delta_h. Newton's
+step from an answer to the reference's solution is the error of the answer.
 """
 
 from __future__ import annotations
@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 from scipy.special import roots_legendre
-from slowflow_kernels import rod_spring, rod_spring_exact
 
 from slowflow import Isolator
+from slowflow_kernels import rod_spring, rod_spring_exact
 
 pytestmark = pytest.mark.both_backends
 
@@ -187,7 +187,7 @@ def test_vanishing_preload_is_linear():
         p = rod_spring_exact.coefficients(3.0, 2.0, delta_h)
         u_cr = float(p[-1])
         h = rod_spring_exact.h(A, *p)
-        # the springs take at most lam r delta_h |u| off the force, over |u| < u_cr: H < (4/pi) lam r delta_h u_cr theta^2
+        # the springs take at most lam r delta_h |u| off the force, over |u| < u_cr
         bound = 4 / np.pi * 6.0 * delta_h * u_cr * (1.1 * u_cr / A) ** 2
         assert (np.abs(h + A) <= bound + 2e-16 * A).all()
 

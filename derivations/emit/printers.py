@@ -125,6 +125,8 @@ class _Rules:
 
     def doprint(self, expr: sp.Expr, assign_to: None = None) -> str:
         """Source text of one expression; kept, because kernels of one family share most of theirs."""
+        if not isinstance(expr, sp.Basic):
+            self.emptyPrinter(expr)
         if expr not in self._kept:
             self._kept[expr] = self._checked(expr)
         return self._kept[expr]

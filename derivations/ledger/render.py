@@ -1,4 +1,4 @@
-"""In: rows, findings, Table 2, the cost of truncation. Out: the text of LEDGER.md for readers, of ledger.json for programs."""
+"""In: rows, findings, Table 2, the cost of truncation. Out: the text of LEDGER.md and of ledger.json."""
 
 from __future__ import annotations
 
