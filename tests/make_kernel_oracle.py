@@ -342,7 +342,7 @@ def gauss(count: int) -> list[tuple[arb, arb]]:
 
 
 def untruncated_family(passed: int, less_vertical: bool, A, *p) -> list:
-    """The same by Gauss's rule on Taylor series in A, on panels that get finer towards u_cr, as the force is steep there.
+    """The same by Gauss's rule on Taylor series in A, on panels that get finer towards u_cr, where the force is steep.
 
     In balls, because mpmath takes seconds for these.
     """
