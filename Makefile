@@ -1,6 +1,7 @@
 # make paper   set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
 # make test    everything that CI runs (second command)
 # make derive  write generated/ anew; make check: compare generated/ with a fresh derivation; make bench: the benchmarks
+# make validity  averaging against the equation of motion: maps, table and docs/validity.md, some ten minutes
 # make bench-peers  other tools on the same problem, each installed into an environment of its own under .venv-peers
 
 PYTHON ?= python3
@@ -8,7 +9,7 @@ BIN := .venv/bin
 INSTALLED := .venv/installed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/solver/*.[ch] generated/c/*.h generated/native/*.[ch])
 
-.PHONY: paper test derive check lint bench bench-peers clean
+.PHONY: paper test derive check lint bench bench-peers validity clean
 .DELETE_ON_ERROR:
 
 paper: derive
@@ -32,6 +33,10 @@ lint: $(INSTALLED)
 
 bench: $(INSTALLED)
 	$(BIN)/python -m benchmarks
+
+validity: $(INSTALLED)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev,exact]"
+	$(BIN)/python -m benchmarks.validity
 
 bench-peers: $(INSTALLED)
 	$(BIN)/python -m benchmarks.peers

@@ -70,7 +70,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     status, Omega, A, up, corner = _solver().saddle_nodes(model.record, F_0)
     _check(status, F_0)
     message = _remark(model, F_0) if A.size else folds.NO_FOLD.format(F_0)
-    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message)
+    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model)
 
 
 def onset(model: Model) -> SaddleNodeOnset:

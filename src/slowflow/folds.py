@@ -94,7 +94,8 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     corner = np.arange(A.size) >= A.size - corner_A.size
     order = np.argsort(Omega, kind="stable")
     message = remark if A.size else NO_FOLD.format(F_0)
-    return SaddleNodes(Omega[order], A[order], np.where(up, "jump-up", "jump-down")[order], corner[order], F_0, message)
+    kind = np.where(up, "jump-up", "jump-down")[order]
+    return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model)
 
 
 def onset(model: Model) -> SaddleNodeOnset:

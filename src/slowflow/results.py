@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.model import Floats, Model
+from slowflow.validity import Validity, of_states
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,11 @@ class SteadyStates:
         h = self._model.averaged(self.A)[0]
         phase = self._model.flow.phase(self.Omega, self.A, self._model.m, self._model.zeta, h)
         return np.asarray(phase) + 0 * self.A
+
+    @cached_property
+    def validity(self) -> Validity:
+        """How far each state may be from the equation of motion, by measurement; looked up when first asked for."""
+        return of_states(self._model, self.Omega, self.A)
 
 
 @dataclass(frozen=True)
@@ -63,9 +69,15 @@ class SaddleNodes:
     corner: npt.NDArray[np.bool_]
     F_0: float
     message: str
+    _model: Model = field(repr=False)
 
     def __len__(self) -> int:
         return self.A.size
+
+    @cached_property
+    def validity(self) -> Validity:
+        """How far each fold may be from the equation of motion, by measurement; looked up when first asked for."""
+        return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
 
 
 @dataclass(frozen=True)

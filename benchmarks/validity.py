@@ -1,0 +1,461 @@
+"""How far averaging is from the equation of motion: measured over mu/F_0, zeta, delta_h; four minutes of one core.
+
+`python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and src/slowflow/validity_table.py,
+and lets `validity_page` draw the figures and write docs/validity.md; `--draw` does all but measure. Wants heyoka.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import time
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from benchmarks import validity_page
+from slowflow import Isolator
+from slowflow.exact import Response, exact_response
+from slowflow.exact.force import Force
+from slowflow.exact.force import Oscillator as Motion
+from slowflow.exact.integrate import default_integrator
+
+ROOT = Path(__file__).resolve().parents[1]
+RESULTS = ROOT / "benchmarks/results/validity.json"
+TABLE = ROOT / "src/slowflow/validity_table.py"
+
+#: Table 1, but for what a map varies
+LAM, R_RATIO, DELTA_H, ZETA = 3, 3747 / 1848, 1848 / (6 * 3747), 0.02
+RATIOS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.74, 0.77)
+ZETAS = (0.005, 0.02, 0.05, 0.1)
+PRELOADS = (0.03, DELTA_H, 0.13)
+LEVELS = (0.8, 1.4)  # amplitude on the backbone over u_cr: attached, and as in the middle of Fig. 7a
+ONSET_RATIOS = (0.0, 0.2, 0.4, 0.5, 0.6, 0.65, 0.7)
+ONSET_ZETAS = (0.005, 0.02, 0.05)
+PLANE_RATIOS = (0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.65, 0.7, 0.74, 0.77)
+PLANE_FORCING = 0.02
+PLANE_WINDOW = (0.2, 1.6)
+TRUNCATION_LEVELS = (0.4, 0.6, 0.8, 0.9, 0.97, 1.05, 1.2, 1.5, 2.0)
+TRUNCATION_PRELOADS = (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4)  # lam r delta_h = 1/2 throughout: alpha as in Table 1
+# bins of the table: edges of mu/F_0 and of mu/(A Omega^2)
+BINS = (0.0, 0.25, 0.35, 0.45, 0.525, 0.575, 0.625, 0.675, 0.72)
+RESTS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 3.0)
+SHIFT = 0.01  # relative change of frequency that a misfit leaves free
+FEW = 25  # points, below which a bin is not its own
+STEP = 0.05
+POINTS = 60  # of an averaged curve, compared with the exact one
+FORCES = ("truncated", "exact")
+
+
+def isolator(ratio: float, zeta: float, delta_h: float, F_0: float) -> Isolator:
+    """Table 1 with other damping and preload."""
+    return Isolator(lam=LAM, r=R_RATIO, delta_h=delta_h, mu=ratio * F_0, zeta=zeta)
+
+
+def forcing(ratio: float, zeta: float, delta_h: float, A: float) -> tuple[float, float]:
+    """(F_0, Omega) that hold the amplitude A on the backbone: F_0 = I of (23)."""
+    Omega = float(isolator(0.0, zeta, delta_h, 1.0).backbone(A))
+    return 2 * zeta * A * Omega / (1 - 4 * ratio / math.pi), Omega
+
+
+def window(averaged: Isolator, Omega: float) -> tuple[float, float]:
+    """The frequencies around the resonance: from below the linear one to beyond the one of the backbone."""
+    return 0.8 * math.sqrt(averaged.alpha), 1.25 * Omega
+
+
+def attempt(job: Callable[[], Any]) -> Any:
+    """The answer, or None where a curve cannot be followed; these are counted."""
+    try:
+        return job()
+    except ArithmeticError:
+        return None
+
+
+def logs(Omega: Any, A: Any) -> np.ndarray:
+    return np.column_stack((np.log(Omega), np.log(A)))
+
+
+def misfit(points: np.ndarray, line: np.ndarray) -> np.ndarray:
+    """|A of the curve / A of the point - 1| for each point, least within SHIFT of its frequency; both as logarithms.
+
+    At one frequency alone it would tell of the steepness of the curve beside a resonance, not of averaging.
+    """
+    share = np.linspace(0, 1, 20, endpoint=False)[:, None]
+    fine = np.concatenate([a + share * (b - a) for a, b in pairwise(line)])
+    near = np.abs(points[:, None, 0] - fine[:, 0]) <= SHIFT
+    off = np.abs(np.expm1(fine[:, 1] - points[:, None, 1]))
+    return np.where(near, off, np.inf).min(axis=1)
+
+
+def compared(averaged: Isolator, F_0: float, low_high: tuple[float, float]) -> dict[str, Any]:
+    """One averaged curve against the exact ones with both forces."""
+    curve = averaged.frequency_response(F_0, samples=600, Omega=low_high)
+    folds = averaged.saddle_nodes(F_0)
+    out: dict[str, Any] = {"A": float(curve.A.max()), "kinds": folds.kind.tolist(), "Omega": folds.Omega.tolist()}
+    inside = (curve.Omega > 1.02 * low_high[0]) & (curve.Omega < 0.98 * low_high[1])
+    chosen = np.flatnonzero(inside)[:: max(1, int(inside.sum()) // POINTS)]
+    points = logs(curve.Omega[chosen], curve.A[chosen])
+    out["points"] = {
+        "Omega": curve.Omega[chosen],
+        "A": curve.A[chosen],
+        "stable": curve.stable[chosen],
+        "rest": averaged.mu / (curve.A[chosen] * curve.Omega[chosen] ** 2),
+    }
+    for force in FORCES:
+        exact = attempt(lambda force=force: averaged.exact_response(F_0, low_high, step=STEP, force=force))
+        if exact is None:
+            out[force] = None
+            continue
+        line = logs(exact.Omega, exact.A)
+        nearest = ((points[:, None, :] - line) ** 2).sum(axis=2).argmin(axis=1)
+        out[force] = {
+            "A": float(exact.A.max()),
+            "kinds": [fold.kind for fold in exact.folds],
+            "Omega": [fold.Omega for fold in exact.folds],
+            "stops": int(exact.stops.max()),
+            "stops at top": int(exact.stops[exact.A.argmax()]),
+        }
+        out["points"][force] = misfit(points, line)
+        out["points"]["stops"] = exact.stops[nearest]
+    return out
+
+
+def jumps(found: dict[str, Any]) -> dict[str, float] | None:
+    """The frequency of the one jump of each kind; None if there is another number of folds."""
+    if sorted(found["kinds"]) != ["jump-down", "jump-up"]:
+        return None
+    return dict(zip(found["kinds"], found["Omega"], strict=True))
+
+
+def resonance() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """Errors of the largest amplitude and of both jumps, and the points of the curves."""
+    cells, pool = [], []
+    for delta_h in PRELOADS:
+        u_cr = isolator(0, ZETA, delta_h, 1.0).u_cr
+        for zeta in ZETAS:
+            for level in LEVELS:
+                for ratio in RATIOS:
+                    F_0, Omega = forcing(ratio, zeta, delta_h, level * u_cr)
+                    averaged = isolator(ratio, zeta, delta_h, F_0)
+                    found = compared(averaged, F_0, window(averaged, Omega))
+                    cell = {"delta_h": delta_h, "zeta": zeta, "level": level, "ratio": ratio, "F_0": F_0}
+                    for force in FORCES:
+                        exact = found[force]
+                        if exact is None:
+                            continue
+                        cell[force] = {"A": found["A"] / exact["A"] - 1, "stops": exact["stops"]}
+                        cell[force]["folds"] = [len(found["kinds"]), len(exact["kinds"])]
+                        mine, theirs = jumps(found), jumps(exact)
+                        if mine and theirs:
+                            cell[force] |= {kind: mine[kind] / theirs[kind] - 1 for kind in mine}
+                    cells.append(cell)
+                    pool.append({**cell, "u_cr": u_cr, **found["points"]})
+    return cells, pool
+
+
+def steepness(curve: Response) -> float:
+    """Least Omega component of the unit tangent, by a parabola: negative where the curve folds.
+
+    Raises ArithmeticError where that is at an end of the curve or at a change in the order of switches: no cusp nearby.
+    """
+    rate = np.array([point.tangent[-1] for point in curve.states])
+    i = int(rate.argmin())
+    if not 2 <= i < rate.size - 2 or any(point.role in ("border", "corner") for point in curve.states[i - 2 : i + 3]):
+        raise ArithmeticError("no point of least steepness")
+    # a fold is a point of its own beside its neighbours
+    keep = [k for k in range(i - 2, i + 3) if k == i or curve.states[k].role != "fold"]
+    s = np.array([float(curve.states[k].z[1]) for k in keep]) - float(curve.states[i].z[1])
+    c, b, a = np.polynomial.polynomial.polyfit(s, rate[keep], 2)
+    return float(c - b * b / (4 * a)) if a > 0 else float(rate[i])
+
+
+def zero_near(function: Callable[[float], float], at: float) -> float | None:
+    """The zero of a function of the forcing, near `at`."""
+    for low, high in ((0.985, 1.015), (0.93, 1.07), (0.75, 1.25), (0.45, 1.7)):
+        try:
+            if function(low * at) * function(high * at) < 0:
+                zero = float(brentq(function, low * at, high * at, xtol=1e-5 * at, rtol=1e-5))
+                # a change of sign may also be a jump, from one peak to another
+                return zero if abs(function(zero)) < 1e-3 else None
+        except (ArithmeticError, ValueError):
+            continue
+    return None
+
+
+def with_ratio(critical: Callable[[float], float | None], ratio: float) -> tuple[float, float] | None:
+    """(mu, critical forcing) where mu is that share of the averaged critical forcing."""
+    if ratio == 0:
+        value = critical(0.0)
+        return None if value is None else (0.0, value)
+
+    def excess(mu: float) -> float:
+        value = critical(mu)
+        return math.nan if value is None else mu - ratio * value
+
+    high = 1e-5
+    while excess(high) < 0:
+        high *= 2
+    if not math.isfinite(excess(high)):
+        return None
+    mu = brentq(excess, high / 2 if high > 1e-5 else 0.0, high, rtol=1e-12)
+    value = critical(mu)
+    return None if value is None else (mu, value)
+
+
+def onsets() -> list[dict[str, Any]]:
+    """Errors of F_SN and F_cr, mu being a share of the averaged one."""
+    out = []
+    for delta_h in PRELOADS:
+        for zeta in ONSET_ZETAS:
+            for ratio in ONSET_RATIOS:
+                cell: dict[str, Any] = {"delta_h": delta_h, "zeta": zeta, "ratio": ratio}
+                make = lambda mu, z=zeta, d=delta_h: Isolator(lam=LAM, r=R_RATIO, delta_h=d, mu=mu, zeta=z)  # noqa: E731
+                reached = with_ratio(lambda mu, make=make: make(mu).detachment().F_cr, ratio)
+                if reached is not None:
+                    cell["F_cr"] = detachment(make(reached[0]), reached[1])
+                found = with_ratio(lambda mu, make=make: make(mu).saddle_node_onset().F_SN, ratio)
+                if found is not None:
+                    averaged = make(found[0])
+                    cell["kind"] = averaged.saddle_node_onset().kind
+                    if cell["kind"] == "cusp":
+                        cell["F_SN"] = onset(averaged, found[1])
+                out.append(cell)
+    return out
+
+
+def onset(averaged: Isolator, F_SN: float) -> dict[str, float | None]:
+    """Averaged F_SN over the exact one, less 1: where the exact curve becomes vertical."""
+    at = averaged.saddle_node_onset()
+    shown = (0.8 * float(at.Omega or 1), 1.1 * float(at.Omega or 1))
+    out: dict[str, float | None] = {}
+    for force in FORCES:
+        exact = zero_near(
+            lambda F_0, force=force: steepness(averaged.exact_response(F_0, shown, step=STEP, force=force)), F_SN
+        )
+        out[force] = None if exact is None else F_SN / exact - 1
+    return out
+
+
+def detachment(averaged: Isolator, F_cr: float) -> dict[str, float | None]:
+    """Averaged F_cr over the exact one, less 1: where the peak of the exact curve without detachment is u_cr."""
+    Omega = float(averaged.detachment().Omega_cr or 1)
+    out: dict[str, float | None] = {}
+    for force in FORCES:
+        attached = Force(averaged._restoring_force(force).pieces[:1], ())
+        system = Motion(attached, averaged.mu, averaged.zeta)
+
+        def above(F_0: float, system: Motion = system) -> float:
+            A = exact_response(system, F_0, (0.8 * math.sqrt(averaged.alpha), 1.1 * Omega), step=STEP).A
+            i = int(A.argmax())
+            if i in (0, A.size - 1):
+                raise ArithmeticError("no peak")
+            return float(A[i]) / averaged.u_cr - 1
+
+        exact = zero_near(above, F_cr)
+        out[force] = None if exact is None else F_cr / exact - 1
+    return out
+
+
+def plane() -> list[dict[str, Any]]:
+    """Table 1 at F_0 = 0.02 over frequency, down to low ones, and mu/F_0: amplitudes on the highest stable branch."""
+    out = []
+    Omega = np.linspace(*PLANE_WINDOW, 141)[1:-1]
+    for ratio in PLANE_RATIOS:
+        averaged = isolator(ratio, ZETA, DELTA_H, PLANE_FORCING)
+        row: dict[str, Any] = {"ratio": ratio}
+        curve = attempt(
+            lambda averaged=averaged: averaged.exact_response(PLANE_FORCING, PLANE_WINDOW, step=STEP, force="exact")
+        )
+        if curve is None:
+            out.append(row)
+            continue
+        error, stops = [], []
+        for at in Omega:
+            highest, rests = upper(curve, float(at))
+            states = averaged.amplitudes(at, PLANE_FORCING)
+            A = states.A[states.stable]
+            error.append(float(A.max()) / highest - 1 if A.size else math.nan)
+            stops.append(rests)
+        out.append({**row, "Omega": Omega.tolist(), "error": error, "stops": stops})
+    return out
+
+
+def upper(curve: Response, Omega: float) -> tuple[float, int]:
+    """Highest stable amplitude of the exact curve at a frequency, and its stops."""
+    best = (math.nan, 0)
+    rising = curve.Omega
+    for i in np.flatnonzero((rising[:-1] - Omega) * (rising[1:] - Omega) <= 0):
+        if curve.stable[i] or curve.stable[i + 1]:
+            share = (Omega - rising[i]) / (rising[i + 1] - rising[i]) if rising[i + 1] != rising[i] else 0.0
+            A = float(curve.A[i] + share * (curve.A[i + 1] - curve.A[i]))
+            if not A <= best[0]:
+                best = (A, int(curve.stops[i]))
+    return best
+
+
+def truncation() -> list[dict[str, Any]]:
+    """What (6) costs against (5), both exact, mu/F_0 = 0.3: largest amplitude and jump-down over u_cr and level.
+
+    alpha = 1/2 as in Table 1 while the preload grows and the springs get softer: u_cr grows with it. Amplitudes < 1.
+    """
+    out = []
+    for delta_h in TRUNCATION_PRELOADS:
+        r = 0.5 / (LAM * delta_h)
+        free = Isolator(lam=LAM, r=r, delta_h=delta_h, zeta=ZETA)
+        for level in TRUNCATION_LEVELS:
+            A = level * free.u_cr
+            if A >= 1:
+                continue
+            Omega = float(free.backbone(A))
+            F_0 = 2 * ZETA * A * Omega / (1 - 4 * 0.3 / math.pi)
+            averaged = Isolator(lam=LAM, r=r, delta_h=delta_h, mu=0.3 * F_0, zeta=ZETA)
+            found = compared(averaged, F_0, window(averaged, Omega))
+            cell: dict[str, Any] = {"delta_h": delta_h, "level": level, "u_cr": free.u_cr}
+            if found["truncated"] and found["exact"]:
+                cell["A"] = found["truncated"]["A"] / found["exact"]["A"] - 1
+                cell["averaged"] = found["A"] / found["exact"]["A"] - 1
+                one, other = jumps(found["truncated"]), jumps(found["exact"])
+                if one and other:
+                    cell["Omega"] = one["jump-down"] / other["jump-down"] - 1
+            out.append(cell)
+    return out
+
+
+def pooled(pool: list[dict[str, Any]]) -> dict[str, Any]:
+    """Quantiles of the misfit of averaged points, by mu/F_0 and by mu/(A Omega^2)."""
+
+    def flat(name: str) -> np.ndarray:
+        return np.concatenate(
+            [np.broadcast_to(p[name], p["A"].shape) for p in pool if "exact" in p and "truncated" in p]
+        )
+
+    ratio, rest, stops = flat("ratio"), flat("rest"), flat("stops") > 0
+    size = {force: flat(force) for force in FORCES}
+    row, column = (np.searchsorted(edges, values, side="right") - 1 for edges, values in ((BINS, ratio), (RESTS, rest)))
+
+    def quantiles(chosen: np.ndarray, force: str = "exact") -> dict[str, Any]:
+        few = np.count_nonzero(chosen) < FEW
+        found = [None, None] if few else np.quantile(size[force][chosen], (0.5, 0.95)).tolist()
+        return {"points": int(np.count_nonzero(chosen)), "median": found[0], "q95": found[1]}
+
+    return {
+        "ratios": list(BINS),
+        "rests": list(RESTS),
+        "both": [[quantiles((row == i) & (column == j)) for j in range(len(RESTS))] for i in range(len(BINS))],
+        "by ratio": [quantiles(row == i) for i in range(len(BINS))],
+        "by rest": [
+            {**quantiles(column == j), "stopping": float(stops[column == j].mean())} for j in range(len(RESTS))
+        ],
+        "moving": {force: quantiles(~stops, force) for force in FORCES},
+        "stopping": {force: quantiles(stops, force) for force in FORCES},
+        "least rest with stops": float(rest[stops].min()),
+    }
+
+
+def table(numbers: dict[str, Any]) -> str:
+    """What `slowflow.validity` looks up, as a Python module."""
+    pool = numbers["pool"]
+    errors = {
+        name: [[_filled(row, j, pool["by rest"][j], name) for j in range(len(RESTS))] for row in pool["both"]]
+        for name in ("median", "q95")
+    }
+    by_ratio = [cell["q95"] for cell in pool["by ratio"]]
+    cells = numbers["truncation"]
+    u_crs = sorted({cell["u_cr"] for cell in cells})
+    levels = [level for level in TRUNCATION_LEVELS if all(_size(cells, u_cr, level) is not None for u_cr in u_crs)]
+    sizes = [[_size(cells, u_cr, level) for level in levels] for u_cr in u_crs]
+
+    def line(name: str, values: Any) -> str:
+        return f"{name} = ({', '.join(f'{value:.3g}' for value in values)})"
+
+    def lines(name: str, rows: Any) -> list[str]:
+        return [f"{name} = (", *(f"    ({', '.join(f'{value:.3g}' for value in row)})," for row in rows), ")"]
+
+    return "\n".join(
+        [
+            '"""Measured errors of averaging, for `slowflow.validity`: a bin begins at its edge and ends at the next.',
+            "",
+            "Written by `make validity` from benchmarks/results/validity.json; never edit. Method: docs/validity.md.",
+            '"""',
+            "",
+            "# fmt: off",
+            "",
+            "# edges of mu/F_0 and of mu/(A Omega^2)",
+            line("RATIOS", BINS),
+            line("RESTS", RESTS),
+            "# the exact amplitude of half and of 95 in 100 points lies within this; rows: RATIOS, columns: RESTS",
+            *lines("TYPICAL", errors["median"]),
+            *lines("ERROR", errors["q95"]),
+            "# the same whatever mu/(A Omega^2)",
+            line("BY_RATIO", by_ratio),
+            "# mu/F_0 from which on every answer is remarked on; mu/(A Omega^2) from which on stops were found",
+            f"NEAR = {validity_page.remarked_from(pool):g}",
+            f"STOPS_FROM = {math.floor(10 * pool['least rest with stops']) / 10:g}",
+            "# what (6) costs against (5): a row for each of U_CRS, a column for each A/u_cr of LEVELS",
+            'TRUNCATED = ("rod_spring", "rod_spring_attached")',
+            line("U_CRS", u_crs),
+            line("LEVELS", levels),
+            *lines("TRUNCATION", sizes),
+            "",
+        ]
+    )
+
+
+def _filled(row: list[dict[str, Any]], column: int, whole: dict[str, Any], name: str) -> float:
+    """A bin's error; one with few points gets the larger of its nearest neighbour's and what all ratios have there."""
+    known = [j for j, cell in enumerate(row) if cell[name] is not None]
+    nearest = min(known, key=lambda j: abs(j - column))
+    return float(row[column][name] if nearest == column else max(row[nearest][name], whole[name]))
+
+
+def _size(cells: list[dict[str, Any]], u_cr: float, level: float) -> float | None:
+    for cell in cells:
+        if cell["u_cr"] == u_cr and cell["level"] == level and "A" in cell:
+            return max(abs(cell["A"]), abs(cell.get("Omega", 0.0)))
+    return None
+
+
+def measure() -> dict[str, Any]:
+    """Everything."""
+    start = time.process_time()
+    cells, pool = resonance()
+    numbers = {
+        "integrator": default_integrator().name,
+        "resonance": cells,
+        "pool": pooled(pool),
+        "onsets": onsets(),
+        "plane": plane(),
+        "truncation": truncation(),
+    }
+    print(f"measured in {time.process_time() - start:.0f} s of processor time")
+    return numbers
+
+
+def rounded(value: Any) -> Any:
+    """Six digits are more than the maps need, and keep the file small; nan becomes null."""
+    if isinstance(value, dict):
+        return {key: rounded(inner) for key, inner in value.items()}
+    if isinstance(value, list | tuple | np.ndarray):
+        return [rounded(inner) for inner in value]
+    if isinstance(value, float | np.floating):
+        return float(f"{value:.6g}") if math.isfinite(value) else None
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--draw", action="store_true", help="from the numbers that are there")
+    if not parser.parse_args().draw:
+        RESULTS.write_text(json.dumps(rounded(measure()), indent=1) + "\n")
+    numbers = json.loads(RESULTS.read_text())
+    TABLE.write_text(table(numbers))
+    validity_page.write(numbers, ROOT / "docs")
+
+
+if __name__ == "__main__":
+    main()

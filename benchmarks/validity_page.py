@@ -1,0 +1,314 @@
+"""The figures and the page docs/validity.md: in go the numbers that `benchmarks.validity` measured, out come files."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+
+from slowflow import Isolator
+from slowflow.exact import Oscillator, rod_spring_exact
+from slowflow.exact import plot as exact_plot
+from slowflow.plot import RAMP
+
+mpl.use("Agg")
+import matplotlib.pyplot as plt
+
+TEMPLATE = Path(__file__).with_name("validity_template.md")
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+#: error from which on every answer at that mu/F_0 gets a remark
+REMARKED = 1 / 3
+#: errors in per cent between which the colours of a map run; the numbers in the cells have no limit
+COLOURS = mpl.colors.SymLogNorm(linthresh=0.5, vmin=-50, vmax=50, base=10)
+TICKS = (-50, -10, -2, 0, 2, 10, 50)
+MAP = "RdBu_r"
+#: bins of mu/(A Omega^2) that the page speaks of, by the name they have there
+BINS = (("1", 2), ("3", 4), ("5", 5))
+WINDOW_7A = (0.5, 1.3)
+NAMES = {"A": "largest amplitude", "jump-up": "Omega of the jump up", "jump-down": "Omega of the jump down"}
+
+
+def write(numbers: dict[str, Any], folder: Path) -> None:
+    """docs/validity*.png, docs/fig_2a.png, fig_2b.png, fig_7a_exact.png and docs/validity.md."""
+    folder.mkdir(parents=True, exist_ok=True)
+    drawings = {
+        "validity_resonance": functools.partial(resonance, numbers),
+        "validity_critical": functools.partial(critical, numbers),
+        "validity_plane": functools.partial(plane, numbers),
+        "validity_truncation": functools.partial(truncation, numbers),
+        "validity_rest": functools.partial(rest, numbers),
+        "fig_7a_exact": overlay_7a,
+        "fig_2a": figure_2a,
+        "fig_2b": figure_2b,
+    }
+    for name, draw in drawings.items():
+        figure = draw()
+        figure.savefig(folder / f"{name}.png", dpi=110, metadata={"Software": None})
+        plt.close(figure)
+    (folder / "validity.md").write_text(page(numbers), encoding="utf-8")
+
+
+def cells(ax: Any, values: list[list[float | None]], x: Iterable[float], y: Iterable[float]) -> Any:
+    """A map of errors in per cent: colour and number; a dot where nothing could be measured."""
+    array = np.array([[np.nan if v is None else 100 * v for v in row] for row in values], dtype=float)
+    image = ax.imshow(array, norm=COLOURS, cmap=MAP, aspect="auto", origin="lower")
+    for (i, j), value in np.ndenumerate(array):
+        text = (
+            "·"
+            if np.isnan(value)
+            else f"{value:.0f}"
+            if abs(value) >= 9.95
+            else f"{value + 0.0:.1f}".replace("-0.0", "0.0")
+        )
+        dark = not np.isnan(value) and abs(COLOURS(value) - 0.5) > 0.36
+        ax.text(j, i, text, ha="center", va="center", fontsize=7, color="white" if dark else "black")
+    ax.set_xticks(range(array.shape[1]), [f"{v:g}" for v in x], fontsize=7)
+    ax.set_yticks(range(array.shape[0]), [f"{v:g}" for v in y], fontsize=7)
+    return image
+
+
+def _axis(found: list[dict[str, Any]], name: str) -> list[float]:
+    return sorted({cell[name] for cell in found})
+
+
+def _lookup(found: list[dict[str, Any]], **wanted: float) -> dict[str, Any]:
+    for cell in found:
+        if all(cell[name] == value for name, value in wanted.items()):
+            return cell
+    return {}
+
+
+def resonance(numbers: dict[str, Any]) -> Any:
+    """Errors over mu/F_0 and zeta: a column of panels for each quantity, a row for each preload and level."""
+    found = numbers["resonance"]
+    ratios, zetas, levels, preloads = (_axis(found, name) for name in ("ratio", "zeta", "level", "delta_h"))
+    rows = [(level, delta_h) for level in levels for delta_h in preloads]
+    figure, axes = plt.subplots(len(rows), 3, figsize=(14, 13), layout="constrained")
+    for line, (level, delta_h) in zip(axes, rows, strict=True):
+        for ax, (quantity, title) in zip(line, NAMES.items(), strict=True):
+            values = [
+                [
+                    _lookup(found, ratio=ratio, zeta=zeta, level=level, delta_h=delta_h).get("exact", {}).get(quantity)
+                    for ratio in ratios
+                ]
+                for zeta in zetas
+            ]
+            image = cells(ax, values, ratios, zetas)
+            ax.set_title(f"{title}; delta_h = {delta_h:.3g}, A/u_cr = {level:g}", fontsize=8)
+            ax.set_ylabel("zeta", fontsize=8)
+    for ax in axes[-1]:
+        ax.set_xlabel("mu/F_0", fontsize=8)
+    figure.colorbar(image, ax=axes, shrink=0.4, label="averaged / exact - 1, in per cent", ticks=TICKS, format="%g")
+    return figure
+
+
+def critical(numbers: dict[str, Any]) -> Any:
+    """Errors of F_SN and F_cr over mu/F and zeta, a row of panels for each."""
+    found = numbers["onsets"]
+    ratios, zetas, preloads = (_axis(found, name) for name in ("ratio", "zeta", "delta_h"))
+    figure, axes = plt.subplots(2, len(preloads), figsize=(13, 4.6), layout="constrained")
+    for line, quantity in zip(axes, ("F_SN", "F_cr"), strict=True):
+        for ax, delta_h in zip(line, preloads, strict=True):
+            values = [
+                [
+                    (_lookup(found, ratio=ratio, zeta=zeta, delta_h=delta_h).get(quantity) or {}).get("exact")
+                    for ratio in ratios
+                ]
+                for zeta in zetas
+            ]
+            image = cells(ax, values, ratios, zetas)
+            ax.set_title(f"{quantity}; delta_h = {delta_h:.3g}", fontsize=8)
+            ax.set_ylabel("zeta", fontsize=8)
+            ax.set_xlabel(f"mu/{quantity}", fontsize=8)
+    figure.colorbar(image, ax=axes, shrink=0.8, label="averaged / exact - 1, in per cent", ticks=TICKS, format="%g")
+    return figure
+
+
+def plane(numbers: dict[str, Any]) -> Any:
+    """Table 1 at F_0 = 0.02: error of the highest stable amplitude over frequency and mu/F_0, hatched with stops."""
+    rows = [row for row in numbers["plane"] if "Omega" in row]
+    Omega = np.array(rows[0]["Omega"])
+    ratios = np.array([row["ratio"] for row in rows])
+    error = 100 * np.array([row["error"] for row in rows], dtype=float)
+    stops = np.array([row["stops"] for row in rows])
+    figure, ax = plt.subplots(figsize=(8, 4.6), layout="constrained")
+    bounds = [-60, -30, -10, -5, -2, -1, 1, 2, 5, 10, 30, 60]
+    colours = mpl.colors.BoundaryNorm(bounds, 256, extend="both")
+    image = ax.pcolormesh(Omega, ratios, error, norm=colours, cmap=MAP, shading="nearest")
+    if (stops > 0).any():
+        ax.contourf(Omega, ratios, stops > 0, levels=[0.5, 1.5], colors="none", hatches=["///"])
+    ax.axhline(np.pi / 4, color="black", linewidth=1)
+    ax.annotate("pi/4", (1.55, np.pi / 4), xytext=(0, 2), textcoords="offset points", fontsize=8)
+    ax.set(xlabel="frequency Omega", ylabel="mu/F_0", ylim=(0, 0.83))
+    figure.colorbar(image, label="amplitude: averaged / exact - 1, in per cent", ticks=bounds)
+    return figure
+
+
+def truncation(numbers: dict[str, Any]) -> Any:
+    """What (6) costs against (5), and averaging (6) against the truth, over A/u_cr and u_cr."""
+    found = numbers["truncation"]
+    levels, ends = _axis(found, "level"), _axis(found, "u_cr")
+    figure, axes = plt.subplots(1, 2, figsize=(13, 3.6), layout="constrained")
+    titles = {
+        "A": "largest amplitude: exact, truncated / untruncated - 1",
+        "averaged": "largest amplitude: averaged truncated / exact untruncated - 1",
+    }
+    for ax, (quantity, title) in zip(axes, titles.items(), strict=True):
+        values = [[_lookup(found, level=level, u_cr=u_cr).get(quantity) for level in levels] for u_cr in ends]
+        image = cells(ax, values, levels, [round(u_cr, 2) for u_cr in ends])
+        ax.set_title(title, fontsize=8)
+        ax.set(xlabel="A/u_cr", ylabel="u_cr")
+    figure.colorbar(image, ax=axes, shrink=0.8, label="per cent", ticks=TICKS, format="%g")
+    return figure
+
+
+def rest(numbers: dict[str, Any]) -> Any:
+    """Error of the amplitude over mu/(A Omega^2), a line for each bin of mu/F_0."""
+    pool = numbers["pool"]
+    edges = np.array(pool["rests"])
+    # bins on a logarithmic axis: each at its middle, the open ones one step out
+    at = np.sqrt(np.maximum(edges, 0.025) * np.append(edges[1:], 2 * edges[-1]))
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4), layout="constrained", sharey=True)
+    for ax, quantity, title in zip(axes, ("median", "q95"), ("median", "95 of 100 points within"), strict=True):
+        for k, (ratio, row) in enumerate(zip(pool["ratios"], pool["both"], strict=True)):
+            values = [np.nan if cell[quantity] is None else 100 * cell[quantity] for cell in row]
+            end = pool["ratios"][k + 1] if k + 1 < len(pool["ratios"]) else np.pi / 4
+            colour = RAMP(0.1 + 0.9 * k / (len(pool["ratios"]) - 1))
+            ax.plot(at, values, marker="o", markersize=3, color=colour, label=f"{ratio:.3g} to {end:.3g}")
+        ax.axvline(1, color="0.6", linewidth=0.8)
+        ax.set(xscale="log", yscale="log", xlabel="mu/(A Omega^2)", title=title)
+        ax.grid(alpha=0.3)
+    axes[0].set_ylabel("amplitude: |exact / averaged - 1|, per cent")
+    axes[1].legend(title="mu/F_0", fontsize=7)
+    return figure
+
+
+def overlay_7a() -> Any:
+    """Fig. 7a: averaged curves dashed, exact ones solid with the untruncated force, dotted with the truncated one."""
+    isolator = Isolator(**TABLE_1)
+    onset, detachment = isolator.saddle_node_onset(), isolator.detachment()
+    forcings = [value for value in (onset.F_SN, 0.025, detachment.F_cr, 0.04, 0.05) if value is not None]
+    figure, axes = plt.subplots(1, 2, figsize=(14, 6), layout="constrained")
+    for ax in axes:
+        for k, F_0 in enumerate(forcings):
+            colour = RAMP(0.15 + 0.8 * k / (len(forcings) - 1))
+            for force, style, width in (("exact", "-", 2.2), ("truncated", ":", 1.6)):
+                curve = isolator.exact_response(F_0, WINDOW_7A, force=force)
+                label = f"F_0 = {F_0:.4g}" if force == "exact" else None
+                ax.plot(curve.Omega, curve.A, style, color=colour, linewidth=width, alpha=0.9, label=label)
+            averaged = isolator.frequency_response(F_0, Omega=WINDOW_7A)
+            for branch in np.unique(averaged.branch):
+                on = averaged.branch == branch
+                ax.plot(averaged.Omega[on], averaged.A[on], "--", color="black", linewidth=0.8)
+        ax.axhline(isolator.u_cr, color="0.5", linewidth=0.8)
+        ax.set(xlabel="frequency Omega", ylabel="amplitude A")
+    axes[0].set(xlim=WINDOW_7A, ylim=(0, 0.75), title="solid: exact, (5); dotted: exact, (6); dashed: averaged, (6)")
+    axes[0].legend()
+    axes[1].set(xlim=(0.86, 1.03), ylim=(0.3, 0.68), title="the same near resonance")
+    return figure
+
+
+def figure_2a() -> Any:
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    exact_plot.figure_2a(ax)
+    ax.set(ylim=(0, 5), title="solid: exact (dotted: with stops); circles: Den Hartog (35); dashed: averaged")
+    return figure
+
+
+def figure_2b() -> Any:
+    """delta_h = 1/(6 r) and zeta = 0.02 as in the paper, at F_0 = 0.04, for several mu."""
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    pairs = []
+    for mu in (0.004, 0.012, 0.02, 0.028):
+        averaged = Isolator(**{**TABLE_1, "mu": mu})
+        force = rod_spring_exact(averaged.lam, averaged.r, averaged.delta_h)
+        pairs.append((averaged, Oscillator(force, mu, averaged.zeta)))
+    exact_plot.figure_2b(ax, tuple(pairs), 0.04, (0.4, 1.5))
+    ax.set(title="solid: exact, untruncated force (dotted: with stops); dashed: averaged", ylim=(0, 1.3))
+    return figure
+
+
+def _largest(values: Iterable[float | None]) -> str:
+    """The largest size among some errors, in per cent."""
+    return _percent(max(abs(value) for value in values if value is not None))
+
+
+def _percent(value: float) -> str:
+    return f"{100 * value:.0f} %" if value >= 0.1 else f"{100 * value:.2g} %"
+
+
+def remarked_from(pool: dict[str, Any]) -> float:
+    """mu/F_0 from which on 95 of 100 amplitudes no longer lie within `REMARKED`."""
+    both = zip(pool["ratios"], pool["by ratio"], strict=True)
+    return float(min(edge for edge, cell in both if cell["q95"] > REMARKED))
+
+
+def _at_resonance(numbers: dict[str, Any], quantity: str, ratios: tuple[float, float], force: str = "exact") -> str:
+    return _largest(
+        cell[force][quantity]
+        for cell in numbers["resonance"]
+        if ratios[0] <= cell["ratio"] <= ratios[1] and quantity in cell.get(force, {})
+    )
+
+
+def _critical(numbers: dict[str, Any], quantity: str, ratios: tuple[float, float]) -> str:
+    return _largest(
+        (cell.get(quantity) or {}).get("exact") for cell in numbers["onsets"] if ratios[0] <= cell["ratio"] <= ratios[1]
+    )
+
+
+def page(numbers: dict[str, Any]) -> str:
+    """docs/validity.md: method, maps, what they show."""
+    pool, found = numbers["pool"], numbers["resonance"]
+    compared = [cell["exact"] for cell in found if "exact" in cell]
+    other = sum(cell["folds"][0] != cell["folds"][1] for cell in compared)
+    early = sum(
+        cell["exact"]["folds"][0] != cell["exact"]["folds"][1]
+        for cell in found
+        if "exact" in cell and cell["ratio"] <= 0.65
+    )
+    ranges = ((0, 0.3), (0.4, 0.5), (0.55, 0.65), (0.7, 0.77))
+    by_ratio = [
+        "| mu/F_0 | largest amplitude | jump up, Omega | jump down, Omega | F_SN | F_cr |",
+        "|---|---|---|---|---|---|",
+    ]
+    for low, high in ranges:
+        sizes = [_at_resonance(numbers, quantity, (low, high)) for quantity in NAMES]
+        sizes += [_critical(numbers, quantity, (low, high)) for quantity in ("F_SN", "F_cr")]
+        by_ratio.append(f"| {low:g} to {high:g} | " + " | ".join(sizes) + " |")
+    by_rest = ["| mu/(A Omega^2) from | points | with stops | median | 95 of 100 within |", "|---|---|---|---|---|"]
+    for edge, cell in zip(pool["rests"], pool["by rest"], strict=True):
+        by_rest.append(
+            f"| {edge:g} | {cell['points']} | {100 * cell['stopping']:.0f} % | {_percent(cell['median'])} | "
+            f"{_percent(cell['q95'])} |"
+        )
+    shares = ["| motion | points | force of the exact curve | median | 95 of 100 within |", "|---|---|---|---|---|"]
+    for kind, words in (("moving", "without stops"), ("stopping", "with stops")):
+        for force, meant in (("truncated", "(6): first harmonic alone"), ("exact", "(5): and truncation")):
+            cell = pool[kind][force]
+            shares.append(
+                f"| {words} | {cell['points']} | {meant} | {_percent(cell['median'])} | {_percent(cell['q95'])} |"
+            )
+    truncated = _largest(cell.get("A") for cell in numbers["truncation"])
+    at_table_1 = _largest(
+        cell.get("A") for cell in numbers["truncation"] if cell["u_cr"] < 0.44 and cell["level"] > 0.9
+    )
+    return TEMPLATE.read_text(encoding="utf-8").format(
+        integrator=numbers["integrator"],
+        by_ratio="\n".join(by_ratio),
+        by_rest="\n".join(by_rest),
+        shares="\n".join(shares),
+        least_rest=pool["least rest with stops"],
+        near=remarked_from(pool),
+        designs=len(compared),
+        points=sum(cell["points"] for cell in pool["by rest"]),
+        other=other,
+        **{f"at_{name}": {kind: _percent(pool["by rest"][j][kind]) for kind in ("median", "q95")} for name, j in BINS},
+        early=early,
+        truncated=truncated,
+        at_table_1=at_table_1,
+    )
