@@ -237,6 +237,15 @@ def test_random_curves_go_through():
 
 
 @heyoka
+@pytest.mark.parametrize("step", [0.01, 0.02, 0.05, 0.1])
+def test_kinds_of_folds_beside_a_sharp_peak(step):
+    """Light damping: the curve folds just behind its peak, and a coarse step passes both at once."""
+    system = isolator(3, 3747 / 1848, 0.13, 0.0, 0.005, exact=True)[0]
+    curve = exact_response(system, 0.00292, (0.4, 0.9), step=step)
+    assert [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
+
+
+@heyoka
 def test_corner_fold_of_the_truncated_force():
     """Just above the forcing that detaches the springs, the jump of the force (6) adds a corner and two folds.
 

@@ -472,9 +472,11 @@ def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
     folds: list[Fold] = []
     for i, point in enumerate(points):
         if point.role in ("fold", "corner") and 0 < i < len(points) - 1:
-            # a sweep leaves the stable side, for a larger amplitude if that is the lower one
-            up = A[i - 1] < A[i + 1] if stable[i - 1] else A[i + 1] < A[i - 1]
             corner = point.role == "corner"
+            # a sweep leaves the stable side, for a larger amplitude if that is the lower one; beside a sharp peak a
+            # neighbour may already lie beyond the peak, where the tangent tells better
+            rises = A[i - 1] < A[i + 1] if corner else point.tangent[0] * point.z[0] > 0
+            up = rises if stable[i - 1] else not rises
             if folds and abs(folds[-1].Omega - point.z[-1]) < SAME and abs(folds[-1].A - A[i]) < SAME:
                 folds.pop()  # there and back within the accuracy of a fold: none
                 continue
