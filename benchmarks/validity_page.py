@@ -266,11 +266,11 @@ def page(numbers: dict[str, Any]) -> str:
     pool, found = numbers["pool"], numbers["resonance"]
     compared = [cell["exact"] for cell in found if "exact" in cell]
     other = sum(cell["folds"][0] != cell["folds"][1] for cell in compared)
-    early = sum(
-        cell["exact"]["folds"][0] != cell["exact"]["folds"][1]
+    early = [
+        cell
         for cell in found
-        if "exact" in cell and cell["ratio"] <= 0.65
-    )
+        if "exact" in cell and cell["exact"]["folds"][0] != cell["exact"]["folds"][1] and cell["ratio"] <= 0.65
+    ]
     ranges = ((0, 0.3), (0.4, 0.5), (0.55, 0.65), (0.7, 0.77))
     by_ratio = [
         "| mu/F_0 | largest amplitude | jump up, Omega | jump down, Omega | F_SN | F_cr |",
@@ -308,7 +308,8 @@ def page(numbers: dict[str, Any]) -> str:
         points=sum(cell["points"] for cell in pool["by rest"]),
         other=other,
         **{f"at_{name}": {kind: _percent(pool["by rest"][j][kind]) for kind in ("median", "q95")} for name, j in BINS},
-        early=early,
+        early=len(early),
+        corner=sum(cell["exact"]["folds"] == [2, 0] for cell in early),
         truncated=truncated,
         at_table_1=at_table_1,
     )
