@@ -1,6 +1,7 @@
 """Scenes: what the plan says, that it is obeyed, and that a scene's answer is the general path's."""
 
 import json
+import types
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 
 from slowflow import Duffing, Isolator, backend, solvers
 from slowflow.model import Model
-from slowflow_kernels import rod_spring
+from slowflow_kernels import duffing, rod_spring
 
 pytestmark = pytest.mark.both_backends
 
@@ -125,3 +126,11 @@ def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
     general = isolator(mu=mu or 1e-18, zeta=zeta or 1e-18).amplitudes(Omega, 0.03)
     lower = [general.A[general.Omega == w].min() for w in Omega]
     assert np.allclose([scene.A[scene.Omega == w].min() for w in Omega], lower, rtol=1e-13, atol=0)
+
+
+def test_a_mechanism_that_is_derived_but_not_compiled_is_solved_all_the_same():
+    kernels = types.ModuleType("slowflow_kernels.fresh")
+    kernels.__dict__.update({name: value for name, value in vars(duffing).items() if not name.startswith("__")})
+    fresh, known = Model(kernels, (1.0, 0.5), 0.01, 0.02), Model(duffing, (1.0, 0.5), 0.01, 0.02)
+    same_folds(solvers.saddle_nodes(fresh, 0.1), solvers.saddle_nodes(known, 0.1))
+    assert solvers.onset(fresh).F_SN == pytest.approx(solvers.onset(known).F_SN, rel=1e-13)
