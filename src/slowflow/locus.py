@@ -11,6 +11,9 @@ from slowflow.loci import fold_locus as locus_of_folds
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
 
+#: Newton steps at isola points, and the relative size from which on a step is none
+NEWTON_STEPS, NEAR = 3, 1e-4
+
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
@@ -45,7 +48,8 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     cusp, isola = (_by_amplitude(located, mark) for mark in ("cusp", "isola"))
     F_0, Omega, A = _points(located, cusp)
     cusps = Cusps(F_0, Omega, A, _is_minimum(located, cusp), "" if A.size else NO_CUSP.format(A_max))
-    F_0, Omega, A = _points(located, isola)
+    Omega, A = _sharpened(model, _points(located, isola)[2])
+    F_0 = located.locus.level(A, Omega)
     kind = np.where(_is_saddle(model, Omega, A), "merger", np.where(_is_minimum(located, isola), "birth", "death"))
     return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else NO_ISOLA.format(A_max))
 
@@ -59,6 +63,34 @@ def _points(located: Spans, rows: Ints) -> tuple[Floats, Floats, Floats]:
     return located.level[rows, 1], located.Omega[rows, 1], located.A[rows, 1]
 
 
+def _sharpened(model: Model, A: Floats) -> tuple[Floats, Floats]:
+    """Omega and A of isola points, from amplitudes that are nearly theirs.
+
+    Where F_Omega vanishes, F_A/2 = R (h_A - Omega^2). So F_A = 0 leaves Omega = sqrt(h_A), and F_Omega a function of A
+    alone, whose Newton steps are better conditioned than those on both equations.
+    """
+    flow, m, zeta = model.flow, model.m, model.zeta
+    for _ in range(NEWTON_STEPS):
+        h, h_A, h_AA, _ = model.averaged(A)
+        Omega = np.sqrt(np.maximum(h_A, 0.0))
+        _, F_AOmega, F_OmegaOmega = _hessian(model, Omega, A)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            slope = F_AOmega + F_OmegaOmega * h_AA / (2 * Omega)
+            step = flow.F_Omega(Omega, A, m, zeta, h) / slope
+        A = A - np.where(np.abs(step) < NEAR * A, step, 0.0)
+    return np.sqrt(np.maximum(model.averaged(A)[1], 0.0)), A
+
+
+def _hessian(model: Model, Omega: Floats, A: Floats) -> tuple[Floats, Floats, Floats]:
+    """F_AA, F_AOmega and F_OmegaOmega."""
+    flow, m, zeta = model.flow, model.m, model.zeta
+    h, h_A, h_AA, _ = model.averaged(A)
+    F_AA, F_AOmega = flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA), flow.F_AOmega(Omega, A, m, zeta, h, h_A)
+    # the derivative of F_Omega = 4 A (Omega R + zeta I)
+    F_OmegaOmega = 4 * A * (flow.R(Omega, A, h) + 2 * A * Omega**2 + 2 * zeta**2 * A)
+    return F_AA, F_AOmega, F_OmegaOmega
+
+
 def _is_minimum(located: Spans, rows: Ints) -> npt.NDArray[np.bool_]:
     level = located.level
     return np.asarray((level[rows, 1] <= level[rows, 0]) & (level[rows, 1] <= level[rows + 1, 1]))
@@ -66,9 +98,5 @@ def _is_minimum(located: Spans, rows: Ints) -> npt.NDArray[np.bool_]:
 
 def _is_saddle(model: Model, Omega: Floats, A: Floats) -> npt.NDArray[np.bool_]:
     """Whether F has a saddle in (A, Omega) at these points with F_A = F_Omega = 0, by the sign of its Hessian."""
-    flow, m, zeta = model.flow, model.m, model.zeta
-    h, h_A, h_AA, _ = model.averaged(A)
-    F_AA, F_AOmega = flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA), flow.F_AOmega(Omega, A, m, zeta, h, h_A)
-    # the derivative of F_Omega = 4 A (Omega R + zeta I)
-    F_OmegaOmega = 4 * A * (flow.R(Omega, A, h) + 2 * A * Omega**2 + 2 * zeta**2 * A)
+    F_AA, F_AOmega, F_OmegaOmega = _hessian(model, Omega, A)
     return np.asarray(F_AA * F_OmegaOmega < F_AOmega * F_AOmega)
