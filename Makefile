@@ -33,6 +33,9 @@ lint: $(INSTALLED)
 
 bench: $(INSTALLED)
 	$(BIN)/python -m benchmarks
+	$(BIN)/python -m benchmarks.bench_scenes
+	@if $(BIN)/python -c 'import heyoka' 2>/dev/null; then $(BIN)/python -m benchmarks.bench_exact; \
+	else echo "exact motions: not measured, heyoka is not installed (pip install -e '.[exact]')"; fi
 
 validity: $(INSTALLED)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev,exact]"
