@@ -19,7 +19,7 @@ def _chosen(question: str, on_numpy: Question) -> Question:
     def ask(*arguments: Any) -> Any:
         try:
             return on_compiled(*arguments)
-        except LookupError:
+        except NotImplementedError:  # raised for a mechanism that is not compiled, and for nothing else
             return on_numpy(*arguments)
 
     return cast(Question, ask)

@@ -35,7 +35,7 @@ static const sf_solver *find_solver(const char *name)
     for (int i = 0; i < SF_MECHANISMS; i++)
         if (strcmp(solvers[i]->name, name) == 0)
             return solvers[i];
-    PyErr_Format(PyExc_LookupError, "no mechanism %s", name);
+    PyErr_Format(PyExc_NotImplementedError, "no mechanism %s", name);
     return NULL;
 }
 
