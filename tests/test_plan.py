@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend, solvers
+from slowflow import Duffing, Isolator, backend, compiled, solvers
 from slowflow.model import Model
 from slowflow_kernels import duffing, rod_spring
 
@@ -134,3 +134,28 @@ def test_a_mechanism_that_is_derived_but_not_compiled_is_solved_all_the_same():
     fresh, known = Model(kernels, (1.0, 0.5), 0.01, 0.02), Model(duffing, (1.0, 0.5), 0.01, 0.02)
     same_folds(solvers.saddle_nodes(fresh, 0.1), solvers.saddle_nodes(known, 0.1))
     assert solvers.onset(fresh).F_SN == pytest.approx(solvers.onset(known).F_SN, rel=1e-13)
+
+
+def test_an_error_inside_the_compiled_path_is_not_taken_for_a_missing_mechanism(monkeypatch):
+    if backend.SOLVER is None:
+        pytest.skip("no compiled solvers")
+
+    def broken(*_):
+        return [][0]
+
+    monkeypatch.setattr(compiled, "onset", broken)
+    with pytest.raises(IndexError):
+        solvers._chosen("onset", solvers.onset)(Model(duffing, (1.0, 0.5), 0.01, 0.02))
+
+
+@pytest.mark.parametrize("question", ["frequency_response", "amplitudes"])
+def test_the_plan_of_a_curve_does_not_claim_a_skip_that_is_none(question):
+    """A curve is cut at its folds: they are searched for whether or not there are any."""
+    oscillator = isolator()
+    oscillator.saddle_node_onset()
+    assert runs(oscillator.explain(question, 0.02))["folds"]
+    assert runs(isolator(delta_h=0).explain(question, 0.04))["folds"]
+
+
+def test_the_plan_of_a_peak_has_no_curve():
+    assert runs(isolator().explain("peak", 0.04)) == {"force": True, "slow flow": True, "peaks": True, "folds": False}

@@ -200,7 +200,7 @@ class Oscillator:
         return solvers.detachment(self._model)
 
     def _plan(self, question: str, F_0: float) -> plan.Plan:
-        # finding the onset takes as long as finding folds: it serves only where it has been asked for already
+        # finding the onset costs time too: it serves only where it has been asked for already
         known = self.__dict__.get("_onset")
         return plan.plan(question, F_0, self._model, self._attached_model, self._detachment.F_cr, known)
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from slowflow.model import Model, scene
 from slowflow.results import SaddleNodeOnset
 
-#: questions at one forcing, and whether each needs the folds
-QUESTIONS = {"frequency_response": True, "amplitudes": True, "saddle_nodes": True, "peak": False}
+#: questions at one forcing
+QUESTIONS = ("frequency_response", "amplitudes", "saddle_nodes", "peak")
 FLOWS = {
     "": "mu > 0, zeta > 0: F is a quartic in Omega",
     "mu0": "mu = 0: F is a quadratic in Omega^2, roots in closed form",
@@ -31,6 +31,17 @@ class Step:
 
     def __str__(self) -> str:
         return f"{self.name:14}{'runs' if self.runs else 'skipped':9}{self.why}"
+
+
+PEAK = (
+    Step("peaks", True, "level crossings of the peak locus"),
+    Step("folds", False, "not needed for this question"),
+)
+CURVE = (
+    Step("curve", True, "events, arcs and pieces between them"),
+    Step("folds", True, "level crossings of the fold locus, and corners: they cut the curve into pieces"),
+    Step("phase", False, "computed when .phi is first read"),
+)
 
 
 @dataclass(frozen=True)
@@ -65,9 +76,8 @@ def plan(
     whole    -- the oscillator with all pieces of its force
     attached -- the first piece alone, if a response to F_0 < F_cr is known to stay on it; else None
     F_cr     -- the lowest forcing that reaches the first breakpoint, if it is known
-    onset    -- the onset of folds, if it is known: finding it takes as long as finding the folds
+    onset    -- the onset of folds, if it has been asked for already
     """
-    needs_folds = QUESTIONS[question]
     if F_0 <= whole.m:
         stuck = f"the mass sticks: F_0 does not exceed 4 mu/pi = {whole.m:g}"
         return Plan(
@@ -86,17 +96,14 @@ def plan(
     else:
         model, force = whole, Step("force", True, "all pieces")
     flow = Step("slow flow", True, FLOWS[scene(whole.mu, whole.zeta)])
-    if not needs_folds:
-        folds = Step("folds", False, "not needed for this question")
-    elif whole.linear:
+    if question == "peak":
+        return Plan(question, F_0, model, False, (force, flow, *PEAK))
+    if question != "saddle_nodes":
+        return Plan(question, F_0, model, True, (force, flow, *CURVE))
+    if whole.linear:
         folds = Step("folds", False, "a linear oscillator has none")
     elif onset is not None and onset.F_SN is not None and F_0 < onset.F_SN and not onset.message:
         folds = Step("folds", False, f"F_0 < F_SN = {onset.F_SN:g}: there is none")
     else:
         folds = Step("folds", True, "level crossings of the fold locus, and corners")
-    steps = [force, flow, folds]
-    if question != "saddle_nodes":
-        steps.insert(2, Step("curve", True, "events, arcs and pieces between them"))
-    if question in ("frequency_response", "amplitudes"):
-        steps.append(Step("phase", False, "computed when .phi is first read"))
-    return Plan(question, F_0, model, folds.runs, tuple(steps))
+    return Plan(question, F_0, model, folds.runs, (force, flow, folds))
