@@ -62,16 +62,21 @@ def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
     return value
 
 
-def positive_array(name: str, value: Any) -> Floats:
-    """Finite real numbers > 0, of any shape."""
-    allowed = "a finite real number > 0, or an array of such"
+def _array(name: str, value: Any, allowed: str) -> npt.NDArray[Any]:
+    """Real numbers of any shape, as they are."""
     try:
         array = np.asarray(value)
     except ValueError:
         raise _refuse(name, value, allowed) from None
     if array.dtype.kind not in "fiu":
         raise _refuse(name, value, allowed)
-    array = array.astype(float)
+    return array
+
+
+def positive_array(name: str, value: Any) -> Floats:
+    """Finite real numbers > 0, of any shape."""
+    allowed = "a finite real number > 0, or an array of such"
+    array = _array(name, value, allowed).astype(float)
     bad = ~(np.isfinite(array) & (array > 0))
     if bad.any():
         raise _refuse(name, array[bad].flat[0] if array.ndim else value, allowed)
@@ -81,13 +86,7 @@ def positive_array(name: str, value: Any) -> Floats:
 def real_array(name: str, value: Any) -> npt.NDArray[Any]:
     """Real numbers of any shape, as they are, without a copy; whether each is allowed is told later."""
     allowed = "a real number, or an array of such"
-    try:
-        array = np.asarray(value)
-    except ValueError:
-        raise _refuse(name, value, allowed) from None
-    if array.dtype.kind not in "fiu":
-        raise _refuse(name, value, allowed)
-    return array
+    return _array(name, value, allowed)
 
 
 def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
