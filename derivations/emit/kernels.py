@@ -20,6 +20,7 @@ from derivations.oscillator import without_cancellation
 from derivations.restoring import FAR, Regime, Restoring
 from derivations.resultants import Elimination
 from derivations.results import OfMechanism, Results
+from derivations.second_approximation import OF_HARMONIC, RESONANCE
 from derivations.slow_flow import SCENES, I, R, SlowFlow, m
 from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, tau, u, zeta
 
@@ -290,6 +291,52 @@ def in_words(scene: str) -> str:
     return f", in the scene {' and '.join(vanishing)}" if vanishing else ""
 
 
+# --- second approximation ---
+
+
+def second_approximation_module(results: Results) -> Module:
+    """The mechanism-free functions of the second approximation."""
+    second = results.second
+    families = (AVERAGED, *OF_HARMONIC.values())
+
+    def kernel(name: str, forcing: Sequence[sp.Symbol], derivatives: int, outputs: Sequence[str], doc: str) -> Kernel:
+        averages = (symbol for family in families for symbol in family[: derivatives + 1])
+        values = [second.outputs[output] for output in outputs]
+        domain = f"Omega > 0, A > 0, |h| < {RESONANCE} A Omega^2"
+        arguments = (Omega, A, *forcing, m, zeta, *averages)
+        return plain(name, arguments, values, doc, "beyond (23)", domain, lets=second.lets)
+
+    return Module(
+        name="second_approximation",
+        title="Second approximation of any mechanism: with what the higher harmonics do to the first",
+        inputs=("averaging.py", "slow_flow.py", "second_approximation.py"),
+        kernels=(
+            kernel(
+                "response",
+                (F_0,),
+                2,
+                ("u_max", "phi", "R", "I", "F", "F_A", "F_Omega", "R_A", "R_Omega"),
+                "Largest displacement, phase, R, I, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.",
+            ),
+            kernel(
+                "folds",
+                (F_0,),
+                3,
+                ("F", "F_A", "F_AA"),
+                "F and its derivatives: a fold has F = F_A = 0, a cusp all three.",
+            ),
+            kernel(
+                "detachment",
+                (),
+                2,
+                ("R", "I", "u_max", "turning"),
+                "R, I, largest displacement, and what vanishes where the forcing that reaches it is least.",
+            ),
+        ),
+        constants={"RESONANCE": sp.Integer(RESONANCE)},
+    )
+
+
 # --- Den Hartog ---
 
 
@@ -409,6 +456,22 @@ def averaged_kernels(derived: OfMechanism, attached_only: bool = False) -> list[
             equation = "(20)-(22)" if order == 0 else "(31)" if order == 1 else "from (31)"
             kernels.append(kernel(letter + NAMES[order], restoring, (order,), text, equation))
     return kernels
+
+
+def harmonics_kernel(derived: OfMechanism) -> Kernel:
+    """The higher harmonics of the force and their derivatives, together."""
+    parameters = derived.oscillator.mechanism.parameters
+    listed = ", ".join(str(symbol) for family in OF_HARMONIC.values() for symbol in family)
+    return Kernel(
+        "harmonics",
+        (A, *parameters),
+        tuple(Branch(c.name, c.guards, c.regime.lets, c.regime.derivatives) for c in derived.harmonics.cases),
+        f"Higher harmonics of the force, as h is its first: {listed}.",
+        "beyond (20)",
+        derived.harmonics.domain,
+        parameters=len(parameters),
+        returns="tuple",
+    )
 
 
 def force_branches(pieces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[Branch, ...]:
@@ -541,7 +604,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
     mechanism = derived.oscillator.mechanism
     title = mechanism.title[0].upper() + mechanism.title[1:]
     inputs = (f"mechanisms/{name}.py",)
-    family = (*averaged_kernels(derived), *data_kernels(derived))
+    family = (*averaged_kernels(derived), harmonics_kernel(derived), *data_kernels(derived))
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
     constants = {
@@ -549,6 +612,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
         "RATIOS": tuple(map(str, mechanism.ratios)),
         "REACH": mechanism.reach,
         "REACH_REASON": mechanism.reach_reason,
+        "HARMONICS_UP_TO": derived.harmonics.most,
     }
     modules = []
     for scene in SCENES:
@@ -588,7 +652,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
 def all_modules(results: Results) -> list[Module]:
     """Every generated module, in the order in which they depend on one another."""
     flows = {scene: slow_flow_module(results, scene) for scene in SCENES}
-    modules = [*flows.values(), den_hartog_module(results)]
+    modules = [*flows.values(), second_approximation_module(results), den_hartog_module(results)]
     for name in results.mechanisms:
         modules.extend(mechanism_modules(results, name, flows))
     return modules

@@ -128,6 +128,26 @@ static inline double duffing_H_AA(double A, double alpha, double beta)
     return -4.5 * A * beta;
 }
 
+/* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
+   Equation beyond (20). Domain: A >= 0.
+   Operations where passed_0: 10 structured, 9 common subexpressions, 8 power chains
+ */
+static inline void duffing_harmonics(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double t0 = 1.5 * beta;
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    out[0] = -0.25 * A3 * beta;
+    out[1] = -0.75 * A2 * beta;
+    out[2] = -A * t0;
+    out[3] = -t0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+}
+
 /* The parameters alpha, beta from the design ratios.
    Equation (5), (7). Domain: any ratios.
    Operations: 1 structured, 1 common subexpressions, 1 power chains

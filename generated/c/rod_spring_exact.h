@@ -10005,6 +10005,1195 @@ static inline double rod_spring_exact_H_AA(double A, double alpha, double beta, 
     return rod_spring_exact_H_AA_passed_1_steep(A, alpha, beta, u_cr);
 }
 
+/* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
+   Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.
+   Operations where passed_0: 3592 structured, 2534 common subexpressions, 1528 power chains
+   Operations where passed_1: 4335 structured, 4335 common subexpressions, 3502 power chains
+ */
+static inline void rod_spring_exact_harmonics_passed_0(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double t0 = 0.03925981575906861 * A;
+    const double delta_1 = sqrt(1.0 - t0) * sqrt(t0 + 1.0);
+    const double t1 = 0.11753739745783764 * A;
+    const double delta_2 = sqrt(1.0 - t1) * sqrt(t1 + 1.0);
+    const double t2 = 0.19509032201612828 * A;
+    const double delta_3 = sqrt(1.0 - t2) * sqrt(t2 + 1.0);
+    const double t3 = 0.27144044986507426 * A;
+    const double delta_4 = sqrt(1.0 - t3) * sqrt(t3 + 1.0);
+    const double t4 = 0.34611705707749296 * A;
+    const double delta_5 = sqrt(1.0 - t4) * sqrt(t4 + 1.0);
+    const double t5 = 0.41865973753742808 * A;
+    const double delta_6 = sqrt(1.0 - t5) * sqrt(t5 + 1.0);
+    const double t6 = 0.48862124149695496 * A;
+    const double delta_7 = sqrt(1.0 - t6) * sqrt(t6 + 1.0);
+    const double t7 = 0.55557023301960218 * A;
+    const double delta_8 = sqrt(1.0 - t7) * sqrt(t7 + 1.0);
+    const double t8 = 0.61909394930983397 * A;
+    const double delta_9 = sqrt(1.0 - t8) * sqrt(t8 + 1.0);
+    const double t9 = 0.67880074553294178 * A;
+    const double delta_10 = sqrt(1.0 - t9) * sqrt(t9 + 1.0);
+    const double t10 = 0.73432250943568556 * A;
+    const double delta_11 = sqrt(1.0 - t10) * sqrt(t10 + 1.0);
+    const double t11 = 0.78531693088074495 * A;
+    const double delta_12 = sqrt(1.0 - t11) * sqrt(t11 + 1.0);
+    const double t12 = 0.83146961230254524 * A;
+    const double delta_13 = sqrt(1.0 - t12) * sqrt(t12 + 1.0);
+    const double t13 = 0.87249600707279706 * A;
+    const double delta_14 = sqrt(1.0 - t13) * sqrt(t13 + 1.0);
+    const double t14 = 0.90814317382508125 * A;
+    const double delta_15 = sqrt(1.0 - t14) * sqrt(t14 + 1.0);
+    const double t15 = 0.93819133592248416 * A;
+    const double delta_16 = sqrt(1.0 - t15) * sqrt(t15 + 1.0);
+    const double t16 = 0.96245523645364728 * A;
+    const double delta_17 = sqrt(1.0 - t16) * sqrt(t16 + 1.0);
+    const double t17 = 0.98078528040323043 * A;
+    const double delta_18 = sqrt(1.0 - t17) * sqrt(t17 + 1.0);
+    const double t18 = 0.99306845695492629 * A;
+    const double delta_19 = sqrt(1.0 - t18) * sqrt(t18 + 1.0);
+    const double t19 = 0.9992290362407229 * A;
+    const double delta_20 = sqrt(1.0 - t19) * sqrt(t19 + 1.0);
+    const double A2 = A * A;
+    const double delta_1_2 = delta_1 * delta_1;
+    const double delta_1_3 = delta_1 * delta_1_2;
+    const double delta_1_6 = delta_1_3 * delta_1_3;
+    const double delta_1_7 = delta_1 * delta_1_6;
+    const double delta_10_2 = delta_10 * delta_10;
+    const double delta_10_3 = delta_10 * delta_10_2;
+    const double delta_10_6 = delta_10_3 * delta_10_3;
+    const double delta_10_7 = delta_10 * delta_10_6;
+    const double delta_11_2 = delta_11 * delta_11;
+    const double delta_11_3 = delta_11 * delta_11_2;
+    const double delta_11_6 = delta_11_3 * delta_11_3;
+    const double delta_11_7 = delta_11 * delta_11_6;
+    const double delta_12_2 = delta_12 * delta_12;
+    const double delta_12_3 = delta_12 * delta_12_2;
+    const double delta_12_6 = delta_12_3 * delta_12_3;
+    const double delta_12_7 = delta_12 * delta_12_6;
+    const double delta_13_2 = delta_13 * delta_13;
+    const double delta_13_3 = delta_13 * delta_13_2;
+    const double delta_13_6 = delta_13_3 * delta_13_3;
+    const double delta_13_7 = delta_13 * delta_13_6;
+    const double delta_14_2 = delta_14 * delta_14;
+    const double delta_14_3 = delta_14 * delta_14_2;
+    const double delta_14_6 = delta_14_3 * delta_14_3;
+    const double delta_14_7 = delta_14 * delta_14_6;
+    const double delta_15_2 = delta_15 * delta_15;
+    const double delta_15_3 = delta_15 * delta_15_2;
+    const double delta_15_6 = delta_15_3 * delta_15_3;
+    const double delta_15_7 = delta_15 * delta_15_6;
+    const double delta_16_2 = delta_16 * delta_16;
+    const double delta_16_3 = delta_16 * delta_16_2;
+    const double delta_16_6 = delta_16_3 * delta_16_3;
+    const double delta_16_7 = delta_16 * delta_16_6;
+    const double delta_17_2 = delta_17 * delta_17;
+    const double delta_17_3 = delta_17 * delta_17_2;
+    const double delta_17_6 = delta_17_3 * delta_17_3;
+    const double delta_17_7 = delta_17 * delta_17_6;
+    const double delta_18_2 = delta_18 * delta_18;
+    const double delta_18_3 = delta_18 * delta_18_2;
+    const double delta_18_6 = delta_18_3 * delta_18_3;
+    const double delta_18_7 = delta_18 * delta_18_6;
+    const double delta_19_2 = delta_19 * delta_19;
+    const double delta_19_3 = delta_19 * delta_19_2;
+    const double delta_19_6 = delta_19_3 * delta_19_3;
+    const double delta_19_7 = delta_19 * delta_19_6;
+    const double delta_2_2 = delta_2 * delta_2;
+    const double delta_2_3 = delta_2 * delta_2_2;
+    const double delta_2_6 = delta_2_3 * delta_2_3;
+    const double delta_2_7 = delta_2 * delta_2_6;
+    const double delta_20_2 = delta_20 * delta_20;
+    const double delta_20_3 = delta_20 * delta_20_2;
+    const double delta_20_6 = delta_20_3 * delta_20_3;
+    const double delta_20_7 = delta_20 * delta_20_6;
+    const double delta_3_2 = delta_3 * delta_3;
+    const double delta_3_3 = delta_3 * delta_3_2;
+    const double delta_3_6 = delta_3_3 * delta_3_3;
+    const double delta_3_7 = delta_3 * delta_3_6;
+    const double delta_4_2 = delta_4 * delta_4;
+    const double delta_4_3 = delta_4 * delta_4_2;
+    const double delta_4_6 = delta_4_3 * delta_4_3;
+    const double delta_4_7 = delta_4 * delta_4_6;
+    const double delta_5_2 = delta_5 * delta_5;
+    const double delta_5_3 = delta_5 * delta_5_2;
+    const double delta_5_6 = delta_5_3 * delta_5_3;
+    const double delta_5_7 = delta_5 * delta_5_6;
+    const double delta_6_2 = delta_6 * delta_6;
+    const double delta_6_3 = delta_6 * delta_6_2;
+    const double delta_6_6 = delta_6_3 * delta_6_3;
+    const double delta_6_7 = delta_6 * delta_6_6;
+    const double delta_7_2 = delta_7 * delta_7;
+    const double delta_7_3 = delta_7 * delta_7_2;
+    const double delta_7_6 = delta_7_3 * delta_7_3;
+    const double delta_7_7 = delta_7 * delta_7_6;
+    const double delta_8_2 = delta_8 * delta_8;
+    const double delta_8_3 = delta_8 * delta_8_2;
+    const double delta_8_6 = delta_8_3 * delta_8_3;
+    const double delta_8_7 = delta_8 * delta_8_6;
+    const double delta_9_2 = delta_9 * delta_9;
+    const double delta_9_3 = delta_9 * delta_9_2;
+    const double delta_9_6 = delta_9_3 * delta_9_3;
+    const double delta_9_7 = delta_9 * delta_9_6;
+    const double moment_3_0 = (1.078857608738002 * A2 + 0.70370561853545532) / delta_9_7 + (1.2238761547735966 * A2
+        + 0.99128730617304139) / delta_8_7 + (1.2638822667231533 * A2 + 1.3234329504908273) / delta_7_7 +
+        (1.1798575525493606 * A2 + 1.6828569159709947) / delta_6_7 + (0.98033782288107651 * A2 + 2.0458310352680531)
+        / delta_5_7 + (0.70277065253081572 * A2 + 2.3845393470019518) / delta_4_7 + (0.40653349460986854 * A2 +
+        2.6703297287956573) / delta_3_7 + (0.15900416907605983 * A2 + 2.8773744296901924) / delta_2_7 +
+        (4.387335843990627e-08 * A2 + 1.0985271573031875e-08) / delta_20_7 + (0.01841060387494697 * A2 +
+        2.9861493721842582) / delta_1_7 + (3.1202977825571887e-05 * A2 + 7.9100217213007941e-06) / delta_19_7 +
+        (0.00063641950022080916 * A2 + 0.00016540003920881557) / delta_18_7 + (0.0044462074693628712 * A2 +
+        0.0011999652050383473) / delta_17_7 + (0.018159425144091645 * A2 + 0.0051577379022065628) / delta_16_7 +
+        (0.053291393036153767 * A2 + 0.016154310858745517) / delta_15_7 + (0.12432034288634558 * A2 +
+        0.040827737302182587) / delta_14_7 + (0.24395393111631411 * A2 + 0.088217564992092656) / delta_13_7 +
+        (0.41668754959843518 * A2 + 0.1689120417526308) / delta_12_7 + (0.63300740697659963 * A2 +
+        0.29347770790944422) / delta_11_7 + (0.86693575166441239 * A2 + 0.47037290892102585) / delta_10_7;
+    const double delta_5_4 = delta_5_2 * delta_5_2;
+    const double delta_5_8 = delta_5_4 * delta_5_4;
+    const double delta_5_9 = delta_5 * delta_5_8;
+    const double delta_16_4 = delta_16_2 * delta_16_2;
+    const double delta_16_8 = delta_16_4 * delta_16_4;
+    const double delta_16_9 = delta_16 * delta_16_8;
+    const double delta_20_4 = delta_20_2 * delta_20_2;
+    const double delta_20_8 = delta_20_4 * delta_20_4;
+    const double delta_20_9 = delta_20 * delta_20_8;
+    const double delta_12_4 = delta_12_2 * delta_12_2;
+    const double delta_12_8 = delta_12_4 * delta_12_4;
+    const double delta_12_9 = delta_12 * delta_12_8;
+    const double delta_19_4 = delta_19_2 * delta_19_2;
+    const double delta_19_8 = delta_19_4 * delta_19_4;
+    const double delta_19_9 = delta_19 * delta_19_8;
+    const double delta_14_4 = delta_14_2 * delta_14_2;
+    const double delta_14_8 = delta_14_4 * delta_14_4;
+    const double delta_14_9 = delta_14 * delta_14_8;
+    const double delta_4_4 = delta_4_2 * delta_4_2;
+    const double delta_4_8 = delta_4_4 * delta_4_4;
+    const double delta_4_9 = delta_4 * delta_4_8;
+    const double delta_17_4 = delta_17_2 * delta_17_2;
+    const double delta_17_8 = delta_17_4 * delta_17_4;
+    const double delta_17_9 = delta_17 * delta_17_8;
+    const double delta_7_4 = delta_7_2 * delta_7_2;
+    const double delta_7_8 = delta_7_4 * delta_7_4;
+    const double delta_7_9 = delta_7 * delta_7_8;
+    const double delta_15_4 = delta_15_2 * delta_15_2;
+    const double delta_15_8 = delta_15_4 * delta_15_4;
+    const double delta_15_9 = delta_15 * delta_15_8;
+    const double delta_10_4 = delta_10_2 * delta_10_2;
+    const double delta_10_8 = delta_10_4 * delta_10_4;
+    const double delta_10_9 = delta_10 * delta_10_8;
+    const double delta_18_4 = delta_18_2 * delta_18_2;
+    const double delta_18_8 = delta_18_4 * delta_18_4;
+    const double delta_18_9 = delta_18 * delta_18_8;
+    const double delta_9_4 = delta_9_2 * delta_9_2;
+    const double delta_9_8 = delta_9_4 * delta_9_4;
+    const double delta_9_9 = delta_9 * delta_9_8;
+    const double delta_1_4 = delta_1_2 * delta_1_2;
+    const double delta_1_8 = delta_1_4 * delta_1_4;
+    const double delta_1_9 = delta_1 * delta_1_8;
+    const double delta_2_4 = delta_2_2 * delta_2_2;
+    const double delta_2_8 = delta_2_4 * delta_2_4;
+    const double delta_2_9 = delta_2 * delta_2_8;
+    const double delta_8_4 = delta_8_2 * delta_8_2;
+    const double delta_8_8 = delta_8_4 * delta_8_4;
+    const double delta_8_9 = delta_8 * delta_8_8;
+    const double delta_11_4 = delta_11_2 * delta_11_2;
+    const double delta_11_8 = delta_11_4 * delta_11_4;
+    const double delta_11_9 = delta_11 * delta_11_8;
+    const double delta_13_4 = delta_13_2 * delta_13_2;
+    const double delta_13_8 = delta_13_4 * delta_13_4;
+    const double delta_13_9 = delta_13 * delta_13_8;
+    const double delta_6_4 = delta_6_2 * delta_6_2;
+    const double delta_6_8 = delta_6_4 * delta_6_4;
+    const double delta_6_9 = delta_6 * delta_6_8;
+    const double delta_3_4 = delta_3_2 * delta_3_2;
+    const double delta_3_8 = delta_3_4 * delta_3_4;
+    const double delta_3_9 = delta_3 * delta_3_8;
+    const double moment_3_1 = 0.089904800728166839 * A * (22.996639084322837 * A2 + 45.0) / delta_9_9 +
+        0.10198967956446638 * A * (18.519497029047308 * A2 + 45.0) / delta_8_9 + 0.10532352222692944 * A *
+        (14.325043058521533 * A2 + 45.0) / delta_7_9 + 0.098321462712446725 * A * (10.516558550094491 * A2 + 45.0) /
+        delta_6_9 + 0.081694818573423048 * A * (7.1878210319990723 * A2 + 45.0) / delta_5_9 + 0.058564221044234643 *
+        A * (4.4207950693772338 * A2 + 45.0) / delta_4_9 + 0.033877791217489045 * A * (2.2836140246613974 * A2 +
+        45.0) / delta_3_9 + 0.013250347423004984 * A * (0.82890238806970196 * A2 + 45.0) / delta_2_9 +
+        3.6561132033255224e-09 * A * (59.907520011993839 * A2 + 45.0) / delta_20_9 + 0.0015342169895789142 * A *
+        (0.09247998800616071 * A2 + 45.0) / delta_1_9 + 2.6002481521309901e-06 * A * (59.1710976119303 * A2 + 45.0)
+        / delta_19_9 + 5.3034958351734099e-05 * A * (57.716385975338603 * A2 + 45.0) / delta_18_9 +
+        0.0003705172891135726 * A * (55.579204930622765 * A2 + 45.0) / delta_17_9 + 0.0015132854286743038 * A *
+        (52.812178968000929 * A2 + 45.0) / delta_16_9 + 0.0044409494196794809 * A * (49.483441449905513 * A2 + 45.0)
+        / delta_15_9 + 0.010360028573862132 * A * (45.674956941478463 * A2 + 45.0) / delta_14_9 +
+        0.020329494259692844 * A * (41.480502970952692 * A2 + 45.0) / delta_13_9 + 0.034723962466536265 * A *
+        (37.003360915677163 * A2 + 45.0) / delta_12_9 + 0.052750617248049969 * A * (32.353772871835346 * A2 + 45.0)
+        / delta_11_9 + 0.072244645972034366 * A * (27.64622712816465 * A2 + 45.0) / delta_10_9;
+    const double delta_1_5 = delta_1 * delta_1_4;
+    const double delta_1_10 = delta_1_5 * delta_1_5;
+    const double delta_1_11 = delta_1 * delta_1_10;
+    const double t20 = 1.0 / delta_1_11;
+    const double t21 = A2 * (0.55487992803696429 * A2 + 540.0);
+    const double delta_10_5 = delta_10 * delta_10_4;
+    const double delta_10_10 = delta_10_5 * delta_10_5;
+    const double delta_10_11 = delta_10 * delta_10_10;
+    const double t22 = 1.0 / delta_10_11;
+    const double t23 = A2 * (165.87736276898792 * A2 + 540.0);
+    const double delta_11_5 = delta_11 * delta_11_4;
+    const double delta_11_10 = delta_11_5 * delta_11_5;
+    const double delta_11_11 = delta_11 * delta_11_10;
+    const double t24 = 1.0 / delta_11_11;
+    const double t25 = A2 * (194.12263723101208 * A2 + 540.0);
+    const double delta_12_5 = delta_12 * delta_12_4;
+    const double delta_12_10 = delta_12_5 * delta_12_5;
+    const double delta_12_11 = delta_12 * delta_12_10;
+    const double t26 = 1.0 / delta_12_11;
+    const double t27 = A2 * (222.02016549406298 * A2 + 540.0);
+    const double delta_13_5 = delta_13 * delta_13_4;
+    const double delta_13_10 = delta_13_5 * delta_13_5;
+    const double delta_13_11 = delta_13 * delta_13_10;
+    const double t28 = 1.0 / delta_13_11;
+    const double t29 = A2 * (248.88301782571617 * A2 + 540.0);
+    const double delta_14_5 = delta_14 * delta_14_4;
+    const double delta_14_10 = delta_14_5 * delta_14_5;
+    const double delta_14_11 = delta_14 * delta_14_10;
+    const double t30 = 1.0 / delta_14_11;
+    const double t31 = A2 * (274.04974164887079 * A2 + 540.0);
+    const double delta_15_5 = delta_15 * delta_15_4;
+    const double delta_15_10 = delta_15_5 * delta_15_5;
+    const double delta_15_11 = delta_15 * delta_15_10;
+    const double t32 = 1.0 / delta_15_11;
+    const double t33 = A2 * (296.90064869943308 * A2 + 540.0);
+    const double delta_16_5 = delta_16 * delta_16_4;
+    const double delta_16_10 = delta_16_5 * delta_16_5;
+    const double delta_16_11 = delta_16 * delta_16_10;
+    const double t34 = 1.0 / delta_16_11;
+    const double t35 = A2 * (316.87307380800559 * A2 + 540.0);
+    const double delta_17_5 = delta_17 * delta_17_4;
+    const double delta_17_10 = delta_17_5 * delta_17_5;
+    const double delta_17_11 = delta_17 * delta_17_10;
+    const double t36 = 1.0 / delta_17_11;
+    const double t37 = A2 * (333.47522958373662 * A2 + 540.0);
+    const double delta_18_5 = delta_18 * delta_18_4;
+    const double delta_18_10 = delta_18_5 * delta_18_5;
+    const double delta_18_11 = delta_18 * delta_18_10;
+    const double t38 = 1.0 / delta_18_11;
+    const double t39 = A2 * (346.29831585203164 * A2 + 540.0);
+    const double delta_19_5 = delta_19 * delta_19_4;
+    const double delta_19_10 = delta_19_5 * delta_19_5;
+    const double delta_19_11 = delta_19 * delta_19_10;
+    const double t40 = 1.0 / delta_19_11;
+    const double t41 = A2 * (355.02658567158181 * A2 + 540.0);
+    const double delta_2_5 = delta_2 * delta_2_4;
+    const double delta_2_10 = delta_2_5 * delta_2_5;
+    const double delta_2_11 = delta_2 * delta_2_10;
+    const double t42 = 1.0 / delta_2_11;
+    const double t43 = A2 * (4.9734143284182117 * A2 + 540.0);
+    const double delta_20_5 = delta_20 * delta_20_4;
+    const double delta_20_10 = delta_20_5 * delta_20_5;
+    const double delta_20_11 = delta_20 * delta_20_10;
+    const double t44 = 1.0 / delta_20_11;
+    const double t45 = A2 * (359.44512007196306 * A2 + 540.0);
+    const double delta_3_5 = delta_3 * delta_3_4;
+    const double delta_3_10 = delta_3_5 * delta_3_5;
+    const double delta_3_11 = delta_3 * delta_3_10;
+    const double t46 = 1.0 / delta_3_11;
+    const double t47 = A2 * (13.701684147968384 * A2 + 540.0);
+    const double delta_4_5 = delta_4 * delta_4_4;
+    const double delta_4_10 = delta_4_5 * delta_4_5;
+    const double delta_4_11 = delta_4 * delta_4_10;
+    const double t48 = 1.0 / delta_4_11;
+    const double t49 = A2 * (26.524770416263401 * A2 + 540.0);
+    const double delta_5_5 = delta_5 * delta_5_4;
+    const double delta_5_10 = delta_5_5 * delta_5_5;
+    const double delta_5_11 = delta_5 * delta_5_10;
+    const double t50 = 1.0 / delta_5_11;
+    const double t51 = A2 * (43.126926191994428 * A2 + 540.0);
+    const double delta_6_5 = delta_6 * delta_6_4;
+    const double delta_6_10 = delta_6_5 * delta_6_5;
+    const double delta_6_11 = delta_6 * delta_6_10;
+    const double t52 = 1.0 / delta_6_11;
+    const double t53 = A2 * (63.099351300566944 * A2 + 540.0);
+    const double delta_7_5 = delta_7 * delta_7_4;
+    const double delta_7_10 = delta_7_5 * delta_7_5;
+    const double delta_7_11 = delta_7 * delta_7_10;
+    const double t54 = 1.0 / delta_7_11;
+    const double t55 = A2 * (85.950258351129207 * A2 + 540.0);
+    const double delta_8_5 = delta_8 * delta_8_4;
+    const double delta_8_10 = delta_8_5 * delta_8_5;
+    const double delta_8_11 = delta_8 * delta_8_10;
+    const double t56 = 1.0 / delta_8_11;
+    const double t57 = A2 * (111.11698217428385 * A2 + 540.0);
+    const double delta_9_5 = delta_9 * delta_9_4;
+    const double delta_9_10 = delta_9_5 * delta_9_5;
+    const double delta_9_11 = delta_9 * delta_9_10;
+    const double t58 = 1.0 / delta_9_11;
+    const double t59 = A2 * (137.97983450593702 * A2 + 540.0);
+    const double moment_3_2 = t20 * (2.3647394799184329e-06 * t21 + 0.069039764531051137) + t22 *
+        (0.033288198188945128 * t23 + 3.2510090687415465) + t24 * (0.028444691488208815 * t25 + 2.3737777761622487)
+        + t26 * (0.021415055259527815 * t27 + 1.562578310994132) + t28 * (0.014054627450619245 * t29 +
+        0.91482724168617802) + t30 * (0.0078865643170606577 * t31 + 0.46620128582379594) + t32 *
+        (0.0036625576765116907 * t33 + 0.19984272388557664) + t34 * (0.0013319983481469224 * t35 +
+        0.06809784429034367) + t36 * (0.00034321760569970094 * t37 + 0.01667327801011077) + t38 *
+        (5.1016435440244884e-05 * t39 + 0.0023865731258280345) + t40 * (2.5643256204164034e-06 * t41 +
+        0.00011701116684589456) + t42 * (0.00018305407702803422 * t43 + 0.59626563403522437) + t44 *
+        (3.6504779149056442e-09 * t45 + 1.6452509414964851e-07) + t46 * (0.0012893966524801449 * t47 +
+        1.5245006047870071) + t48 * (0.0043150069939045157 * t49 + 2.6353899469905588) + t50 *
+        (0.0097867955857899765 * t51 + 3.6762668358040367) + t52 * (0.017233390322439635 * t53 + 4.4244658220601023)
+        + t54 * (0.025146066516265234 * t55 + 4.7395585002118246) + t56 * (0.031479959461460365 * t57 +
+        4.5895355804009865) + t58 * (0.03445847090489363 * t59 + 4.0457160327675075);
+    const double t60 = 0.001541333133436012 * A2;
+    const double delta_1_12 = delta_1_6 * delta_1_6;
+    const double delta_1_13 = delta_1 * delta_1_12;
+    const double t61 = A * (t60 * (3.88415949625875 * A2 + 6300.0) + 1575.0) / delta_1_13;
+    const double t62 = 0.46077045213607754 * A2;
+    const double delta_10_12 = delta_10_6 * delta_10_6;
+    const double delta_10_13 = delta_10 * delta_10_12;
+    const double t63 = A * (t62 * (1161.1415393829154 * A2 + 6300.0) + 1575.0) / delta_10_13;
+    const double t64 = 0.53922954786392252 * A2;
+    const double delta_11_12 = delta_11_6 * delta_11_6;
+    const double delta_11_13 = delta_11 * delta_11_12;
+    const double t65 = A * (t64 * (1358.8584606170846 * A2 + 6300.0) + 1575.0) / delta_11_13;
+    const double t66 = 0.61672268192795265 * A2;
+    const double delta_12_12 = delta_12_6 * delta_12_6;
+    const double delta_12_13 = delta_12 * delta_12_12;
+    const double t67 = A * (t66 * (1554.1411584584407 * A2 + 6300.0) + 1575.0) / delta_12_13;
+    const double t68 = 0.69134171618254492 * A2;
+    const double delta_13_12 = delta_13_6 * delta_13_6;
+    const double delta_13_13 = delta_13 * delta_13_12;
+    const double t69 = A * (t68 * (1742.1811247800131 * A2 + 6300.0) + 1575.0) / delta_13_13;
+    const double t70 = 0.7612492823579744 * A2;
+    const double delta_14_12 = delta_14_6 * delta_14_6;
+    const double delta_14_13 = delta_14 * delta_14_12;
+    const double t71 = A * (t70 * (1918.3481915420955 * A2 + 6300.0) + 1575.0) / delta_14_13;
+    const double t72 = 0.82472402416509183 * A2;
+    const double delta_15_12 = delta_15_6 * delta_15_6;
+    const double delta_15_13 = delta_15 * delta_15_12;
+    const double t73 = A * (t72 * (2078.3045408960315 * A2 + 6300.0) + 1575.0) / delta_15_13;
+    const double t74 = 0.88020298280001552 * A2;
+    const double delta_16_12 = delta_16_6 * delta_16_6;
+    const double delta_16_13 = delta_16 * delta_16_12;
+    const double t75 = A * (t74 * (2218.1115166560389 * A2 + 6300.0) + 1575.0) / delta_16_13;
+    const double t76 = 0.92632008217704609 * A2;
+    const double delta_17_12 = delta_17_6 * delta_17_6;
+    const double delta_17_13 = delta_17 * delta_17_12;
+    const double t77 = A * (t76 * (2334.3266070861564 * A2 + 6300.0) + 1575.0) / delta_17_13;
+    const double t78 = 0.96193976625564337 * A2;
+    const double delta_18_12 = delta_18_6 * delta_18_6;
+    const double delta_18_13 = delta_18 * delta_18_12;
+    const double t79 = A * (t78 * (2424.0882109642212 * A2 + 6300.0) + 1575.0) / delta_18_13;
+    const double t80 = 0.98618496019883828 * A2;
+    const double delta_19_12 = delta_19_6 * delta_19_6;
+    const double delta_19_13 = delta_19 * delta_19_12;
+    const double t81 = A * (t80 * (2485.1860997010726 * A2 + 6300.0) + 1575.0) / delta_19_13;
+    const double t82 = 0.013815039801161699 * A2;
+    const double delta_2_12 = delta_2_6 * delta_2_6;
+    const double delta_2_13 = delta_2 * delta_2_12;
+    const double t83 = A * (t82 * (34.813900298927479 * A2 + 6300.0) + 1575.0) / delta_2_13;
+    const double t84 = 0.99845866686656404 * A2;
+    const double delta_20_12 = delta_20_6 * delta_20_6;
+    const double delta_20_13 = delta_20 * delta_20_12;
+    const double t85 = A * (t84 * (2516.1158405037413 * A2 + 6300.0) + 1575.0) / delta_20_13;
+    const double t86 = 0.038060233744356624 * A2;
+    const double delta_3_12 = delta_3_6 * delta_3_6;
+    const double delta_3_13 = delta_3 * delta_3_12;
+    const double t87 = A * (t86 * (95.911789035778682 * A2 + 6300.0) + 1575.0) / delta_3_13;
+    const double t88 = 0.073679917822953883 * A2;
+    const double delta_4_12 = delta_4_6 * delta_4_6;
+    const double delta_4_13 = delta_4 * delta_4_12;
+    const double t89 = A * (t88 * (185.6733929138438 * A2 + 6300.0) + 1575.0) / delta_4_13;
+    const double t90 = 0.11979701719998453 * A2;
+    const double delta_5_12 = delta_5_6 * delta_5_6;
+    const double delta_5_13 = delta_5 * delta_5_12;
+    const double t91 = A * (t90 * (301.88848334396101 * A2 + 6300.0) + 1575.0) / delta_5_13;
+    const double t92 = 0.17527597583490817 * A2;
+    const double delta_6_12 = delta_6_6 * delta_6_6;
+    const double delta_6_13 = delta_6 * delta_6_12;
+    const double t93 = A * (t92 * (441.69545910396857 * A2 + 6300.0) + 1575.0) / delta_6_13;
+    const double t94 = 0.23875071764202557 * A2;
+    const double delta_7_12 = delta_7_6 * delta_7_6;
+    const double delta_7_13 = delta_7 * delta_7_12;
+    const double t95 = A * (t94 * (601.65180845790439 * A2 + 6300.0) + 1575.0) / delta_7_13;
+    const double t96 = 0.30865828381745514 * A2;
+    const double delta_8_12 = delta_8_6 * delta_8_6;
+    const double delta_8_13 = delta_8 * delta_8_12;
+    const double t97 = A * (t96 * (777.81887521998692 * A2 + 6300.0) + 1575.0) / delta_8_13;
+    const double t98 = 0.38327731807204729 * A2;
+    const double delta_9_12 = delta_9_6 * delta_9_6;
+    const double delta_9_13 = delta_9 * delta_9_12;
+    const double t99 = A * (t98 * (965.85884154155917 * A2 + 6300.0) + 1575.0) / delta_9_13;
+    const double moment_3_3 = 2.3647394799184329e-06 * t61 + 0.033288198188945128 * t63 + 0.028444691488208815 * t65
+        + 0.021415055259527815 * t67 + 0.014054627450619245 * t69 + 0.0078865643170606577 * t71 +
+        0.0036625576765116907 * t73 + 0.0013319983481469224 * t75 + 0.00034321760569970094 * t77 +
+        5.1016435440244884e-05 * t79 + 2.5643256204164034e-06 * t81 + 0.00018305407702803422 * t83 +
+        3.6504779149056442e-09 * t85 + 0.0012893966524801449 * t87 + 0.0043150069939045157 * t89 +
+        0.0097867955857899765 * t91 + 0.017233390322439635 * t93 + 0.025146066516265234 * t95 + 0.031479959461460365
+        * t97 + 0.03445847090489363 * t99;
+    const double moment_5_0 = t20 * (0.0015294911554703896 * t21 + 44.654267466978368) + t22 * (0.021006467724459715
+        * t23 + 2.0515444148348254) + t24 * (0.011199452401947942 * t25 + 0.93462118328656263) + t26 *
+        (0.0051010022607719408 * t27 + 0.37220149097994981) + t28 * (0.0019367896204717677 * t29 +
+        0.12606722678689999) + t30 * (0.00059054136637325149 * t31 + 0.034908882152876478) + t32 *
+        (0.00013643337236556963 * t33 + 0.0074443105530555501) + t34 * (2.1717651504073708e-05 * t35 +
+        0.0011103056190226075) + t36 * (2.0114384305267226e-06 * t37 + 9.7714311840216132e-05) + t38 *
+        (7.682545382961892e-08 * t39 + 3.5939312871842399e-06) + t40 * (4.9627120539550997e-10 * t41 +
+        2.2645046460955198e-08) + t42 * (0.012886768168308823 * t43 + 41.976322610748703) + t44 *
+        (8.6858567580270053e-15 * t45 + 3.9146693506888154e-13) + t46 * (0.031348072650511344 * t47 +
+        37.063967571722451) + t48 * (0.05025213641714197 * t49 + 30.691485625773861) + t50 * (0.063293656320966701 *
+        t51 + 23.775337658773271) + t52 * (0.066875281373276918 * t53 + 17.169424659954501) + t54 *
+        (0.061035030621031404 * t55 + 11.503950250170696) + t56 * (0.048746310903563059 * t57 + 7.1068366075593632)
+        + t58 * (0.034195009231670875 * t59 + 4.0147834032170282);
+    const double moment_5_1 = 0.0015294911554703896 * t61 + 0.021006467724459715 * t63 + 0.011199452401947942 * t65
+        + 0.0051010022607719408 * t67 + 0.0019367896204717677 * t69 + 0.00059054136637325149 * t71 +
+        0.00013643337236556963 * t73 + 2.1717651504073708e-05 * t75 + 2.0114384305267226e-06 * t77 +
+        7.682545382961892e-08 * t79 + 4.9627120539550997e-10 * t81 + 0.012886768168308823 * t83 +
+        8.6858567580270053e-15 * t85 + 0.031348072650511344 * t87 + 0.05025213641714197 * t89 + 0.063293656320966701
+        * t91 + 0.066875281373276918 * t93 + 0.061035030621031404 * t95 + 0.048746310903563059 * t97 +
+        0.034195009231670875 * t99;
+    const double delta_1_14 = delta_1_7 * delta_1_7;
+    const double delta_1_15 = delta_1 * delta_1_14;
+    const double delta_10_14 = delta_10_7 * delta_10_7;
+    const double delta_10_15 = delta_10 * delta_10_14;
+    const double delta_11_14 = delta_11_7 * delta_11_7;
+    const double delta_11_15 = delta_11 * delta_11_14;
+    const double delta_12_14 = delta_12_7 * delta_12_7;
+    const double delta_12_15 = delta_12 * delta_12_14;
+    const double delta_13_14 = delta_13_7 * delta_13_7;
+    const double delta_13_15 = delta_13 * delta_13_14;
+    const double delta_14_14 = delta_14_7 * delta_14_7;
+    const double delta_14_15 = delta_14 * delta_14_14;
+    const double delta_15_14 = delta_15_7 * delta_15_7;
+    const double delta_15_15 = delta_15 * delta_15_14;
+    const double delta_16_14 = delta_16_7 * delta_16_7;
+    const double delta_16_15 = delta_16 * delta_16_14;
+    const double delta_17_14 = delta_17_7 * delta_17_7;
+    const double delta_17_15 = delta_17 * delta_17_14;
+    const double delta_18_14 = delta_18_7 * delta_18_7;
+    const double delta_18_15 = delta_18 * delta_18_14;
+    const double delta_19_14 = delta_19_7 * delta_19_7;
+    const double delta_19_15 = delta_19 * delta_19_14;
+    const double delta_2_14 = delta_2_7 * delta_2_7;
+    const double delta_2_15 = delta_2 * delta_2_14;
+    const double delta_20_14 = delta_20_7 * delta_20_7;
+    const double delta_20_15 = delta_20 * delta_20_14;
+    const double delta_3_14 = delta_3_7 * delta_3_7;
+    const double delta_3_15 = delta_3 * delta_3_14;
+    const double delta_4_14 = delta_4_7 * delta_4_7;
+    const double delta_4_15 = delta_4 * delta_4_14;
+    const double delta_5_14 = delta_5_7 * delta_5_7;
+    const double delta_5_15 = delta_5 * delta_5_14;
+    const double delta_6_14 = delta_6_7 * delta_6_7;
+    const double delta_6_15 = delta_6 * delta_6_14;
+    const double delta_7_14 = delta_7_7 * delta_7_7;
+    const double delta_7_15 = delta_7 * delta_7_14;
+    const double delta_8_14 = delta_8_7 * delta_8_7;
+    const double delta_8_15 = delta_8 * delta_8_14;
+    const double delta_9_14 = delta_9_7 * delta_9_7;
+    const double delta_9_15 = delta_9 * delta_9_14;
+    const double moment_5_2 = (0.013106171429763712 * A2 * (t98 * (7726.8707323324734 * A2 + 75600.0) + 37800.0) +
+        53.857139539881636) / delta_9_15 + (0.015045952665925875 * A2 * (t96 * (6222.5510017598954 * A2 + 75600.0) +
+        37800.0) + 76.775439673111819) / delta_8_15 + (0.014572157362074253 * A2 * (t94 * (4813.2144676632352 * A2 +
+        75600.0) + 37800.0) + 96.130173228124463) / delta_7_15 + (0.01172163020193517 * A2 * (t92 *
+        (3533.5636728317486 * A2 + 75600.0) + 37800.0) + 105.32856816291115) / delta_6_15 + (0.0075823912349327581 *
+        A2 * (t90 * (2415.1078667516881 * A2 + 75600.0) + 37800.0) + 99.687508705522561) / delta_5_15 +
+        (0.0037025732816428889 * A2 * (t88 * (1485.3871433107504 * A2 + 75600.0) + 37800.0) + 79.147114856998598) /
+        delta_4_15 + (0.0011931149725135347 * A2 * (t86 * (767.29431228622946 * A2 + 75600.0) + 37800.0) +
+        49.373214424555364) / delta_3_15 + (0.00017803121515353005 * A2 * (t82 * (278.51120239141983 * A2 + 75600.0)
+        + 37800.0) + 20.296659865086397) / delta_2_15 + (8.6724689592135779e-15 * A2 * (t84 * (20128.92672402993 *
+        A2 + 75600.0) + 37800.0) + 1.3680224393892533e-11) / delta_20_15 + (2.3574553952238424e-06 * A2 * (t60 *
+        (31.07327597007 * A2 + 75600.0) + 37800.0) + 2.4089485698658639) / delta_1_15 + (4.8941519894080047e-10 * A2
+        * (t80 * (19881.488797608581 * A2 + 75600.0) + 37800.0) + 7.8162714849792818e-07) / delta_19_15 +
+        (7.3901459099347348e-08 * A2 * (t78 * (19392.705687713769 * A2 + 75600.0) + 37800.0) +
+        0.00012100008978164979) / delta_18_15 + (1.8632358122595822e-06 * A2 * (t76 * (18674.612856689251 * A2 +
+        75600.0) + 37800.0) + 0.003168015528079588) / delta_17_15 + (1.9115941633296919e-05 * A2 * (t74 *
+        (17744.892133248311 * A2 + 75600.0) + 37800.0) + 0.034205301118916086) / delta_16_15 +
+        (0.00011251987988774702 * A2 * (t72 * (16626.436327168252 * A2 + 75600.0) + 37800.0) + 0.21488256147577217)
+        / delta_15_15 + (0.00044954919135433536 * A2 * (t70 * (15346.785532336764 * A2 + 75600.0) + 37800.0) +
+        0.93010265203787112) / delta_14_15 + (0.0013389834601014916 * A2 * (t68 * (13937.448998240105 * A2 +
+        75600.0) + 37800.0) + 3.0504436522430338) / delta_13_15 + (0.0031459037947838215 * A2 * (t66 *
+        (12433.129267667526 * A2 + 75600.0) + 37800.0) + 8.0340785607158072) / delta_12_15 + (0.006039075655025909 *
+        A2 * (t64 * (10870.867684936677 * A2 + 75600.0) + 37800.0) + 17.639137533068009) / delta_11_15 +
+        (0.0096791596311812233 * A2 * (t62 * (9289.1323150633234 * A2 + 75600.0) + 37800.0) + 33.08518666602405) /
+        delta_10_15;
+    const double delta_5_16 = delta_5_8 * delta_5_8;
+    const double delta_5_17 = delta_5 * delta_5_16;
+    const double delta_16_16 = delta_16_8 * delta_16_8;
+    const double delta_16_17 = delta_16 * delta_16_16;
+    const double delta_20_16 = delta_20_8 * delta_20_8;
+    const double delta_20_17 = delta_20 * delta_20_16;
+    const double delta_12_16 = delta_12_8 * delta_12_8;
+    const double delta_12_17 = delta_12 * delta_12_16;
+    const double delta_19_16 = delta_19_8 * delta_19_8;
+    const double delta_19_17 = delta_19 * delta_19_16;
+    const double delta_14_16 = delta_14_8 * delta_14_8;
+    const double delta_14_17 = delta_14 * delta_14_16;
+    const double delta_4_16 = delta_4_8 * delta_4_8;
+    const double delta_4_17 = delta_4 * delta_4_16;
+    const double delta_17_16 = delta_17_8 * delta_17_8;
+    const double delta_17_17 = delta_17 * delta_17_16;
+    const double delta_7_16 = delta_7_8 * delta_7_8;
+    const double delta_7_17 = delta_7 * delta_7_16;
+    const double delta_15_16 = delta_15_8 * delta_15_8;
+    const double delta_15_17 = delta_15 * delta_15_16;
+    const double delta_10_16 = delta_10_8 * delta_10_8;
+    const double delta_10_17 = delta_10 * delta_10_16;
+    const double delta_9_16 = delta_9_8 * delta_9_8;
+    const double delta_9_17 = delta_9 * delta_9_16;
+    const double delta_18_16 = delta_18_8 * delta_18_8;
+    const double delta_18_17 = delta_18 * delta_18_16;
+    const double delta_1_16 = delta_1_8 * delta_1_8;
+    const double delta_1_17 = delta_1 * delta_1_16;
+    const double delta_2_16 = delta_2_8 * delta_2_8;
+    const double delta_2_17 = delta_2 * delta_2_16;
+    const double delta_11_16 = delta_11_8 * delta_11_8;
+    const double delta_11_17 = delta_11 * delta_11_16;
+    const double delta_8_16 = delta_8_8 * delta_8_8;
+    const double delta_8_17 = delta_8 * delta_8_16;
+    const double delta_6_16 = delta_6_8 * delta_6_8;
+    const double delta_6_17 = delta_6 * delta_6_16;
+    const double delta_13_16 = delta_13_8 * delta_13_8;
+    const double delta_13_17 = delta_13 * delta_13_16;
+    const double delta_3_16 = delta_3_8 * delta_3_8;
+    const double delta_3_17 = delta_3 * delta_3_16;
+    const double moment_5_3 = 0.013106171429763712 * A * (t98 * (t98 * (69541.836590992258 * A2 + 952560.0) +
+        793800.0) + 99225.0) / delta_9_17 + 0.015045952665925875 * A * (t96 * (t96 * (56002.959015839057 * A2 +
+        952560.0) + 793800.0) + 99225.0) / delta_8_17 + 0.014572157362074253 * A * (t94 * (t94 * (43318.930208969119
+        * A2 + 952560.0) + 793800.0) + 99225.0) / delta_7_17 + 0.01172163020193517 * A * (t92 * (t92 *
+        (31802.07305548574 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_6_17 + 0.0075823912349327581 * A * (t90 *
+        (t90 * (21735.970800765193 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_5_17 + 0.0037025732816428889 * A
+        * (t88 * (t88 * (13368.484289796754 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_4_17 +
+        0.0011931149725135347 * A * (t86 * (t86 * (6905.6488105760654 * A2 + 952560.0) + 793800.0) + 99225.0) /
+        delta_3_17 + 0.00017803121515353005 * A * (t82 * (t82 * (2506.6008215227785 * A2 + 952560.0) + 793800.0) +
+        99225.0) / delta_2_17 + 8.6724689592135779e-15 * A * (t84 * (t84 * (181160.34051626938 * A2 + 952560.0) +
+        793800.0) + 99225.0) / delta_20_17 + 2.3574553952238424e-06 * A * (t60 * (t60 * (279.65948373062997 * A2 +
+        952560.0) + 793800.0) + 99225.0) / delta_1_17 + 4.8941519894080047e-10 * A * (t80 * (t80 *
+        (178933.39917847721 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_19_17 + 7.3901459099347348e-08 * A *
+        (t78 * (t78 * (174534.35118942393 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_18_17 +
+        1.8632358122595822e-06 * A * (t76 * (t76 * (168071.51571020324 * A2 + 952560.0) + 793800.0) + 99225.0) /
+        delta_17_17 + 1.9115941633296919e-05 * A * (t74 * (t74 * (159704.02919923482 * A2 + 952560.0) + 793800.0) +
+        99225.0) / delta_16_17 + 0.00011251987988774702 * A * (t72 * (t72 * (149637.92694451427 * A2 + 952560.0) +
+        793800.0) + 99225.0) / delta_15_17 + 0.00044954919135433536 * A * (t70 * (t70 * (138121.0697910309 * A2 +
+        952560.0) + 793800.0) + 99225.0) / delta_14_17 + 0.0013389834601014916 * A * (t68 * (t68 *
+        (125437.04098416095 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_13_17 + 0.0031459037947838215 * A * (t66
+        * (t66 * (111898.16340900774 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_12_17 + 0.006039075655025909 *
+        A * (t64 * (t64 * (97837.809164430088 * A2 + 952560.0) + 793800.0) + 99225.0) / delta_11_17 +
+        0.0096791596311812233 * A * (t62 * (t62 * (83602.190835569912 * A2 + 952560.0) + 793800.0) + 99225.0) /
+        delta_10_17;
+    const double A3 = A * A2;
+    const double t100 = 0.013333333333333334 * beta;
+    const double t101 = 6.0 * moment_3_0;
+    const double A4 = A2 * A2;
+    const double A5 = A * A4;
+    const double t102 = 0.00021164021164021165 * beta;
+    out[0] = -A3 * moment_3_0 * t100;
+    out[1] = -t100 * (3.0 * A2 * moment_3_0 + A3 * moment_3_1);
+    out[2] = -t100 * (A * t101 + 6.0 * A2 * moment_3_1 + A3 * moment_3_2);
+    out[3] = -t100 * (18.0 * A * moment_3_1 + 9.0 * A2 * moment_3_2 + A3 * moment_3_3 + t101);
+    out[4] = -A5 * moment_5_0 * t102;
+    out[5] = -t102 * (5.0 * A4 * moment_5_0 + A5 * moment_5_1);
+    out[6] = -t102 * (20.0 * A3 * moment_5_0 + 10.0 * A4 * moment_5_1 + A5 * moment_5_2);
+    out[7] = -t102 * (60.0 * A2 * moment_5_0 + 60.0 * A3 * moment_5_1 + 15.0 * A4 * moment_5_2 + A5 * moment_5_3);
+}
+
+static inline void rod_spring_exact_harmonics_passed_1(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double u_cr = p[2];
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double T = u_cr / (A + root);
+    const double T2 = T * T;
+    const double g_1 = 1.0 / (0.99680179919950185 * T2 + 1.0);
+    const double s_1 = 1.9967992379801249 * T * g_1;
+    const double g_2 = 1.0 / (0.9832255187534148 * T2 + 1.0);
+    const double s_2 = 1.9831545766817218 * T * g_2;
+    const double g_3 = 1.0 / (0.95911174810059274 * T2 + 1.0);
+    const double s_3 = 1.9586850161274965 * T * g_3;
+    const double g_4 = 1.0 / (0.92498107681574593 * T2 + 1.0);
+    const double s_4 = 1.923518730676409 * T * g_4;
+    const double g_5 = 1.0 / (0.88157744655614578 * T2 + 1.0);
+    const double s_5 = 1.8778471147099765 * T * g_5;
+    const double g_6 = 1.0 / (0.82984762039740356 * T2 + 1.0);
+    const double s_6 = 1.8219194498082549 * T * g_6;
+    const double g_7 = 1.0 / (0.77092012101329255 * T2 + 1.0);
+    const double s_7 = 1.7560411396243454 * T * g_7;
+    const double g_8 = 1.0 / (0.70608053366627843 * T2 + 1.0);
+    const double s_8 = 1.6805719665236338 * T * g_8;
+    const double g_9 = 1.0 / (0.63674343843571335 * T2 + 1.0);
+    const double s_9 = 1.5959241065109748 * T * g_9;
+    const double g_10 = 1.0 / (0.56442154176958992 * T2 + 1.0);
+    const double s_10 = 1.502559871378961 * T * g_10;
+    const double g_11 = 1.0 / (0.49069267139845796 * T2 + 1.0);
+    const double s_11 = 1.4009891811123425 * T * g_11;
+    const double g_12 = 1.0 / (0.41716535201722399 * T2 + 1.0);
+    const double s_12 = 1.2917667777384956 * T * g_12;
+    const double g_13 = 1.0 / (0.34544371187293316 * T2 + 1.0);
+    const double s_13 = 1.1754891949702186 * T * g_13;
+    const double g_14 = 1.0 / (0.27709248554562232 * T2 + 1.0);
+    const double s_14 = 1.0527914998623846 * T * g_14;
+    const double g_15 = 1.0 / (0.21360287630682981 * T2 + 1.0);
+    const double s_15 = 0.92434382414084382 * T * g_15;
+    const double g_16 = 1.0 / (0.15636002276450464 * T2 + 1.0);
+    const double s_16 = 0.79084770408595007 * T * g_16;
+    const double g_17 = 1.0 / (0.1066127795359121 * T2 + 1.0);
+    const double s_17 = 0.65303224893082301 * T * g_17;
+    const double g_18 = 1.0 / (0.065446471220790378 * T2 + 1.0);
+    const double s_18 = 0.51165015868575814 * T * g_18;
+    const double g_19 = 1.0 / (0.033759214086650779 * T2 + 1.0);
+    const double s_19 = 0.36747361312970911 * T * g_19;
+    const double g_20 = 1.0 / (0.012242322045974101 * T2 + 1.0);
+    const double s_20 = 0.22129005441703975 * T * g_20;
+    const double g_21 = 1.0 / (0.0013652244010363957 * T2 + 1.0);
+    const double s_21 = 0.073897886330703558 * T * g_21;
+    const double v_1 = A * s_1;
+    const double square_1 = (1.0 - v_1) * (v_1 + 1.0);
+    const double delta_1 = sqrt(square_1);
+    const double v_2 = A * s_2;
+    const double square_2 = (1.0 - v_2) * (v_2 + 1.0);
+    const double delta_2 = sqrt(square_2);
+    const double v_3 = A * s_3;
+    const double square_3 = (1.0 - v_3) * (v_3 + 1.0);
+    const double delta_3 = sqrt(square_3);
+    const double v_4 = A * s_4;
+    const double square_4 = (1.0 - v_4) * (v_4 + 1.0);
+    const double delta_4 = sqrt(square_4);
+    const double v_5 = A * s_5;
+    const double square_5 = (1.0 - v_5) * (v_5 + 1.0);
+    const double delta_5 = sqrt(square_5);
+    const double v_6 = A * s_6;
+    const double square_6 = (1.0 - v_6) * (v_6 + 1.0);
+    const double delta_6 = sqrt(square_6);
+    const double v_7 = A * s_7;
+    const double square_7 = (1.0 - v_7) * (v_7 + 1.0);
+    const double delta_7 = sqrt(square_7);
+    const double v_8 = A * s_8;
+    const double square_8 = (1.0 - v_8) * (v_8 + 1.0);
+    const double delta_8 = sqrt(square_8);
+    const double v_9 = A * s_9;
+    const double square_9 = (1.0 - v_9) * (v_9 + 1.0);
+    const double delta_9 = sqrt(square_9);
+    const double v_10 = A * s_10;
+    const double square_10 = (1.0 - v_10) * (v_10 + 1.0);
+    const double delta_10 = sqrt(square_10);
+    const double v_11 = A * s_11;
+    const double square_11 = (1.0 - v_11) * (v_11 + 1.0);
+    const double delta_11 = sqrt(square_11);
+    const double v_12 = A * s_12;
+    const double square_12 = (1.0 - v_12) * (v_12 + 1.0);
+    const double delta_12 = sqrt(square_12);
+    const double v_13 = A * s_13;
+    const double square_13 = (1.0 - v_13) * (v_13 + 1.0);
+    const double delta_13 = sqrt(square_13);
+    const double v_14 = A * s_14;
+    const double square_14 = (1.0 - v_14) * (v_14 + 1.0);
+    const double delta_14 = sqrt(square_14);
+    const double v_15 = A * s_15;
+    const double square_15 = (1.0 - v_15) * (v_15 + 1.0);
+    const double delta_15 = sqrt(square_15);
+    const double v_16 = A * s_16;
+    const double square_16 = (1.0 - v_16) * (v_16 + 1.0);
+    const double delta_16 = sqrt(square_16);
+    const double v_17 = A * s_17;
+    const double square_17 = (1.0 - v_17) * (v_17 + 1.0);
+    const double delta_17 = sqrt(square_17);
+    const double v_18 = A * s_18;
+    const double square_18 = (1.0 - v_18) * (v_18 + 1.0);
+    const double delta_18 = sqrt(square_18);
+    const double v_19 = A * s_19;
+    const double square_19 = (1.0 - v_19) * (v_19 + 1.0);
+    const double delta_19 = sqrt(square_19);
+    const double v_20 = A * s_20;
+    const double square_20 = (1.0 - v_20) * (v_20 + 1.0);
+    const double delta_20 = sqrt(square_20);
+    const double v_21 = A * s_21;
+    const double square_21 = (1.0 - v_21) * (v_21 + 1.0);
+    const double delta_21 = sqrt(square_21);
+    const double u_cr2 = u_cr * u_cr;
+    const double g_20_2 = g_20 * g_20;
+    const double s_20_2 = s_20 * s_20;
+    const double g_17_2 = g_17 * g_17;
+    const double s_17_2 = s_17 * s_17;
+    const double g_16_2 = g_16 * g_16;
+    const double s_16_2 = s_16 * s_16;
+    const double g_13_2 = g_13 * g_13;
+    const double s_13_2 = s_13 * s_13;
+    const double g_12_2 = g_12 * g_12;
+    const double s_12_2 = s_12 * s_12;
+    const double g_10_2 = g_10 * g_10;
+    const double s_10_2 = s_10 * s_10;
+    const double g_8_2 = g_8 * g_8;
+    const double s_8_2 = s_8 * s_8;
+    const double g_18_2 = g_18 * g_18;
+    const double s_18_2 = s_18 * s_18;
+    const double g_7_2 = g_7 * g_7;
+    const double s_7_2 = s_7 * s_7;
+    const double g_15_2 = g_15 * g_15;
+    const double s_15_2 = s_15 * s_15;
+    const double g_5_2 = g_5 * g_5;
+    const double s_5_2 = s_5 * s_5;
+    const double g_9_2 = g_9 * g_9;
+    const double s_9_2 = s_9 * s_9;
+    const double g_4_2 = g_4 * g_4;
+    const double s_4_2 = s_4 * s_4;
+    const double g_6_2 = g_6 * g_6;
+    const double s_6_2 = s_6 * s_6;
+    const double g_3_2 = g_3 * g_3;
+    const double s_3_2 = s_3 * s_3;
+    const double g_21_2 = g_21 * g_21;
+    const double s_21_2 = s_21 * s_21;
+    const double g_11_2 = g_11 * g_11;
+    const double s_11_2 = s_11 * s_11;
+    const double g_2_2 = g_2 * g_2;
+    const double s_2_2 = s_2 * s_2;
+    const double g_14_2 = g_14 * g_14;
+    const double s_14_2 = s_14 * s_14;
+    const double g_19_2 = g_19 * g_19;
+    const double s_19_2 = s_19 * s_19;
+    const double g_1_2 = g_1 * g_1;
+    const double s_1_2 = s_1 * s_1;
+    const double sum_3_0 = -0.089087155543931762 * T * g_9_2 * s_9 * u_cr2 * v_9 * (0.20203794674451259 -
+        0.16121861481977409 * T2) * (4.0 * s_9_2 - 3.0) * (g_9 * (0.79796205325548741 * T2 + 0.79796205325548741) +
+        1.0) / (c * delta_9 * (c + delta_9)) - 0.08013147036138453 * T * g_8_2 * s_8 * u_cr2 * v_8 *
+        (0.15971401673818311 - 0.13420544959553846 * T2) * (4.0 * s_8_2 - 3.0) * (g_8 * (0.84028598326181692 * T2 +
+        0.84028598326181692) + 1.0) / (c * delta_8 * (c + delta_8)) - 0.07073814219518422 * T * g_7_2 * s_7 * u_cr2
+        * v_7 * (0.12197943018782725 - 0.10710044879888024 * T2) * (4.0 * s_7_2 - 3.0) * (g_7 * (0.87802056981217269
+        * T2 + 0.87802056981217269) + 1.0) / (c * delta_7 * (c + delta_7)) - 0.060958481399206933 * T * g_6_2 * s_6
+        * u_cr2 * v_6 * (0.089040275095872548 - 0.081112104506723889 * T2) * (4.0 * s_6_2 - 3.0) * (g_6 *
+        (0.91095972490412747 * T2 + 0.91095972490412747) + 1.0) / (c * delta_6 * (c + delta_6)) -
+        0.050845919052226095 * T * g_5_2 * s_5 * u_cr2 * v_5 * (0.061076442645011823 - 0.057346110798842401 * T2) *
+        (4.0 * s_5_2 - 3.0) * (g_5 * (0.93892355735498823 * T2 + 0.93892355735498823) + 1.0) / (c * delta_5 * (c +
+        delta_5)) - 0.040455739138105289 * T * g_4_2 * s_4 * u_cr2 * v_4 * (0.03824063466179551 -
+        0.036778288522458596 * T2) * (4.0 * s_4_2 - 3.0) * (g_4 * (0.9617593653382045 * T2 + 0.9617593653382045) +
+        1.0) / (c * delta_4 * (c + delta_4)) - 0.029844887394714987 * T * g_3_2 * s_3 * u_cr2 * v_3 *
+        (0.020657491936251805 - 0.020230759963155497 * T2) * (4.0 * s_3_2 - 3.0) * (g_3 * (0.97934250806374823 * T2
+        + 0.97934250806374823) + 1.0) / (c * delta_3 * (c + delta_3)) - 0.14772846846434576 * T * g_21_2 * s_21 *
+        u_cr2 * v_21 * (0.9630510568346482 - 0.035583718764315382 * T2) * (4.0 * s_21_2 - 3.0) * (g_21 *
+        (0.036948943165351779 * T2 + 0.036948943165351779) + 1.0) / (c * delta_21 * (c + delta_21)) -
+        0.14692162690693505 * T * g_20_2 * s_20 * u_cr2 * v_20 * (0.88935497279148013 - 0.098402705162545762 * T2) *
+        (4.0 * s_20_2 - 3.0) * (g_20 * (0.11064502720851987 * T2 + 0.11064502720851987) + 1.0) / (c * delta_20 * (c
+        + delta_20)) - 0.019072440603497005 * T * g_2_2 * s_2 * u_cr2 * v_2 * (0.0084227116591390795 -
+        0.0083517695874460833 * T2) * (4.0 * s_2_2 - 3.0) * (g_2 * (0.9915772883408609 * T2 + 0.9915772883408609) +
+        1.0) / (c * delta_2 * (c + delta_2)) - 0.14531235048760821 * T * g_19_2 * s_19 * u_cr2 * v_19 *
+        (0.81626319343514542 - 0.14997759247820378 * T2) * (4.0 * s_19_2 - 3.0) * (g_19 * (0.18373680656485455 * T2
+        + 0.18373680656485455) + 1.0) / (c * delta_19 * (c + delta_19)) - 0.14290942853034197 * T * g_18_2 * s_18 *
+        u_cr2 * v_18 * (0.74417492065712088 - 0.1903786081220887 * T2) * (4.0 * s_18_2 - 3.0) * (g_18 *
+        (0.25582507934287907 * T2 + 0.25582507934287907) + 1.0) / (c * delta_18 * (c + delta_18)) -
+        0.13972598498518832 * T * g_17_2 * s_17 * u_cr2 * v_17 * (0.67348387553458844 - 0.21990334492949942 * T2) *
+        (4.0 * s_17_2 - 3.0) * (g_17 * (0.32651612446541151 * T2 + 0.32651612446541151) + 1.0) / (c * delta_17 * (c
+        + delta_17)) - 0.1357794067530439 * T * g_16_2 * s_16 * u_cr2 * v_16 * (0.60457614795702497 -
+        0.23906382927847042 * T2) * (4.0 * s_16_2 - 3.0) * (g_16 * (0.39542385204297503 * T2 + 0.39542385204297503)
+        + 1.0) / (c * delta_16 * (c + delta_16)) - 0.13109124872981795 * T * g_15_2 * s_15 * u_cr2 * v_15 *
+        (0.53782808792957804 - 0.2485690357635921 * T2) * (4.0 * s_15_2 - 3.0) * (g_15 * (0.46217191207042191 * T2 +
+        0.46217191207042191) + 1.0) / (c * delta_15 * (c + delta_15)) - 0.12568711609000516 * T * g_14_2 * s_14 *
+        u_cr2 * v_14 * (0.47360425006880769 - 0.24930326438556996 * T2) * (4.0 * s_14_2 - 3.0) * (g_14 *
+        (0.52639574993119231 * T2 + 0.52639574993119231) + 1.0) / (c * delta_14 * (c + delta_14)) -
+        0.11959652445517331 * T * g_13_2 * s_13 * u_cr2 * v_13 * (0.41225540251489068 - 0.24230088561217614 * T2) *
+        (4.0 * s_13_2 - 3.0) * (g_13 * (0.58774459748510932 * T2 + 0.58774459748510932) + 1.0) / (c * delta_13 * (c
+        + delta_13)) - 0.11285273871603677 * T * g_12_2 * s_12 * u_cr2 * v_12 * (0.35411661113075216 -
+        0.22871803685202383 * T2) * (4.0 * s_12_2 - 3.0) * (g_12 * (0.64588338886924779 * T2 + 0.64588338886924779)
+        + 1.0) / (c * delta_12 * (c + delta_12)) - 0.10549259139834814 * T * g_11_2 * s_11 * u_cr2 * v_11 *
+        (0.29950540944382881 - 0.20980191915771326 * T2) * (4.0 * s_11_2 - 3.0) * (g_11 * (0.70049459055617125 * T2
+        + 0.70049459055617125) + 1.0) / (c * delta_11 * (c + delta_11)) - 0.097556281585606489 * T * g_10_2 * s_10 *
+        u_cr2 * v_10 * (0.24872006431051952 - 0.18685839391989054 * T2) * (4.0 * s_10_2 - 3.0) * (g_10 *
+        (0.75127993568948048 * T2 + 0.75127993568948048) + 1.0) / (c * delta_10 * (c + delta_10)) -
+        0.0082119972092981695 * T * g_1_2 * s_1 * u_cr2 * v_1 * (0.0016003810099375849 - 0.0015978197905606162 * T2)
+        * (4.0 * s_1_2 - 3.0) * (g_1 * (0.99839961899006247 * T2 + 0.99839961899006247) + 1.0) / (c * delta_1 * (c +
+        delta_1));
+    const double v_1_2 = v_1 * v_1;
+    const double v_19_2 = v_19 * v_19;
+    const double v_14_2 = v_14 * v_14;
+    const double v_2_2 = v_2 * v_2;
+    const double v_11_2 = v_11 * v_11;
+    const double v_21_2 = v_21 * v_21;
+    const double v_3_2 = v_3 * v_3;
+    const double v_6_2 = v_6 * v_6;
+    const double v_4_2 = v_4 * v_4;
+    const double v_9_2 = v_9 * v_9;
+    const double v_5_2 = v_5 * v_5;
+    const double v_15_2 = v_15 * v_15;
+    const double v_7_2 = v_7 * v_7;
+    const double v_18_2 = v_18 * v_18;
+    const double v_8_2 = v_8 * v_8;
+    const double v_10_2 = v_10 * v_10;
+    const double v_12_2 = v_12 * v_12;
+    const double v_13_2 = v_13 * v_13;
+    const double v_16_2 = v_16 * v_16;
+    const double v_17_2 = v_17 * v_17;
+    const double v_20_2 = v_20 * v_20;
+    const double sum_3_1 = 0.0082119972092981695 * T * g_1 * s_1_2 * (4.0 * s_1_2 - 3.0) * (v_1_2 / (delta_1 *
+        square_1) - g_1 * u_cr2 * (0.0016003810099375849 - 0.0015978197905606162 * T2) * (g_1 * (0.99839961899006247
+        * T2 + 0.99839961899006247) + 1.0) / (c * delta_1 * (c + delta_1))) + 0.097556281585606489 * T * g_10 *
+        s_10_2 * (4.0 * s_10_2 - 3.0) * (v_10_2 / (delta_10 * square_10) - g_10 * u_cr2 * (0.24872006431051952 -
+        0.18685839391989054 * T2) * (g_10 * (0.75127993568948048 * T2 + 0.75127993568948048) + 1.0) / (c * delta_10
+        * (c + delta_10))) + 0.10549259139834814 * T * g_11 * s_11_2 * (4.0 * s_11_2 - 3.0) * (v_11_2 / (delta_11 *
+        square_11) - g_11 * u_cr2 * (0.29950540944382881 - 0.20980191915771326 * T2) * (g_11 * (0.70049459055617125
+        * T2 + 0.70049459055617125) + 1.0) / (c * delta_11 * (c + delta_11))) + 0.11285273871603677 * T * g_12 *
+        s_12_2 * (4.0 * s_12_2 - 3.0) * (v_12_2 / (delta_12 * square_12) - g_12 * u_cr2 * (0.35411661113075216 -
+        0.22871803685202383 * T2) * (g_12 * (0.64588338886924779 * T2 + 0.64588338886924779) + 1.0) / (c * delta_12
+        * (c + delta_12))) + 0.11959652445517331 * T * g_13 * s_13_2 * (4.0 * s_13_2 - 3.0) * (v_13_2 / (delta_13 *
+        square_13) - g_13 * u_cr2 * (0.41225540251489068 - 0.24230088561217614 * T2) * (g_13 * (0.58774459748510932
+        * T2 + 0.58774459748510932) + 1.0) / (c * delta_13 * (c + delta_13))) + 0.12568711609000516 * T * g_14 *
+        s_14_2 * (4.0 * s_14_2 - 3.0) * (v_14_2 / (delta_14 * square_14) - g_14 * u_cr2 * (0.47360425006880769 -
+        0.24930326438556996 * T2) * (g_14 * (0.52639574993119231 * T2 + 0.52639574993119231) + 1.0) / (c * delta_14
+        * (c + delta_14))) + 0.13109124872981795 * T * g_15 * s_15_2 * (4.0 * s_15_2 - 3.0) * (v_15_2 / (delta_15 *
+        square_15) - g_15 * u_cr2 * (0.53782808792957804 - 0.2485690357635921 * T2) * (g_15 * (0.46217191207042191 *
+        T2 + 0.46217191207042191) + 1.0) / (c * delta_15 * (c + delta_15))) + 0.1357794067530439 * T * g_16 * s_16_2
+        * (4.0 * s_16_2 - 3.0) * (v_16_2 / (delta_16 * square_16) - g_16 * u_cr2 * (0.60457614795702497 -
+        0.23906382927847042 * T2) * (g_16 * (0.39542385204297503 * T2 + 0.39542385204297503) + 1.0) / (c * delta_16
+        * (c + delta_16))) + 0.13972598498518832 * T * g_17 * s_17_2 * (4.0 * s_17_2 - 3.0) * (v_17_2 / (delta_17 *
+        square_17) - g_17 * u_cr2 * (0.67348387553458844 - 0.21990334492949942 * T2) * (g_17 * (0.32651612446541151
+        * T2 + 0.32651612446541151) + 1.0) / (c * delta_17 * (c + delta_17))) + 0.14290942853034197 * T * g_18 *
+        s_18_2 * (4.0 * s_18_2 - 3.0) * (v_18_2 / (delta_18 * square_18) - g_18 * u_cr2 * (0.74417492065712088 -
+        0.1903786081220887 * T2) * (g_18 * (0.25582507934287907 * T2 + 0.25582507934287907) + 1.0) / (c * delta_18 *
+        (c + delta_18))) + 0.14531235048760821 * T * g_19 * s_19_2 * (4.0 * s_19_2 - 3.0) * (v_19_2 / (delta_19 *
+        square_19) - g_19 * u_cr2 * (0.81626319343514542 - 0.14997759247820378 * T2) * (g_19 * (0.18373680656485455
+        * T2 + 0.18373680656485455) + 1.0) / (c * delta_19 * (c + delta_19))) + 0.019072440603497005 * T * g_2 *
+        s_2_2 * (4.0 * s_2_2 - 3.0) * (v_2_2 / (delta_2 * square_2) - g_2 * u_cr2 * (0.0084227116591390795 -
+        0.0083517695874460833 * T2) * (g_2 * (0.9915772883408609 * T2 + 0.9915772883408609) + 1.0) / (c * delta_2 *
+        (c + delta_2))) + 0.14692162690693505 * T * g_20 * s_20_2 * (4.0 * s_20_2 - 3.0) * (v_20_2 / (delta_20 *
+        square_20) - g_20 * u_cr2 * (0.88935497279148013 - 0.098402705162545762 * T2) * (g_20 * (0.11064502720851987
+        * T2 + 0.11064502720851987) + 1.0) / (c * delta_20 * (c + delta_20))) + 0.14772846846434576 * T * g_21 *
+        s_21_2 * (4.0 * s_21_2 - 3.0) * (v_21_2 / (delta_21 * square_21) - g_21 * u_cr2 * (0.9630510568346482 -
+        0.035583718764315382 * T2) * (g_21 * (0.036948943165351779 * T2 + 0.036948943165351779) + 1.0) / (c *
+        delta_21 * (c + delta_21))) + 0.029844887394714987 * T * g_3 * s_3_2 * (4.0 * s_3_2 - 3.0) * (v_3_2 /
+        (delta_3 * square_3) - g_3 * u_cr2 * (0.020657491936251805 - 0.020230759963155497 * T2) * (g_3 *
+        (0.97934250806374823 * T2 + 0.97934250806374823) + 1.0) / (c * delta_3 * (c + delta_3))) +
+        0.040455739138105289 * T * g_4 * s_4_2 * (4.0 * s_4_2 - 3.0) * (v_4_2 / (delta_4 * square_4) - g_4 * u_cr2 *
+        (0.03824063466179551 - 0.036778288522458596 * T2) * (g_4 * (0.9617593653382045 * T2 + 0.9617593653382045) +
+        1.0) / (c * delta_4 * (c + delta_4))) + 0.050845919052226095 * T * g_5 * s_5_2 * (4.0 * s_5_2 - 3.0) *
+        (v_5_2 / (delta_5 * square_5) - g_5 * u_cr2 * (0.061076442645011823 - 0.057346110798842401 * T2) * (g_5 *
+        (0.93892355735498823 * T2 + 0.93892355735498823) + 1.0) / (c * delta_5 * (c + delta_5))) +
+        0.060958481399206933 * T * g_6 * s_6_2 * (4.0 * s_6_2 - 3.0) * (v_6_2 / (delta_6 * square_6) - g_6 * u_cr2 *
+        (0.089040275095872548 - 0.081112104506723889 * T2) * (g_6 * (0.91095972490412747 * T2 + 0.91095972490412747)
+        + 1.0) / (c * delta_6 * (c + delta_6))) + 0.07073814219518422 * T * g_7 * s_7_2 * (4.0 * s_7_2 - 3.0) *
+        (v_7_2 / (delta_7 * square_7) - g_7 * u_cr2 * (0.12197943018782725 - 0.10710044879888024 * T2) * (g_7 *
+        (0.87802056981217269 * T2 + 0.87802056981217269) + 1.0) / (c * delta_7 * (c + delta_7))) +
+        0.08013147036138453 * T * g_8 * s_8_2 * (4.0 * s_8_2 - 3.0) * (v_8_2 / (delta_8 * square_8) - g_8 * u_cr2 *
+        (0.15971401673818311 - 0.13420544959553846 * T2) * (g_8 * (0.84028598326181692 * T2 + 0.84028598326181692) +
+        1.0) / (c * delta_8 * (c + delta_8))) + 0.089087155543931762 * T * g_9 * s_9_2 * (4.0 * s_9_2 - 3.0) *
+        (v_9_2 / (delta_9 * square_9) - g_9 * u_cr2 * (0.20203794674451259 - 0.16121861481977409 * T2) * (g_9 *
+        (0.79796205325548741 * T2 + 0.79796205325548741) + 1.0) / (c * delta_9 * (c + delta_9)));
+    const double s_1_3 = s_1 * s_1_2;
+    const double square_1_2 = square_1 * square_1;
+    const double s_19_3 = s_19 * s_19_2;
+    const double square_19_2 = square_19 * square_19;
+    const double s_14_3 = s_14 * s_14_2;
+    const double square_14_2 = square_14 * square_14;
+    const double s_2_3 = s_2 * s_2_2;
+    const double square_2_2 = square_2 * square_2;
+    const double s_11_3 = s_11 * s_11_2;
+    const double square_11_2 = square_11 * square_11;
+    const double s_21_3 = s_21 * s_21_2;
+    const double square_21_2 = square_21 * square_21;
+    const double s_3_3 = s_3 * s_3_2;
+    const double square_3_2 = square_3 * square_3;
+    const double s_6_3 = s_6 * s_6_2;
+    const double square_6_2 = square_6 * square_6;
+    const double s_4_3 = s_4 * s_4_2;
+    const double square_4_2 = square_4 * square_4;
+    const double s_9_3 = s_9 * s_9_2;
+    const double square_9_2 = square_9 * square_9;
+    const double s_5_3 = s_5 * s_5_2;
+    const double square_5_2 = square_5 * square_5;
+    const double s_15_3 = s_15 * s_15_2;
+    const double square_15_2 = square_15 * square_15;
+    const double s_7_3 = s_7 * s_7_2;
+    const double square_7_2 = square_7 * square_7;
+    const double s_18_3 = s_18 * s_18_2;
+    const double square_18_2 = square_18 * square_18;
+    const double s_8_3 = s_8 * s_8_2;
+    const double square_8_2 = square_8 * square_8;
+    const double s_10_3 = s_10 * s_10_2;
+    const double square_10_2 = square_10 * square_10;
+    const double s_12_3 = s_12 * s_12_2;
+    const double square_12_2 = square_12 * square_12;
+    const double s_13_3 = s_13 * s_13_2;
+    const double square_13_2 = square_13 * square_13;
+    const double s_16_3 = s_16 * s_16_2;
+    const double square_16_2 = square_16 * square_16;
+    const double s_17_3 = s_17 * s_17_2;
+    const double square_17_2 = square_17 * square_17;
+    const double s_20_3 = s_20 * s_20_2;
+    const double square_20_2 = square_20 * square_20;
+    const double sum_3_2 = 0.26726146663179529 * T * g_9 * s_9_3 * v_9 * (4.0 * s_9_2 - 3.0) / (delta_9 *
+        square_9_2) + 0.24039441108415358 * T * g_8 * s_8_3 * v_8 * (4.0 * s_8_2 - 3.0) / (delta_8 * square_8_2) +
+        0.21221442658555267 * T * g_7 * s_7_3 * v_7 * (4.0 * s_7_2 - 3.0) / (delta_7 * square_7_2) +
+        0.18287544419762081 * T * g_6 * s_6_3 * v_6 * (4.0 * s_6_2 - 3.0) / (delta_6 * square_6_2) +
+        0.15253775715667828 * T * g_5 * s_5_3 * v_5 * (4.0 * s_5_2 - 3.0) / (delta_5 * square_5_2) +
+        0.12136721741431587 * T * g_4 * s_4_3 * v_4 * (4.0 * s_4_2 - 3.0) / (delta_4 * square_4_2) +
+        0.089534662184144964 * T * g_3 * s_3_3 * v_3 * (4.0 * s_3_2 - 3.0) / (delta_3 * square_3_2) +
+        0.4431854053930373 * T * g_21 * s_21_3 * v_21 * (4.0 * s_21_2 - 3.0) / (delta_21 * square_21_2) +
+        0.44076488072080516 * T * g_20 * s_20_3 * v_20 * (4.0 * s_20_2 - 3.0) / (delta_20 * square_20_2) +
+        0.057217321810491016 * T * g_2 * s_2_3 * v_2 * (4.0 * s_2_2 - 3.0) / (delta_2 * square_2_2) +
+        0.43593705146282463 * T * g_19 * s_19_3 * v_19 * (4.0 * s_19_2 - 3.0) / (delta_19 * square_19_2) +
+        0.42872828559102588 * T * g_18 * s_18_3 * v_18 * (4.0 * s_18_2 - 3.0) / (delta_18 * square_18_2) +
+        0.41917795495556498 * T * g_17 * s_17_3 * v_17 * (4.0 * s_17_2 - 3.0) / (delta_17 * square_17_2) +
+        0.40733822025913169 * T * g_16 * s_16_3 * v_16 * (4.0 * s_16_2 - 3.0) / (delta_16 * square_16_2) +
+        0.39327374618945388 * T * g_15 * s_15_3 * v_15 * (4.0 * s_15_2 - 3.0) / (delta_15 * square_15_2) +
+        0.37706134827001547 * T * g_14 * s_14_3 * v_14 * (4.0 * s_14_2 - 3.0) / (delta_14 * square_14_2) +
+        0.35878957336551992 * T * g_13 * s_13_3 * v_13 * (4.0 * s_13_2 - 3.0) / (delta_13 * square_13_2) +
+        0.33855821614811027 * T * g_12 * s_12_3 * v_12 * (4.0 * s_12_2 - 3.0) / (delta_12 * square_12_2) +
+        0.31647777419504441 * T * g_11 * s_11_3 * v_11 * (4.0 * s_11_2 - 3.0) / (delta_11 * square_11_2) +
+        0.29266884475681948 * T * g_10 * s_10_3 * v_10 * (4.0 * s_10_2 - 3.0) / (delta_10 * square_10_2) +
+        0.024635991627894507 * T * g_1 * s_1_3 * v_1 * (4.0 * s_1_2 - 3.0) / (delta_1 * square_1_2);
+    const double s_1_4 = s_1_2 * s_1_2;
+    const double square_1_3 = square_1 * square_1_2;
+    const double s_19_4 = s_19_2 * s_19_2;
+    const double square_19_3 = square_19 * square_19_2;
+    const double s_14_4 = s_14_2 * s_14_2;
+    const double square_14_3 = square_14 * square_14_2;
+    const double s_2_4 = s_2_2 * s_2_2;
+    const double square_2_3 = square_2 * square_2_2;
+    const double s_11_4 = s_11_2 * s_11_2;
+    const double square_11_3 = square_11 * square_11_2;
+    const double s_21_4 = s_21_2 * s_21_2;
+    const double square_21_3 = square_21 * square_21_2;
+    const double s_3_4 = s_3_2 * s_3_2;
+    const double square_3_3 = square_3 * square_3_2;
+    const double s_6_4 = s_6_2 * s_6_2;
+    const double square_6_3 = square_6 * square_6_2;
+    const double s_4_4 = s_4_2 * s_4_2;
+    const double square_4_3 = square_4 * square_4_2;
+    const double s_9_4 = s_9_2 * s_9_2;
+    const double square_9_3 = square_9 * square_9_2;
+    const double s_5_4 = s_5_2 * s_5_2;
+    const double square_5_3 = square_5 * square_5_2;
+    const double s_15_4 = s_15_2 * s_15_2;
+    const double square_15_3 = square_15 * square_15_2;
+    const double s_7_4 = s_7_2 * s_7_2;
+    const double square_7_3 = square_7 * square_7_2;
+    const double s_18_4 = s_18_2 * s_18_2;
+    const double square_18_3 = square_18 * square_18_2;
+    const double s_8_4 = s_8_2 * s_8_2;
+    const double square_8_3 = square_8 * square_8_2;
+    const double s_10_4 = s_10_2 * s_10_2;
+    const double square_10_3 = square_10 * square_10_2;
+    const double s_12_4 = s_12_2 * s_12_2;
+    const double square_12_3 = square_12 * square_12_2;
+    const double s_13_4 = s_13_2 * s_13_2;
+    const double square_13_3 = square_13 * square_13_2;
+    const double s_16_4 = s_16_2 * s_16_2;
+    const double square_16_3 = square_16 * square_16_2;
+    const double s_17_4 = s_17_2 * s_17_2;
+    const double square_17_3 = square_17 * square_17_2;
+    const double s_20_4 = s_20_2 * s_20_2;
+    const double square_20_3 = square_20 * square_20_2;
+    const double sum_3_3 = 0.089087155543931762 * T * g_9 * s_9_4 * (4.0 * s_9_2 - 3.0) * (12.0 * v_9_2 + 3.0) /
+        (delta_9 * square_9_3) + 0.08013147036138453 * T * g_8 * s_8_4 * (4.0 * s_8_2 - 3.0) * (12.0 * v_8_2 + 3.0)
+        / (delta_8 * square_8_3) + 0.07073814219518422 * T * g_7 * s_7_4 * (4.0 * s_7_2 - 3.0) * (12.0 * v_7_2 +
+        3.0) / (delta_7 * square_7_3) + 0.060958481399206933 * T * g_6 * s_6_4 * (4.0 * s_6_2 - 3.0) * (12.0 * v_6_2
+        + 3.0) / (delta_6 * square_6_3) + 0.050845919052226095 * T * g_5 * s_5_4 * (4.0 * s_5_2 - 3.0) * (12.0 *
+        v_5_2 + 3.0) / (delta_5 * square_5_3) + 0.040455739138105289 * T * g_4 * s_4_4 * (4.0 * s_4_2 - 3.0) * (12.0
+        * v_4_2 + 3.0) / (delta_4 * square_4_3) + 0.029844887394714987 * T * g_3 * s_3_4 * (4.0 * s_3_2 - 3.0) *
+        (12.0 * v_3_2 + 3.0) / (delta_3 * square_3_3) + 0.14772846846434576 * T * g_21 * s_21_4 * (4.0 * s_21_2 -
+        3.0) * (12.0 * v_21_2 + 3.0) / (delta_21 * square_21_3) + 0.14692162690693505 * T * g_20 * s_20_4 * (4.0 *
+        s_20_2 - 3.0) * (12.0 * v_20_2 + 3.0) / (delta_20 * square_20_3) + 0.019072440603497005 * T * g_2 * s_2_4 *
+        (4.0 * s_2_2 - 3.0) * (12.0 * v_2_2 + 3.0) / (delta_2 * square_2_3) + 0.14531235048760821 * T * g_19 *
+        s_19_4 * (4.0 * s_19_2 - 3.0) * (12.0 * v_19_2 + 3.0) / (delta_19 * square_19_3) + 0.14290942853034197 * T *
+        g_18 * s_18_4 * (4.0 * s_18_2 - 3.0) * (12.0 * v_18_2 + 3.0) / (delta_18 * square_18_3) +
+        0.13972598498518832 * T * g_17 * s_17_4 * (4.0 * s_17_2 - 3.0) * (12.0 * v_17_2 + 3.0) / (delta_17 *
+        square_17_3) + 0.1357794067530439 * T * g_16 * s_16_4 * (4.0 * s_16_2 - 3.0) * (12.0 * v_16_2 + 3.0) /
+        (delta_16 * square_16_3) + 0.13109124872981795 * T * g_15 * s_15_4 * (4.0 * s_15_2 - 3.0) * (12.0 * v_15_2 +
+        3.0) / (delta_15 * square_15_3) + 0.12568711609000516 * T * g_14 * s_14_4 * (4.0 * s_14_2 - 3.0) * (12.0 *
+        v_14_2 + 3.0) / (delta_14 * square_14_3) + 0.11959652445517331 * T * g_13 * s_13_4 * (4.0 * s_13_2 - 3.0) *
+        (12.0 * v_13_2 + 3.0) / (delta_13 * square_13_3) + 0.11285273871603677 * T * g_12 * s_12_4 * (4.0 * s_12_2 -
+        3.0) * (12.0 * v_12_2 + 3.0) / (delta_12 * square_12_3) + 0.10549259139834814 * T * g_11 * s_11_4 * (4.0 *
+        s_11_2 - 3.0) * (12.0 * v_11_2 + 3.0) / (delta_11 * square_11_3) + 0.097556281585606489 * T * g_10 * s_10_4
+        * (4.0 * s_10_2 - 3.0) * (12.0 * v_10_2 + 3.0) / (delta_10 * square_10_3) + 0.0082119972092981695 * T * g_1
+        * s_1_4 * (4.0 * s_1_2 - 3.0) * (12.0 * v_1_2 + 3.0) / (delta_1 * square_1_3);
+    const double sum_5_0 = -0.089087155543931762 * T * g_9_2 * s_9 * u_cr2 * v_9 * (0.20203794674451259 -
+        0.16121861481977409 * T2) * (g_9 * (0.79796205325548741 * T2 + 0.79796205325548741) + 1.0) * (s_9_2 * (16.0
+        * s_9_2 - 20.0) + 5.0) / (c * delta_9 * (c + delta_9)) - 0.08013147036138453 * T * g_8_2 * s_8 * u_cr2 * v_8
+        * (0.15971401673818311 - 0.13420544959553846 * T2) * (g_8 * (0.84028598326181692 * T2 + 0.84028598326181692)
+        + 1.0) * (s_8_2 * (16.0 * s_8_2 - 20.0) + 5.0) / (c * delta_8 * (c + delta_8)) - 0.07073814219518422 * T *
+        g_7_2 * s_7 * u_cr2 * v_7 * (0.12197943018782725 - 0.10710044879888024 * T2) * (g_7 * (0.87802056981217269 *
+        T2 + 0.87802056981217269) + 1.0) * (s_7_2 * (16.0 * s_7_2 - 20.0) + 5.0) / (c * delta_7 * (c + delta_7)) -
+        0.060958481399206933 * T * g_6_2 * s_6 * u_cr2 * v_6 * (0.089040275095872548 - 0.081112104506723889 * T2) *
+        (g_6 * (0.91095972490412747 * T2 + 0.91095972490412747) + 1.0) * (s_6_2 * (16.0 * s_6_2 - 20.0) + 5.0) / (c
+        * delta_6 * (c + delta_6)) - 0.050845919052226095 * T * g_5_2 * s_5 * u_cr2 * v_5 * (0.061076442645011823 -
+        0.057346110798842401 * T2) * (g_5 * (0.93892355735498823 * T2 + 0.93892355735498823) + 1.0) * (s_5_2 * (16.0
+        * s_5_2 - 20.0) + 5.0) / (c * delta_5 * (c + delta_5)) - 0.040455739138105289 * T * g_4_2 * s_4 * u_cr2 *
+        v_4 * (0.03824063466179551 - 0.036778288522458596 * T2) * (g_4 * (0.9617593653382045 * T2 +
+        0.9617593653382045) + 1.0) * (s_4_2 * (16.0 * s_4_2 - 20.0) + 5.0) / (c * delta_4 * (c + delta_4)) -
+        0.029844887394714987 * T * g_3_2 * s_3 * u_cr2 * v_3 * (0.020657491936251805 - 0.020230759963155497 * T2) *
+        (g_3 * (0.97934250806374823 * T2 + 0.97934250806374823) + 1.0) * (s_3_2 * (16.0 * s_3_2 - 20.0) + 5.0) / (c
+        * delta_3 * (c + delta_3)) - 0.14772846846434576 * T * g_21_2 * s_21 * u_cr2 * v_21 * (0.9630510568346482 -
+        0.035583718764315382 * T2) * (g_21 * (0.036948943165351779 * T2 + 0.036948943165351779) + 1.0) * (s_21_2 *
+        (16.0 * s_21_2 - 20.0) + 5.0) / (c * delta_21 * (c + delta_21)) - 0.14692162690693505 * T * g_20_2 * s_20 *
+        u_cr2 * v_20 * (0.88935497279148013 - 0.098402705162545762 * T2) * (g_20 * (0.11064502720851987 * T2 +
+        0.11064502720851987) + 1.0) * (s_20_2 * (16.0 * s_20_2 - 20.0) + 5.0) / (c * delta_20 * (c + delta_20)) -
+        0.019072440603497005 * T * g_2_2 * s_2 * u_cr2 * v_2 * (0.0084227116591390795 - 0.0083517695874460833 * T2)
+        * (g_2 * (0.9915772883408609 * T2 + 0.9915772883408609) + 1.0) * (s_2_2 * (16.0 * s_2_2 - 20.0) + 5.0) / (c
+        * delta_2 * (c + delta_2)) - 0.14531235048760821 * T * g_19_2 * s_19 * u_cr2 * v_19 * (0.81626319343514542 -
+        0.14997759247820378 * T2) * (g_19 * (0.18373680656485455 * T2 + 0.18373680656485455) + 1.0) * (s_19_2 *
+        (16.0 * s_19_2 - 20.0) + 5.0) / (c * delta_19 * (c + delta_19)) - 0.14290942853034197 * T * g_18_2 * s_18 *
+        u_cr2 * v_18 * (0.74417492065712088 - 0.1903786081220887 * T2) * (g_18 * (0.25582507934287907 * T2 +
+        0.25582507934287907) + 1.0) * (s_18_2 * (16.0 * s_18_2 - 20.0) + 5.0) / (c * delta_18 * (c + delta_18)) -
+        0.13972598498518832 * T * g_17_2 * s_17 * u_cr2 * v_17 * (0.67348387553458844 - 0.21990334492949942 * T2) *
+        (g_17 * (0.32651612446541151 * T2 + 0.32651612446541151) + 1.0) * (s_17_2 * (16.0 * s_17_2 - 20.0) + 5.0) /
+        (c * delta_17 * (c + delta_17)) - 0.1357794067530439 * T * g_16_2 * s_16 * u_cr2 * v_16 *
+        (0.60457614795702497 - 0.23906382927847042 * T2) * (g_16 * (0.39542385204297503 * T2 + 0.39542385204297503)
+        + 1.0) * (s_16_2 * (16.0 * s_16_2 - 20.0) + 5.0) / (c * delta_16 * (c + delta_16)) - 0.13109124872981795 * T
+        * g_15_2 * s_15 * u_cr2 * v_15 * (0.53782808792957804 - 0.2485690357635921 * T2) * (g_15 *
+        (0.46217191207042191 * T2 + 0.46217191207042191) + 1.0) * (s_15_2 * (16.0 * s_15_2 - 20.0) + 5.0) / (c *
+        delta_15 * (c + delta_15)) - 0.12568711609000516 * T * g_14_2 * s_14 * u_cr2 * v_14 * (0.47360425006880769 -
+        0.24930326438556996 * T2) * (g_14 * (0.52639574993119231 * T2 + 0.52639574993119231) + 1.0) * (s_14_2 *
+        (16.0 * s_14_2 - 20.0) + 5.0) / (c * delta_14 * (c + delta_14)) - 0.11959652445517331 * T * g_13_2 * s_13 *
+        u_cr2 * v_13 * (0.41225540251489068 - 0.24230088561217614 * T2) * (g_13 * (0.58774459748510932 * T2 +
+        0.58774459748510932) + 1.0) * (s_13_2 * (16.0 * s_13_2 - 20.0) + 5.0) / (c * delta_13 * (c + delta_13)) -
+        0.11285273871603677 * T * g_12_2 * s_12 * u_cr2 * v_12 * (0.35411661113075216 - 0.22871803685202383 * T2) *
+        (g_12 * (0.64588338886924779 * T2 + 0.64588338886924779) + 1.0) * (s_12_2 * (16.0 * s_12_2 - 20.0) + 5.0) /
+        (c * delta_12 * (c + delta_12)) - 0.10549259139834814 * T * g_11_2 * s_11 * u_cr2 * v_11 *
+        (0.29950540944382881 - 0.20980191915771326 * T2) * (g_11 * (0.70049459055617125 * T2 + 0.70049459055617125)
+        + 1.0) * (s_11_2 * (16.0 * s_11_2 - 20.0) + 5.0) / (c * delta_11 * (c + delta_11)) - 0.097556281585606489 *
+        T * g_10_2 * s_10 * u_cr2 * v_10 * (0.24872006431051952 - 0.18685839391989054 * T2) * (g_10 *
+        (0.75127993568948048 * T2 + 0.75127993568948048) + 1.0) * (s_10_2 * (16.0 * s_10_2 - 20.0) + 5.0) / (c *
+        delta_10 * (c + delta_10)) - 0.0082119972092981695 * T * g_1_2 * s_1 * u_cr2 * v_1 * (0.0016003810099375849
+        - 0.0015978197905606162 * T2) * (g_1 * (0.99839961899006247 * T2 + 0.99839961899006247) + 1.0) * (s_1_2 *
+        (16.0 * s_1_2 - 20.0) + 5.0) / (c * delta_1 * (c + delta_1));
+    const double sum_5_1 = 0.0082119972092981695 * T * g_1 * s_1_2 * (s_1_2 * (16.0 * s_1_2 - 20.0) + 5.0) * (v_1_2
+        / (delta_1 * square_1) - g_1 * u_cr2 * (0.0016003810099375849 - 0.0015978197905606162 * T2) * (g_1 *
+        (0.99839961899006247 * T2 + 0.99839961899006247) + 1.0) / (c * delta_1 * (c + delta_1))) +
+        0.097556281585606489 * T * g_10 * s_10_2 * (s_10_2 * (16.0 * s_10_2 - 20.0) + 5.0) * (v_10_2 / (delta_10 *
+        square_10) - g_10 * u_cr2 * (0.24872006431051952 - 0.18685839391989054 * T2) * (g_10 * (0.75127993568948048
+        * T2 + 0.75127993568948048) + 1.0) / (c * delta_10 * (c + delta_10))) + 0.10549259139834814 * T * g_11 *
+        s_11_2 * (s_11_2 * (16.0 * s_11_2 - 20.0) + 5.0) * (v_11_2 / (delta_11 * square_11) - g_11 * u_cr2 *
+        (0.29950540944382881 - 0.20980191915771326 * T2) * (g_11 * (0.70049459055617125 * T2 + 0.70049459055617125)
+        + 1.0) / (c * delta_11 * (c + delta_11))) + 0.11285273871603677 * T * g_12 * s_12_2 * (s_12_2 * (16.0 *
+        s_12_2 - 20.0) + 5.0) * (v_12_2 / (delta_12 * square_12) - g_12 * u_cr2 * (0.35411661113075216 -
+        0.22871803685202383 * T2) * (g_12 * (0.64588338886924779 * T2 + 0.64588338886924779) + 1.0) / (c * delta_12
+        * (c + delta_12))) + 0.11959652445517331 * T * g_13 * s_13_2 * (s_13_2 * (16.0 * s_13_2 - 20.0) + 5.0) *
+        (v_13_2 / (delta_13 * square_13) - g_13 * u_cr2 * (0.41225540251489068 - 0.24230088561217614 * T2) * (g_13 *
+        (0.58774459748510932 * T2 + 0.58774459748510932) + 1.0) / (c * delta_13 * (c + delta_13))) +
+        0.12568711609000516 * T * g_14 * s_14_2 * (s_14_2 * (16.0 * s_14_2 - 20.0) + 5.0) * (v_14_2 / (delta_14 *
+        square_14) - g_14 * u_cr2 * (0.47360425006880769 - 0.24930326438556996 * T2) * (g_14 * (0.52639574993119231
+        * T2 + 0.52639574993119231) + 1.0) / (c * delta_14 * (c + delta_14))) + 0.13109124872981795 * T * g_15 *
+        s_15_2 * (s_15_2 * (16.0 * s_15_2 - 20.0) + 5.0) * (v_15_2 / (delta_15 * square_15) - g_15 * u_cr2 *
+        (0.53782808792957804 - 0.2485690357635921 * T2) * (g_15 * (0.46217191207042191 * T2 + 0.46217191207042191) +
+        1.0) / (c * delta_15 * (c + delta_15))) + 0.1357794067530439 * T * g_16 * s_16_2 * (s_16_2 * (16.0 * s_16_2
+        - 20.0) + 5.0) * (v_16_2 / (delta_16 * square_16) - g_16 * u_cr2 * (0.60457614795702497 -
+        0.23906382927847042 * T2) * (g_16 * (0.39542385204297503 * T2 + 0.39542385204297503) + 1.0) / (c * delta_16
+        * (c + delta_16))) + 0.13972598498518832 * T * g_17 * s_17_2 * (s_17_2 * (16.0 * s_17_2 - 20.0) + 5.0) *
+        (v_17_2 / (delta_17 * square_17) - g_17 * u_cr2 * (0.67348387553458844 - 0.21990334492949942 * T2) * (g_17 *
+        (0.32651612446541151 * T2 + 0.32651612446541151) + 1.0) / (c * delta_17 * (c + delta_17))) +
+        0.14290942853034197 * T * g_18 * s_18_2 * (s_18_2 * (16.0 * s_18_2 - 20.0) + 5.0) * (v_18_2 / (delta_18 *
+        square_18) - g_18 * u_cr2 * (0.74417492065712088 - 0.1903786081220887 * T2) * (g_18 * (0.25582507934287907 *
+        T2 + 0.25582507934287907) + 1.0) / (c * delta_18 * (c + delta_18))) + 0.14531235048760821 * T * g_19 *
+        s_19_2 * (s_19_2 * (16.0 * s_19_2 - 20.0) + 5.0) * (v_19_2 / (delta_19 * square_19) - g_19 * u_cr2 *
+        (0.81626319343514542 - 0.14997759247820378 * T2) * (g_19 * (0.18373680656485455 * T2 + 0.18373680656485455)
+        + 1.0) / (c * delta_19 * (c + delta_19))) + 0.019072440603497005 * T * g_2 * s_2_2 * (s_2_2 * (16.0 * s_2_2
+        - 20.0) + 5.0) * (v_2_2 / (delta_2 * square_2) - g_2 * u_cr2 * (0.0084227116591390795 -
+        0.0083517695874460833 * T2) * (g_2 * (0.9915772883408609 * T2 + 0.9915772883408609) + 1.0) / (c * delta_2 *
+        (c + delta_2))) + 0.14692162690693505 * T * g_20 * s_20_2 * (s_20_2 * (16.0 * s_20_2 - 20.0) + 5.0) *
+        (v_20_2 / (delta_20 * square_20) - g_20 * u_cr2 * (0.88935497279148013 - 0.098402705162545762 * T2) * (g_20
+        * (0.11064502720851987 * T2 + 0.11064502720851987) + 1.0) / (c * delta_20 * (c + delta_20))) +
+        0.14772846846434576 * T * g_21 * s_21_2 * (s_21_2 * (16.0 * s_21_2 - 20.0) + 5.0) * (v_21_2 / (delta_21 *
+        square_21) - g_21 * u_cr2 * (0.9630510568346482 - 0.035583718764315382 * T2) * (g_21 * (0.036948943165351779
+        * T2 + 0.036948943165351779) + 1.0) / (c * delta_21 * (c + delta_21))) + 0.029844887394714987 * T * g_3 *
+        s_3_2 * (s_3_2 * (16.0 * s_3_2 - 20.0) + 5.0) * (v_3_2 / (delta_3 * square_3) - g_3 * u_cr2 *
+        (0.020657491936251805 - 0.020230759963155497 * T2) * (g_3 * (0.97934250806374823 * T2 + 0.97934250806374823)
+        + 1.0) / (c * delta_3 * (c + delta_3))) + 0.040455739138105289 * T * g_4 * s_4_2 * (s_4_2 * (16.0 * s_4_2 -
+        20.0) + 5.0) * (v_4_2 / (delta_4 * square_4) - g_4 * u_cr2 * (0.03824063466179551 - 0.036778288522458596 *
+        T2) * (g_4 * (0.9617593653382045 * T2 + 0.9617593653382045) + 1.0) / (c * delta_4 * (c + delta_4))) +
+        0.050845919052226095 * T * g_5 * s_5_2 * (s_5_2 * (16.0 * s_5_2 - 20.0) + 5.0) * (v_5_2 / (delta_5 *
+        square_5) - g_5 * u_cr2 * (0.061076442645011823 - 0.057346110798842401 * T2) * (g_5 * (0.93892355735498823 *
+        T2 + 0.93892355735498823) + 1.0) / (c * delta_5 * (c + delta_5))) + 0.060958481399206933 * T * g_6 * s_6_2 *
+        (s_6_2 * (16.0 * s_6_2 - 20.0) + 5.0) * (v_6_2 / (delta_6 * square_6) - g_6 * u_cr2 * (0.089040275095872548
+        - 0.081112104506723889 * T2) * (g_6 * (0.91095972490412747 * T2 + 0.91095972490412747) + 1.0) / (c * delta_6
+        * (c + delta_6))) + 0.07073814219518422 * T * g_7 * s_7_2 * (s_7_2 * (16.0 * s_7_2 - 20.0) + 5.0) * (v_7_2 /
+        (delta_7 * square_7) - g_7 * u_cr2 * (0.12197943018782725 - 0.10710044879888024 * T2) * (g_7 *
+        (0.87802056981217269 * T2 + 0.87802056981217269) + 1.0) / (c * delta_7 * (c + delta_7))) +
+        0.08013147036138453 * T * g_8 * s_8_2 * (s_8_2 * (16.0 * s_8_2 - 20.0) + 5.0) * (v_8_2 / (delta_8 *
+        square_8) - g_8 * u_cr2 * (0.15971401673818311 - 0.13420544959553846 * T2) * (g_8 * (0.84028598326181692 *
+        T2 + 0.84028598326181692) + 1.0) / (c * delta_8 * (c + delta_8))) + 0.089087155543931762 * T * g_9 * s_9_2 *
+        (s_9_2 * (16.0 * s_9_2 - 20.0) + 5.0) * (v_9_2 / (delta_9 * square_9) - g_9 * u_cr2 * (0.20203794674451259 -
+        0.16121861481977409 * T2) * (g_9 * (0.79796205325548741 * T2 + 0.79796205325548741) + 1.0) / (c * delta_9 *
+        (c + delta_9)));
+    const double sum_5_2 = 0.26726146663179529 * T * g_9 * s_9_3 * v_9 * (s_9_2 * (16.0 * s_9_2 - 20.0) + 5.0) /
+        (delta_9 * square_9_2) + 0.24039441108415358 * T * g_8 * s_8_3 * v_8 * (s_8_2 * (16.0 * s_8_2 - 20.0) + 5.0)
+        / (delta_8 * square_8_2) + 0.21221442658555267 * T * g_7 * s_7_3 * v_7 * (s_7_2 * (16.0 * s_7_2 - 20.0) +
+        5.0) / (delta_7 * square_7_2) + 0.18287544419762081 * T * g_6 * s_6_3 * v_6 * (s_6_2 * (16.0 * s_6_2 - 20.0)
+        + 5.0) / (delta_6 * square_6_2) + 0.15253775715667828 * T * g_5 * s_5_3 * v_5 * (s_5_2 * (16.0 * s_5_2 -
+        20.0) + 5.0) / (delta_5 * square_5_2) + 0.12136721741431587 * T * g_4 * s_4_3 * v_4 * (s_4_2 * (16.0 * s_4_2
+        - 20.0) + 5.0) / (delta_4 * square_4_2) + 0.089534662184144964 * T * g_3 * s_3_3 * v_3 * (s_3_2 * (16.0 *
+        s_3_2 - 20.0) + 5.0) / (delta_3 * square_3_2) + 0.4431854053930373 * T * g_21 * s_21_3 * v_21 * (s_21_2 *
+        (16.0 * s_21_2 - 20.0) + 5.0) / (delta_21 * square_21_2) + 0.44076488072080516 * T * g_20 * s_20_3 * v_20 *
+        (s_20_2 * (16.0 * s_20_2 - 20.0) + 5.0) / (delta_20 * square_20_2) + 0.057217321810491016 * T * g_2 * s_2_3
+        * v_2 * (s_2_2 * (16.0 * s_2_2 - 20.0) + 5.0) / (delta_2 * square_2_2) + 0.43593705146282463 * T * g_19 *
+        s_19_3 * v_19 * (s_19_2 * (16.0 * s_19_2 - 20.0) + 5.0) / (delta_19 * square_19_2) + 0.42872828559102588 * T
+        * g_18 * s_18_3 * v_18 * (s_18_2 * (16.0 * s_18_2 - 20.0) + 5.0) / (delta_18 * square_18_2) +
+        0.41917795495556498 * T * g_17 * s_17_3 * v_17 * (s_17_2 * (16.0 * s_17_2 - 20.0) + 5.0) / (delta_17 *
+        square_17_2) + 0.40733822025913169 * T * g_16 * s_16_3 * v_16 * (s_16_2 * (16.0 * s_16_2 - 20.0) + 5.0) /
+        (delta_16 * square_16_2) + 0.39327374618945388 * T * g_15 * s_15_3 * v_15 * (s_15_2 * (16.0 * s_15_2 - 20.0)
+        + 5.0) / (delta_15 * square_15_2) + 0.37706134827001547 * T * g_14 * s_14_3 * v_14 * (s_14_2 * (16.0 *
+        s_14_2 - 20.0) + 5.0) / (delta_14 * square_14_2) + 0.35878957336551992 * T * g_13 * s_13_3 * v_13 * (s_13_2
+        * (16.0 * s_13_2 - 20.0) + 5.0) / (delta_13 * square_13_2) + 0.33855821614811027 * T * g_12 * s_12_3 * v_12
+        * (s_12_2 * (16.0 * s_12_2 - 20.0) + 5.0) / (delta_12 * square_12_2) + 0.31647777419504441 * T * g_11 *
+        s_11_3 * v_11 * (s_11_2 * (16.0 * s_11_2 - 20.0) + 5.0) / (delta_11 * square_11_2) + 0.29266884475681948 * T
+        * g_10 * s_10_3 * v_10 * (s_10_2 * (16.0 * s_10_2 - 20.0) + 5.0) / (delta_10 * square_10_2) +
+        0.024635991627894507 * T * g_1 * s_1_3 * v_1 * (s_1_2 * (16.0 * s_1_2 - 20.0) + 5.0) / (delta_1 *
+        square_1_2);
+    const double sum_5_3 = 0.089087155543931762 * T * g_9 * s_9_4 * (12.0 * v_9_2 + 3.0) * (s_9_2 * (16.0 * s_9_2 -
+        20.0) + 5.0) / (delta_9 * square_9_3) + 0.08013147036138453 * T * g_8 * s_8_4 * (12.0 * v_8_2 + 3.0) *
+        (s_8_2 * (16.0 * s_8_2 - 20.0) + 5.0) / (delta_8 * square_8_3) + 0.07073814219518422 * T * g_7 * s_7_4 *
+        (12.0 * v_7_2 + 3.0) * (s_7_2 * (16.0 * s_7_2 - 20.0) + 5.0) / (delta_7 * square_7_3) + 0.060958481399206933
+        * T * g_6 * s_6_4 * (12.0 * v_6_2 + 3.0) * (s_6_2 * (16.0 * s_6_2 - 20.0) + 5.0) / (delta_6 * square_6_3) +
+        0.050845919052226095 * T * g_5 * s_5_4 * (12.0 * v_5_2 + 3.0) * (s_5_2 * (16.0 * s_5_2 - 20.0) + 5.0) /
+        (delta_5 * square_5_3) + 0.040455739138105289 * T * g_4 * s_4_4 * (12.0 * v_4_2 + 3.0) * (s_4_2 * (16.0 *
+        s_4_2 - 20.0) + 5.0) / (delta_4 * square_4_3) + 0.029844887394714987 * T * g_3 * s_3_4 * (12.0 * v_3_2 +
+        3.0) * (s_3_2 * (16.0 * s_3_2 - 20.0) + 5.0) / (delta_3 * square_3_3) + 0.14772846846434576 * T * g_21 *
+        s_21_4 * (12.0 * v_21_2 + 3.0) * (s_21_2 * (16.0 * s_21_2 - 20.0) + 5.0) / (delta_21 * square_21_3) +
+        0.14692162690693505 * T * g_20 * s_20_4 * (12.0 * v_20_2 + 3.0) * (s_20_2 * (16.0 * s_20_2 - 20.0) + 5.0) /
+        (delta_20 * square_20_3) + 0.019072440603497005 * T * g_2 * s_2_4 * (12.0 * v_2_2 + 3.0) * (s_2_2 * (16.0 *
+        s_2_2 - 20.0) + 5.0) / (delta_2 * square_2_3) + 0.14531235048760821 * T * g_19 * s_19_4 * (12.0 * v_19_2 +
+        3.0) * (s_19_2 * (16.0 * s_19_2 - 20.0) + 5.0) / (delta_19 * square_19_3) + 0.14290942853034197 * T * g_18 *
+        s_18_4 * (12.0 * v_18_2 + 3.0) * (s_18_2 * (16.0 * s_18_2 - 20.0) + 5.0) / (delta_18 * square_18_3) +
+        0.13972598498518832 * T * g_17 * s_17_4 * (12.0 * v_17_2 + 3.0) * (s_17_2 * (16.0 * s_17_2 - 20.0) + 5.0) /
+        (delta_17 * square_17_3) + 0.1357794067530439 * T * g_16 * s_16_4 * (12.0 * v_16_2 + 3.0) * (s_16_2 * (16.0
+        * s_16_2 - 20.0) + 5.0) / (delta_16 * square_16_3) + 0.13109124872981795 * T * g_15 * s_15_4 * (12.0 *
+        v_15_2 + 3.0) * (s_15_2 * (16.0 * s_15_2 - 20.0) + 5.0) / (delta_15 * square_15_3) + 0.12568711609000516 * T
+        * g_14 * s_14_4 * (12.0 * v_14_2 + 3.0) * (s_14_2 * (16.0 * s_14_2 - 20.0) + 5.0) / (delta_14 * square_14_3)
+        + 0.11959652445517331 * T * g_13 * s_13_4 * (12.0 * v_13_2 + 3.0) * (s_13_2 * (16.0 * s_13_2 - 20.0) + 5.0)
+        / (delta_13 * square_13_3) + 0.11285273871603677 * T * g_12 * s_12_4 * (12.0 * v_12_2 + 3.0) * (s_12_2 *
+        (16.0 * s_12_2 - 20.0) + 5.0) / (delta_12 * square_12_3) + 0.10549259139834814 * T * g_11 * s_11_4 * (12.0 *
+        v_11_2 + 3.0) * (s_11_2 * (16.0 * s_11_2 - 20.0) + 5.0) / (delta_11 * square_11_3) + 0.097556281585606489 *
+        T * g_10 * s_10_4 * (12.0 * v_10_2 + 3.0) * (s_10_2 * (16.0 * s_10_2 - 20.0) + 5.0) / (delta_10 *
+        square_10_3) + 0.0082119972092981695 * T * g_1 * s_1_4 * (12.0 * v_1_2 + 3.0) * (s_1_2 * (16.0 * s_1_2 -
+        20.0) + 5.0) / (delta_1 * square_1_3);
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double A2 = A * A;
+    const double c2 = c * c;
+    const double c3 = c * c2;
+    const double u_cr3 = u_cr * u_cr2;
+    const double A3 = A * A2;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double A4 = A2 * A2;
+    const double c4 = c2 * c2;
+    const double c5 = c * c4;
+    const double u_cr5 = u_cr * u_cr4;
+    const double A5 = A * A4;
+    const double A6 = A3 * A3;
+    out[0] = -2.5464790894703255 * beta * sum_3_0;
+    out[1] = -2.5464790894703255 * beta * sum_3_1;
+    out[2] = 0.63661977236758138 * beta * (-4.0 * sum_3_2 + 4.0 * u_cr4 * (4.0 * u_cr3 / A3 - 3.0 * u_cr / A) /
+        (A2 * c3 * root));
+    out[3] = 0.63661977236758138 * beta * (-4.0 * sum_3_3 + 12.0 * u_cr4 * (4.0 * u_cr3 / A3 - 3.0 * u_cr / A) /
+        (A3 * c5 * root) - 8.0 * u_cr4 * (4.0 * u_cr3 / A3 - 3.0 * u_cr / A) / (A3 * c3 * root) + 4.0 * u_cr4 *
+        (-12.0 * u_cr3 / A4 + 3.0 * u_cr / A2) / (A2 * c3 * root) - 4.0 * u_cr4 * (4.0 * u_cr3 / A3 - 3.0 * u_cr /
+        A) / (A * c3 * root3));
+    out[4] = -2.5464790894703255 * beta * sum_5_0;
+    out[5] = -2.5464790894703255 * beta * sum_5_1;
+    out[6] = 0.63661977236758138 * beta * (-4.0 * sum_5_2 + 4.0 * u_cr4 * (16.0 * u_cr5 / A5 - 20.0 * u_cr3 / A3 +
+        5.0 * u_cr / A) / (A2 * c3 * root));
+    out[7] = 0.63661977236758138 * beta * (-4.0 * sum_5_3 + 12.0 * u_cr4 * (16.0 * u_cr5 / A5 - 20.0 * u_cr3 / A3
+        + 5.0 * u_cr / A) / (A3 * c5 * root) - 8.0 * u_cr4 * (16.0 * u_cr5 / A5 - 20.0 * u_cr3 / A3 + 5.0 * u_cr /
+        A) / (A3 * c3 * root) + 4.0 * u_cr4 * (-80.0 * u_cr5 / A6 + 60.0 * u_cr3 / A4 - 5.0 * u_cr / A2) / (A2 * c3
+        * root) - 4.0 * u_cr4 * (16.0 * u_cr5 / A5 - 20.0 * u_cr3 / A3 + 5.0 * u_cr / A) / (A * c3 * root3));
+}
+
+static inline void rod_spring_exact_harmonics(double A, const double *p, double *out)
+{
+    const double u_cr = p[2];
+    if (A <= u_cr) {
+        rod_spring_exact_harmonics_passed_0(A, p, out);
+        return;
+    }
+    rod_spring_exact_harmonics_passed_1(A, p, out);
+}
+
 /* The parameters alpha, beta, u_cr from the design ratios.
    Equation (5), (7). Domain: any ratios.
    Operations: 11 structured, 10 common subexpressions, 10 power chains

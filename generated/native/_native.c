@@ -17,6 +17,7 @@ extern const sf_module sf_module_slow_flow;
 extern const sf_module sf_module_slow_flow_mu0;
 extern const sf_module sf_module_slow_flow_zeta0;
 extern const sf_module sf_module_slow_flow_mu0_zeta0;
+extern const sf_module sf_module_second_approximation;
 extern const sf_module sf_module_den_hartog;
 extern const sf_module sf_module_duffing;
 extern const sf_module sf_module_duffing_mu0;
@@ -37,6 +38,7 @@ static const sf_module *const modules[] = {
     &sf_module_slow_flow_mu0,
     &sf_module_slow_flow_zeta0,
     &sf_module_slow_flow_mu0_zeta0,
+    &sf_module_second_approximation,
     &sf_module_den_hartog,
     &sf_module_duffing,
     &sf_module_duffing_mu0,

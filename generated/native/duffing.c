@@ -206,6 +206,39 @@ static const sf_loop duffing_H_AA_loops[] = {
     duffing_H_AA_loop,
 };
 
+SF_WIDE void duffing_harmonics_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    double *restrict out_4 = out[4];
+    double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
+    double *restrict out_7 = out[7];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i]};
+        double values[8];
+        duffing_harmonics(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+        out_4[i] = values[4];
+        out_5[i] = values[5];
+        out_6[i] = values[6];
+        out_7[i] = values[7];
+    }
+}
+
+static const sf_loop duffing_harmonics_loops[] = {
+    duffing_harmonics_loop,
+};
+
 SF_WIDE void duffing_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict kappa_1 = in[0];
@@ -575,6 +608,10 @@ static const sf_kernel kernels[] = {
     {"H_AA",
      "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
      3, 1, 1, 's', NULL, duffing_H_AA_loops},
+    {"harmonics",
+     "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
+     "Equation beyond (20). Domain: A >= 0.",
+     3, 8, 1, 't', NULL, duffing_harmonics_loops},
     {"coefficients",
      "The parameters alpha, beta from the design ratios. Equation (5), (7). Domain: any ratios.",
      2, 2, 1, 't', NULL, duffing_coefficients_loops},

@@ -688,6 +688,117 @@ static const sf_loop rod_spring_H_AA_loops[] = {
     rod_spring_H_AA_passed_1_far_1_loop,
 };
 
+SF_WIDE void rod_spring_harmonics_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict gamma = in[3];
+    const double *restrict u_cr = in[4];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    double *restrict out_4 = out[4];
+    double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
+    double *restrict out_7 = out[7];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], gamma[i], u_cr[i]};
+        double values[8];
+        rod_spring_harmonics_passed_0(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+        out_4[i] = values[4];
+        out_5[i] = values[5];
+        out_6[i] = values[6];
+        out_7[i] = values[7];
+    }
+}
+
+SF_WIDE void rod_spring_harmonics_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict gamma = in[3];
+    const double *restrict u_cr = in[4];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    double *restrict out_4 = out[4];
+    double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
+    double *restrict out_7 = out[7];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], gamma[i], u_cr[i]};
+        double values[8];
+        rod_spring_harmonics_passed_1(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+        out_4[i] = values[4];
+        out_5[i] = values[5];
+        out_6[i] = values[6];
+        out_7[i] = values[7];
+    }
+}
+
+SF_WIDE void rod_spring_harmonics_passed_1_far_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict gamma = in[3];
+    const double *restrict u_cr = in[4];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    double *restrict out_4 = out[4];
+    double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
+    double *restrict out_7 = out[7];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], gamma[i], u_cr[i]};
+        double values[8];
+        rod_spring_harmonics_passed_1_far_1(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+        out_4[i] = values[4];
+        out_5[i] = values[5];
+        out_6[i] = values[6];
+        out_7[i] = values[7];
+    }
+}
+
+static SF_WIDE void rod_spring_harmonics_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+{
+    const double *restrict A_ = in[0];
+    const double *restrict u_cr_ = in[4];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = A_[i];
+        const double u_cr = u_cr_[i];
+        regime[i] = A <= u_cr ? 0 : A <= 1.25 * u_cr ? 1 : 2;
+    }
+}
+
+static const sf_loop rod_spring_harmonics_loops[] = {
+    rod_spring_harmonics_passed_0_loop,
+    rod_spring_harmonics_passed_1_loop,
+    rod_spring_harmonics_passed_1_far_1_loop,
+};
+
 SF_WIDE void rod_spring_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict lam = in[0];
@@ -1608,6 +1719,10 @@ static const sf_kernel kernels[] = {
     {"H_AA",
      "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
      5, 1, 3, 's', rod_spring_H_AA_regime, rod_spring_H_AA_loops},
+    {"harmonics",
+     "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
+     "Equation beyond (20). Domain: A >= 0.",
+     5, 8, 3, 't', rod_spring_harmonics_regime, rod_spring_harmonics_loops},
     {"coefficients",
      "The parameters alpha, beta, gamma, u_cr from the design ratios. Equation (5), (7). Domain: any ratios.",
      3, 4, 1, 't', NULL, rod_spring_coefficients_loops},

@@ -19,11 +19,13 @@ PARAMETERS = ("alpha", "beta")
 RATIOS = ("kappa_1", "kappa_3")
 REACH = float("inf")
 REACH_REASON = ""
+HARMONICS_UP_TO = float("inf")
 
 __all__ = [
     "F_A",
     "F_AA",
     "F_AAA",
+    "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
     "PARAMETERS",
@@ -48,6 +50,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "harmonics",
     "jacobian",
     "jumps",
     "limit_envelope",
@@ -176,6 +179,29 @@ def H_AA(A, alpha, beta):
     """
     A, alpha, beta = floats(A, alpha, beta)
     return full(-4.5 * A * beta, (A, alpha, beta))
+
+
+def harmonics(A, alpha, beta):
+    """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
+
+    Equation beyond (20). Domain: A >= 0.
+    Operations: 10 structured, 9 common subexpressions, 8 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    t0 = 1.5 * beta
+    A2 = A * A
+    A3 = A * A2
+    arguments = (A, alpha, beta)
+    return (
+        full(-0.25 * A3 * beta, arguments),
+        full(-0.75 * A2 * beta, arguments),
+        full(-A * t0, arguments),
+        full(-t0, arguments),
+        full(0.0, arguments),
+        full(0.0, arguments),
+        full(0.0, arguments),
+        full(0.0, arguments),
+    )
 
 
 def coefficients(kappa_1, kappa_3):

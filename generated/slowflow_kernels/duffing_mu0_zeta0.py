@@ -15,6 +15,7 @@ from slowflow_kernels import slow_flow_mu0_zeta0 as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 from slowflow_kernels.duffing import (
+    HARMONICS_UP_TO,
     H_A,
     H_AA,
     PARAMETERS,
@@ -32,6 +33,7 @@ from slowflow_kernels.duffing import (
     h_A,
     h_AA,
     h_AAA,
+    harmonics,
     jumps,
     untruncated_force,
 )
@@ -40,6 +42,7 @@ __all__ = [
     "F_A",
     "F_AA",
     "F_AAA",
+    "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
     "PARAMETERS",
@@ -64,6 +67,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "harmonics",
     "jacobian",
     "jumps",
     "limit_envelope",

@@ -22,11 +22,13 @@ PARAMETERS = ("alpha", "beta", "gamma", "u_cr")
 RATIOS = ("lam", "r", "delta_h")
 REACH = 1.0
 REACH_REASON = "the push-rod stands vertical"
+HARMONICS_UP_TO = float("inf")
 
 __all__ = [
     "F_A",
     "F_AA",
     "F_AAA",
+    "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
     "PARAMETERS",
@@ -51,6 +53,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "harmonics",
     "jacobian",
     "jumps",
     "limit_envelope",
@@ -996,6 +999,251 @@ def H_AA(A, alpha, beta, gamma, u_cr):
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_H_AA_passed_0, _H_AA_passed_1, _H_AA_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 1)[0]
+
+
+def _harmonics_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 44 structured, 32 common subexpressions, 26 power chains
+    A2 = A * A
+    A3 = A * A2
+    t0 = A2 * gamma
+    t1 = 1.5 * beta
+    A4 = A2 * A2
+    A5 = A * A4
+    return (
+        A3 * (-0.25 * beta - 0.3125 * t0),
+        A2 * (-0.75 * beta - 1.5625 * t0),
+        A * (-6.25 * t0 - t1),
+        -18.75 * t0 - t1,
+        -0.0625 * A5 * gamma,
+        -0.3125 * A4 * gamma,
+        -1.25 * A3 * gamma,
+        -3.75 * t0,
+    )
+
+
+def _harmonics_passed_1(A, alpha, beta, gamma, u_cr):
+    # operations: 975 structured, 291 common subexpressions, 278 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    theta = np.arctan2(u_cr, root)
+    x2 = x * x
+    x3 = x * x2
+    t1 = x3 * y
+    W3_1 = -t1
+    t2 = x * y
+    W3_3 = -t2 * (x2 * (0.66666666666666663 * x2 + 0.083333333333333329) + 0.125) + 0.125 * theta
+    W3_5 = (
+        -t2 * (x2 * (x2 * (0.5 * x2 + 0.083333333333333329) + 0.10416666666666667) + 0.15625) + 0.15625 * theta
+    )
+    W5_1 = -t1 * (2.6666666666666665 * x2 - 1.6666666666666667)
+    x4 = x2 * x2
+    x5 = x * x4
+    W5_3 = -x5 * y * (2.0 * x2 - 1.0)
+    W5_5 = (
+        -t2 * (x2 * (x2 * (x2 * (1.6000000000000001 * x2 - 0.69999999999999996) + 0.016666666666666666) +
+        0.020833333333333332) + 0.03125) + 0.03125 * theta
+    )
+    t3 = alpha - 1.0
+    t4 = W3_1 * t3
+    A2 = A * A
+    t5 = W3_3 * beta
+    A4 = A2 * A2
+    t6 = A4 * gamma
+    t7 = W3_5 * t6
+    t8 = 1.2732395447351628 * A
+    t9 = 3.0 * beta
+    t10 = A2 * t9
+    t11 = 1.0 / A2
+    t12 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    t13 = t11 * u_cr2
+    t14 = -4.0 * t13
+    t15 = -t14 - 3.0
+    t16 = gamma * u_cr2
+    t17 = t3 + u_cr2 * (beta + t16)
+    t18 = 6.0 * t5
+    t19 = W3_5 * gamma
+    A3 = A * A2
+    t20 = 20.0 * A3
+    t21 = t17 * u_cr3
+    t22 = t12 * t21
+    t23 = 1.0 / A3
+    t24 = t15 * t23
+    root2 = root * root
+    root3 = root * root2
+    t25 = 1.0 / root3
+    t26 = t21 * t25
+    t27 = t0 * t26
+    t28 = t14 + 1.0
+    t29 = -t3 - u_cr2 * (5.0 * t16 + t9)
+    t30 = t12 * t29 * u_cr3
+    t31 = 60.0 * A2
+    t32 = 1.0 / A4
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    t33 = 10.0 * t16 + t9
+    t34 = t22 * t32
+    t35 = 3.0 * t28
+    t36 = t30 * t32
+    t37 = 3.0 / root2
+    t38 = W5_1 * t3
+    t39 = W5_3 * beta
+    t40 = W5_5 * t6
+    t41 = t32 * u_cr4
+    t42 = 16.0 * t41
+    t43 = -20.0 * t13 + t42 + 5.0
+    t44 = 6.0 * t39
+    t45 = W5_5 * gamma
+    t46 = t23 * t43
+    t47 = 12.0 * t11 * u_cr2 - t42 - 1.0
+    t48 = 5.0 * t47
+    return (
+        -t8 * (A2 * t5 + t4 + t7),
+        1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7),
+        1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 * t24 -
+        t24 * t30),
+        1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32 * u_cr3
+        + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32 * u_cr3
+        * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) - 6.0 * t28
+        * t34 - t35 * t36),
+        -t8 * (A2 * t39 + t38 + t40),
+        1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40),
+        1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 * t43 -
+        t30 * t46),
+        1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43 * u_cr3
+        + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 * u_cr3 +
+        2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 - 10.0 *
+        t34 * t47 - t36 * t48 - t44),
+    )
+
+
+def _harmonics_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 1074 structured, 351 common subexpressions, 319 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / np.sqrt(2.0 * y + 2.0)
+    s2 = s * s
+    s4 = s2 * s2
+    s5 = s * s4
+    s10 = s5 * s5
+    s11 = s * s10
+    M10 = (
+        s11 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00029172897338867185 * s4 -
+        0.00072125690739329265) - 0.0020784945101351353) - 0.007457386363636364) - 0.037715517241379309) -
+        0.35999999999999999) - 24.0) - 790.58823529411768) - 708.92307692307691) + s4 * (s4 * (s4 * (s4 * (s4 * (s4
+        * (s4 * (-0.00045130973638490189 * s4 - 0.0011972280649038462) - 0.0038085937499999999) -
+        0.015877016129032258) - 0.10416666666666667) - 1.826086956521739) + 265.26315789473682) + 1075.2) +
+        186.18181818181819)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x8 = x4 * x4
+    x9 = x * x8
+    M8 = 1.1111111111111112 * M10 + 0.1111111111111111 * x9 * y
+    x3 = x * x2
+    x6 = x3 * x3
+    x7 = x * x6
+    M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y
+    x5 = x * x4
+    t1 = x5 * y
+    M4 = 1.2 * M6 + 0.20000000000000001 * t1
+    t2 = x3 * y
+    W3_1 = -t2
+    W3_3 = -3.0 * M4 + 4.0 * M6
+    W3_5 = -3.0 * M6 + 4.0 * M8
+    W5_1 = -t2 * (2.6666666666666665 * x2 - 1.6666666666666667)
+    W5_3 = -t1 * (2.0 * x2 - 1.0)
+    W5_5 = 16.0 * M10 + 5.0 * M6 - 20.0 * M8
+    t3 = alpha - 1.0
+    t4 = W3_1 * t3
+    A2 = A * A
+    t5 = W3_3 * beta
+    A4 = A2 * A2
+    t6 = A4 * gamma
+    t7 = W3_5 * t6
+    t8 = 1.2732395447351628 * A
+    t9 = 3.0 * beta
+    t10 = A2 * t9
+    t11 = 1.0 / A2
+    t12 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    t13 = t11 * u_cr2
+    t14 = -4.0 * t13
+    t15 = -t14 - 3.0
+    t16 = gamma * u_cr2
+    t17 = t3 + u_cr2 * (beta + t16)
+    t18 = 6.0 * t5
+    t19 = W3_5 * gamma
+    A3 = A * A2
+    t20 = 20.0 * A3
+    t21 = t17 * u_cr3
+    t22 = t12 * t21
+    t23 = 1.0 / A3
+    t24 = t15 * t23
+    root2 = root * root
+    root3 = root * root2
+    t25 = 1.0 / root3
+    t26 = t21 * t25
+    t27 = t0 * t26
+    t28 = t14 + 1.0
+    t29 = -t3 - u_cr2 * (5.0 * t16 + t9)
+    t30 = t12 * t29 * u_cr3
+    t31 = 60.0 * A2
+    t32 = 1.0 / A4
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    t33 = 10.0 * t16 + t9
+    t34 = t22 * t32
+    t35 = 3.0 * t28
+    t36 = t30 * t32
+    t37 = 3.0 / root2
+    t38 = W5_1 * t3
+    t39 = W5_3 * beta
+    t40 = W5_5 * t6
+    t41 = t32 * u_cr4
+    t42 = 16.0 * t41
+    t43 = -20.0 * t13 + t42 + 5.0
+    t44 = 6.0 * t39
+    t45 = W5_5 * gamma
+    t46 = t23 * t43
+    t47 = 12.0 * t11 * u_cr2 - t42 - 1.0
+    t48 = 5.0 * t47
+    return (
+        -t8 * (A2 * t5 + t4 + t7),
+        1.2732395447351628 * (-W3_3 * t10 + t11 * t12 * t15 * t17 * u_cr3 - t4 - 5.0 * t7),
+        1.2732395447351628 * (-A * t18 + 3.0 * t12 * t17 * t23 * t28 * u_cr3 - t15 * t27 - t19 * t20 - t22 * t24 -
+        t24 * t30),
+        1.2732395447351628 * (t11 * t15 * t25 * t29 * u_cr3 - t11 * t26 * t35 + 2.0 * t12 * t15 * t17 * t32 * u_cr3
+        + 2.0 * t12 * t15 * t29 * t32 * u_cr3 + 2.0 * t12 * t15 * t32 * t33 * u_cr5 + 6.0 * t12 * t17 * t32 * u_cr3
+        * (8.0 * t11 * u_cr2 - 1.0) - t18 - t19 * t31 - t26 * (-t11 * t15 + 3.0 * t11 * t28 - t15 * t37) - 6.0 * t28
+        * t34 - t35 * t36),
+        -t8 * (A2 * t39 + t38 + t40),
+        1.2732395447351628 * (-W5_3 * t10 + t11 * t12 * t17 * t43 * u_cr3 - t38 - 5.0 * t40),
+        1.2732395447351628 * (-A * t44 + 5.0 * t12 * t17 * t23 * t47 * u_cr3 - t20 * t45 - t22 * t46 - t27 * t43 -
+        t30 * t46),
+        1.2732395447351628 * (t11 * t25 * t29 * t43 * u_cr3 - t11 * t26 * t48 + 2.0 * t12 * t17 * t32 * t43 * u_cr3
+        + 10.0 * t12 * t17 * t32 * u_cr3 * (-24.0 * t13 + 48.0 * t41 + 1.0) + 2.0 * t12 * t29 * t32 * t43 * u_cr3 +
+        2.0 * t12 * t32 * t33 * t43 * u_cr5 - t26 * (-t11 * t43 + 5.0 * t11 * t47 - t37 * t43) - t31 * t45 - 10.0 *
+        t34 * t47 - t36 * t48 - t44),
+    )
+
+
+def harmonics(A, alpha, beta, gamma, u_cr):
+    """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
+
+    Equation beyond (20). Domain: A >= 0.
+    """
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_harmonics_passed_0, _harmonics_passed_1, _harmonics_passed_1_far_1)
+    return by_regime(guards, bodies, arguments, 8)
 
 
 def coefficients(lam, r, delta_h):

@@ -16,6 +16,7 @@ from slowflow_kernels import slow_flow as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full
 from slowflow_kernels.rod_spring import (
+    HARMONICS_UP_TO,
     PARAMETERS,
     RATIOS,
     REACH,
@@ -33,6 +34,7 @@ __all__ = [
     "F_A",
     "F_AA",
     "F_AAA",
+    "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
     "PARAMETERS",

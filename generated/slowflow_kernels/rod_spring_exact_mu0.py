@@ -16,6 +16,7 @@ from slowflow_kernels import slow_flow_mu0 as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import full
 from slowflow_kernels.rod_spring_exact import (
+    HARMONICS_UP_TO,
     H_A,
     H_AA,
     PARAMETERS,
@@ -33,6 +34,7 @@ from slowflow_kernels.rod_spring_exact import (
     h_A,
     h_AA,
     h_AAA,
+    harmonics,
     jumps,
     untruncated_force,
 )
@@ -41,6 +43,7 @@ __all__ = [
     "F_A",
     "F_AA",
     "F_AAA",
+    "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
     "PARAMETERS",
@@ -65,6 +68,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "harmonics",
     "jacobian",
     "jumps",
     "limit_envelope",

@@ -1,0 +1,295 @@
+"""Step 3 for the higher harmonics of the restoring force, which averaging leaves out and the second approximation uses.
+
+In:  the pieces of a force and their breakpoints, as in `restoring` and `elliptic`.
+Out: `Harmonics`: for each harmonic n of `HARMONICS`
+
+         h_n = -(1/pi) int_0^{2 pi} f(A cos psi) cos(n psi) dpsi
+
+     and its derivatives with respect to A, in forms for each regime; h_1 is the averaged force h.
+
+With s = cos psi = sin t the weight is Chebyshev's polynomial, cos(n psi) = T_n(s). A piece that holds up to |u| = b
+differs from the next by g, and that difference is all that a passed breakpoint adds:
+
+    h_n = -(4/pi) [int_0^(pi/2) f_last(A s) T_n dt + sum over passed b int_0^theta g(A s) T_n dt],  sin(theta) = b/A
+
+    d/dA int g^(j)(A s) s^j T_n dt = int g^(j+1)(A s) s^(j+1) T_n dt - g^(j)(b) (b/A)^j T_n(b/A) b/(A root)
+
+A linear piece has no higher harmonic: T_n is orthogonal to s. Where f is smooth over the whole cycle, n integrations by
+parts leave terms of one sign, for a force whose derivatives have one:
+
+    int_0^(pi/2) f(A s) T_n dt = A^n/(2n - 1)!! int_0^(pi/2) f^(n)(A s) cos^(2n) t dt
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from flint import arb, ctx, fmpq
+
+from derivations.elliptic import DIGITS, MODERATE, Let, digits, gauss, parts
+from derivations.restoring import FAR, ORDERS, Case, End, Regime, at_breakpoint, moment_parts
+from derivations.symbols import A, u
+
+#: the harmonics of the spring that are kept: the seventh no longer moves a jump, docs/validity.md
+HARMONICS = (3, 5)
+#: points of the midpoint rule on a quarter cycle; the worst point is A = u_cr = MODERATE
+MIDPOINTS = 20
+#: nodes of Gauss's rule on 0 < t < theta: more than averaging takes, as T_5 swings
+NODES = 21
+
+
+@dataclass(frozen=True)
+class Harmonics:
+    """The higher harmonics of a force.
+
+    pieces, breakpoints -- of the force
+    cases  -- forms to evaluate; `derivatives` of a regime list h_3, its derivatives to order `ORDERS`, then h_5, ...
+    domain -- where they hold, in words
+    most   -- largest breakpoint for which they do
+    """
+
+    pieces: tuple[sp.Expr, ...]
+    breakpoints: tuple[sp.Symbol, ...]
+    cases: tuple[Case, ...]
+    domain: str
+    most: sp.Expr
+
+
+def chebyshev(n: int, s: sp.Expr) -> sp.Expr:
+    """cos(n psi) in s = cos psi."""
+    return sp.chebyshevt(n, s)
+
+
+def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
+    """The rational a and the even polynomial P with int_0^theta s^degree T_n(s) dt = a theta - x y P(x)."""
+    s = sp.Symbol("s")
+    secular, polynomial = sp.Integer(0), sp.Poly(0, sp.Symbol("x", positive=True))
+    for (power,), coefficient in sp.Poly(s**degree * chebyshev(n, s), s).terms():
+        share, rest = moment_parts(power)
+        secular += coefficient * share
+        polynomial += coefficient * rest
+    return secular, polynomial
+
+
+def _degrees(piece: sp.Expr) -> list[tuple[int, sp.Expr]]:
+    return [(degree, coefficient) for (degree,), coefficient in sp.Poly(piece, u).terms() if coefficient != 0]
+
+
+def _boundary(jump: sp.Expr, n: int, order: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
+    """What an order-th derivative gets from the end of the interval: g^(order)(b) (b/A)^order T_n(b/A) dtheta/dA."""
+    return -jump * (b / A) ** order * chebyshev(n, b / A) * b / (A * root)
+
+
+def _slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
+    return sp.diff(expression, A) + sp.diff(expression, root) * A / root
+
+
+def _derivatives(
+    under: Sequence[sp.Expr], boundaries: Sequence[tuple[sp.Symbol, Sequence[sp.Expr]]]
+) -> tuple[sp.Expr, ...]:
+    """h_n and its derivatives from the integrals by order, and from each end's root and boundary terms by order."""
+    result = []
+    for order, integral in enumerate(under):
+        total = integral
+        for root, terms in boundaries:
+            for lower in range(order):
+                term = terms[lower]
+                for _ in range(order - 1 - lower):
+                    term = _slope(term, root)
+                total += term
+        result.append(-4 * total / sp.pi)
+    return tuple(result)
+
+
+# --- polynomial pieces ---
+
+
+def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: int, far: int) -> Regime:
+    """The harmonics where A exceeds `count` breakpoints, `far` of them by far: closed forms, and series there."""
+    ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
+    jumps = [sp.expand(pieces[k] - pieces[k + 1]) for k in range(count)]
+    degrees = sorted({degree for jump in jumps for degree, _ in _degrees(jump)})
+    lets: list[Let] = []
+    for end in ends:
+        powers = range(2, max(degrees) + max(HARMONICS) + 1, 2) if end.far else ()
+        lets += end.lets(powers)
+    derivatives: list[sp.Expr] = []
+    for n in HARMONICS:
+        for end in ends:
+            lets += [(_moment(end, n, degree), _moment_value(end, n, degree)) for degree in degrees]
+
+        def under(order: int, n: int = n) -> sp.Expr:
+            whole = sum(
+                c * sp.ff(d, order) * A ** (d - order) * weighted(n, d)[0] * sp.pi / 2
+                for d, c in _degrees(pieces[count])
+            )
+            passed = sum(
+                c * sp.ff(d, order) * A ** (d - order) * _moment(end, n, d)
+                for end, jump in zip(ends, jumps, strict=True)
+                for d, c in _degrees(jump)
+            )
+            return whole + passed
+
+        boundaries = [
+            (
+                end.root,
+                [_boundary(at_breakpoint(sp.diff(jump, u, k), end.b), n, k, end.b, end.root) for k in range(ORDERS)],
+            )
+            for end, jump in zip(ends, jumps, strict=True)
+        ]
+        found = _derivatives([under(order) for order in range(ORDERS + 1)], boundaries)
+        derivatives += [sp.factor_terms(value) if count else sp.horner(sp.expand(value), A) for value in found]
+    return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), tuple(derivatives))
+
+
+def _moment(end: End, n: int, degree: int) -> sp.Symbol:
+    """int_0^theta s^degree T_n(s) dt"""
+    return end.symbol(f"W{n}_{degree}")
+
+
+def _moment_value(end: End, n: int, degree: int) -> sp.Expr:
+    secular, polynomial = weighted(n, degree)
+    if end.far and secular != 0:
+        s = sp.Symbol("s")
+        terms = sp.Poly(s**degree * chebyshev(n, s), s).terms()
+        return sum(coefficient * end.from_zero(power) for (power,), coefficient in terms)
+    x, y = end.symbol("x"), end.symbol("y")
+    return secular * end.symbol("theta") - x * y * sp.horner(polynomial.as_expr()).subs(polynomial.gen, x)
+
+
+def of_polynomials(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Harmonics:
+    """The harmonics of a piecewise odd polynomial."""
+    cases = []
+    for count in range(len(pieces)):
+        below = [(A, b) for b in breakpoints[count : count + 1]]
+        for far in range(count + 1):
+            near = [(A, FAR * b) for b in breakpoints[far:count][:1]]
+            name = f"passed_{count}" + (f"_far_{far}" if far else "")
+            cases.append(Case(name, (*below, *near), polynomial_regime(pieces, breakpoints, count, far)))
+    return Harmonics(tuple(pieces), tuple(breakpoints), tuple(cases), "A >= 0", sp.oo)
+
+
+# --- the untruncated force ---
+
+
+def _nodes(T: sp.Expr, T2: sp.Expr) -> tuple[list[Let], list[tuple[sp.Symbol, sp.Expr, sp.Expr]]]:
+    """Gauss's rule over 0 < t < theta, tan(theta/2) = T, in tan(t/2): lets, and (s, cos t, weight) at each node."""
+    lets: list[Let] = []
+    points = []
+    for k, (x, weight) in enumerate(gauss(NODES), start=1):
+        g, s = sp.symbols(f"g_{k} s_{k}", positive=True)
+        lets += [(g, 1 / (1 + x**2 * T2)), (s, 2 * x * T * g)]
+        points.append((s, (1 - x**2 * T2) * g, 2 * weight * T * g))
+    return lets, points
+
+
+def _rational(order: int) -> tuple[sp.Expr, int]:
+    """P and q of the order-th derivative P(u)/Delta^q of u/Delta, Delta = sqrt(1 - u^2)."""
+    numerator, q = sp.Poly(u, u), 1
+    for _ in range(order):
+        numerator, q = sp.Poly(sp.diff(numerator, u) * (1 - u**2) + q * u * numerator, u), q + 2
+    if any(sign < 0 for sign in numerator.coeffs()):
+        raise ArithmeticError("the derivatives of u/sqrt(1 - u^2) have terms of both signs")
+    return sp.horner(numerator.as_expr(), u), q
+
+
+@functools.cache
+def midpoints(nodes: int) -> tuple[tuple[sp.Rational, sp.Rational], ...]:
+    """sin t and cos t at the midpoints of `nodes` equal parts of 0 < t < pi/2, to `DIGITS` digits."""
+    angles = [fmpq(2 * k + 1, 4 * nodes) for k in range(nodes)]
+    with ctx.workprec(4 * DIGITS):
+        return tuple((digits(arb.sin_pi_fmpq(angle)), digits(arb.cos_pi_fmpq(angle))) for angle in angles)
+
+
+def untruncated_attached(b: sp.Expr) -> Regime:
+    """A <= u_cr: f is smooth over the cycle, and every derivative of u/Delta is positive for u > 0.
+
+    The integrand is periodic: the midpoint rule leaves out harmonics of `MIDPOINTS` times four and above only.
+    """
+    lets: list[Let] = []
+    values = sp.symbols(f"delta_1:{MIDPOINTS + 1}", positive=True)
+    for delta, (s, _) in zip(values, midpoints(MIDPOINTS), strict=True):
+        lets.append((delta, sp.sqrt((1 - s * A) * (1 + s * A))))
+    derivatives = []
+    for n in HARMONICS:
+        # int f^(n + j)(A s) s^j cos^(2n) t dt
+        moments = [sp.Symbol(f"moment_{n}_{j}", positive=True) for j in range(ORDERS + 1)]
+        for j, moment in enumerate(moments):
+            numerator, q = _rational(n + j)
+            terms = [
+                s**j * cosine ** (2 * n) * numerator.subs(u, s * A) / delta**q
+                for delta, (s, cosine) in zip(values, midpoints(MIDPOINTS), strict=True)
+            ]
+            lets.append((moment, sp.Add(*terms)))
+        scale = -2 * b / (MIDPOINTS * sp.factorial2(2 * n - 1))
+        for order in range(ORDERS + 1):
+            # Leibniz's rule on A^n times the integral
+            derivatives.append(
+                scale
+                * sum(
+                    math.comb(order, j) * sp.ff(n, order - j) * A ** (n - order + j) * moments[j]
+                    for j in range(order + 1)
+                )
+            )
+    return Regime((), (), tuple(lets), tuple(derivatives))
+
+
+def untruncated_detached(b: sp.Expr, end: sp.Symbol) -> Regime:
+    """A > u_cr: b u (1/Delta - 1/c), c = sqrt(1 - u_cr^2), over 0 < t < theta."""
+    root = sp.Symbol("root", nonnegative=True)
+    c, T, T2 = sp.symbols("c T T2", positive=True)
+    lets: list[Let] = [
+        (root, sp.sqrt((A - end) * (A + end))),
+        (c, sp.sqrt((1 - end) * (1 + end))),
+        (T, end / (A + root)),
+        (T2, T**2),
+    ]
+    nodes, points = _nodes(T, T2)
+    lets += nodes
+    under: dict[int, list[list[sp.Expr]]] = {n: [[] for _ in range(ORDERS + 1)] for n in HARMONICS}
+    for k, ((s, _, weight), (x, _)) in enumerate(zip(points, gauss(NODES), strict=True), start=1):
+        square, delta, v, g = sp.symbols(f"square_{k} delta_{k} v_{k} g_{k}", positive=True)
+        lets += [(v, A * s), (square, (1 - v) * (1 + v)), (delta, sp.sqrt(square))]
+        # u_cr - u and u_cr + u over u_cr: in this form nothing cancels at the end of the interval
+        below, above = (1 - x) * (1 - x * T2) * g, 1 + x * (1 + T2) * g
+        # 1/Delta - 1/c
+        inverse = -(end**2) * below * above / (c * delta * (c + delta))
+        # the slope is 1/Delta^3 - 1/c = u^2/Delta^3 + 1/Delta - 1/c
+        values = [v * inverse, s * (v**2 / (square * delta) + inverse)]
+        for order in range(2, ORDERS + 1):
+            numerator, q = _rational(order)
+            values.append(s**order * numerator.subs(u, v) / (square ** ((q - 1) // 2) * delta))
+        for n in HARMONICS:
+            for order, value in enumerate(values):
+                under[n][order].append(weight * value * sp.horner(chebyshev(n, s)))
+    derivatives: list[sp.Expr] = []
+    for n in HARMONICS:
+        names = [sp.Symbol(f"sum_{n}_{order}", real=True) for order in range(ORDERS + 1)]
+        lets += [(name, sp.Add(*terms[::-1])) for name, terms in zip(names, under[n], strict=True)]
+        # of the force, of its slope 1/c^3 - 1/c = u_cr^2/c^3, and of its second derivative
+        curvature, q = _rational(2)
+        jumps = [sp.Integer(0), end**2 / c**3, curvature.subs(u, end) / c**q]
+        boundaries = [_boundary(jump, n, k, end, root) for k, jump in enumerate(jumps)]
+        derivatives += [b * value for value in _derivatives(names, [(root, boundaries)])]
+    return Regime((end,), (), tuple(lets), tuple(derivatives))
+
+
+def of_untruncated(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Harmonics:
+    """The harmonics of the force of `elliptic`, by Gauss's rule."""
+    _, b = parts(pieces[0])
+    (end,) = breakpoints
+    cases = (
+        Case("passed_0", ((A, end),), untruncated_attached(b)),
+        Case("passed_1", (), untruncated_detached(b, end)),
+    )
+    return Harmonics(tuple(pieces), (end,), cases, f"A >= 0, {end} <= {MODERATE}", MODERATE)
+
+
+def harmonics(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Harmonics:
+    """All of this step for the pieces of the whole force u + F_k."""
+    polynomial = all(piece.is_polynomial(u) for piece in pieces)
+    return (of_polynomials if polynomial else of_untruncated)(pieces, breakpoints)
