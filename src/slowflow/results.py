@@ -81,6 +81,55 @@ class SaddleNodes:
 
 
 @dataclass(frozen=True)
+class SecondStates:
+    """Steady states in the second approximation, one entry each: flat arrays of one length.
+
+    Omega, A -- frequency, and amplitude of the first harmonic
+    u_max    -- largest displacement
+    phi      -- phase of the first harmonic in radians, in [-pi, 0]
+    stable   -- True where the steady state is stable
+    message  -- remarks in words; empty if there is nothing to say
+    """
+
+    Omega: Floats
+    A: Floats
+    u_max: Floats
+    phi: Floats
+    stable: npt.NDArray[np.bool_]
+    message: str
+
+
+@dataclass(frozen=True)
+class SecondResponse(SecondStates):
+    """A response curve in the second approximation: points in order along each branch.
+
+    branch, isola, F_0 -- as in `FrequencyResponse`
+    """
+
+    branch: npt.NDArray[np.intp]
+    isola: tuple[bool, ...]
+    F_0: float
+
+
+@dataclass(frozen=True)
+class SecondFolds:
+    """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
+
+    Omega, A, u_max -- as in `SecondStates`; kind as in `SaddleNodes`
+    """
+
+    Omega: Floats
+    A: Floats
+    u_max: Floats
+    kind: npt.NDArray[np.str_]
+    F_0: float
+    message: str
+
+    def __len__(self) -> int:
+        return self.A.size
+
+
+@dataclass(frozen=True)
 class SaddleNodeOnset:
     """The lowest forcing that has a fold; None and a message where there is none.
 
