@@ -145,7 +145,6 @@ def held(averaged: Isolator, F_0: float) -> dict[str, Any]:
         "exact": {"A": height, "folds": folds((fold.kind, fold.Omega, fold.A) for fold in exact.folds)},
         "point": worst(off, Omega, A),
         "height": worst(off * A / height, Omega, A),
-        "stops": bool(exact.stops[inside].any()),
     }
 
 
