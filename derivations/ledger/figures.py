@@ -66,8 +66,8 @@ def _den_hartog(figure: dict[str, Any]) -> str:
     }
     moving = max(row["moving"]["off"] for row in rows)
     return (
-        f"{HERE}: for {_span(rows)} and Ω = 0.5 to 1.5 the exact motion is (35) within {moving:.0e} wherever it does "
-        f"not stop; in the whole window, stops included, within {percent(EXCELLENT)} up to "
+        f"{HERE}: for {_span(rows)} and Ω = 0.5 to 0.98, 1.02 to 1.5 the exact motion is (35) within {moving:.0e} "
+        f"wherever it does not stop; in the whole window, stops included, within {percent(EXCELLENT)} up to "
         f"{measured.excellent_throughout(rows)[-1]:g}. Appendix A's recipe with F_0 = 0.05 reads within "
         f"{percent(EXCELLENT)} of (35) up to {read[-1]:g}, and strays by "
         f"{listed(f'{percent(off)} at {ratio:g}' for ratio, off in strayed.items())}."
