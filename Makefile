@@ -1,7 +1,8 @@
 # make paper   set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
 # make test    everything that CI runs (second command)
 # make derive  write generated/ anew; make check: compare generated/ with a fresh derivation; make bench: the benchmarks
-# make validity  averaging against the equation of motion: maps, table and docs/validity.md, some ten minutes
+# make validity  averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
+#                docs/validity.md, some ten minutes
 # make bench-peers  other tools on the same problem, each installed into an environment of its own under .venv-peers
 
 PYTHON ?= python3
@@ -39,6 +40,8 @@ bench: $(INSTALLED)
 
 validity: $(INSTALLED)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev,exact]"
+	$(BIN)/python -m benchmarks.claims
+	$(BIN)/python -m derivations
 	$(BIN)/python -m benchmarks.validity
 
 bench-peers: $(INSTALLED)

@@ -10,6 +10,8 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 
+from benchmarks import claims_page
+from derivations.ledger import figures, measured
 from slowflow import Isolator
 from slowflow.exact import Oscillator, rod_spring_exact
 from slowflow.exact import plot as exact_plot
@@ -312,4 +314,6 @@ def page(numbers: dict[str, Any]) -> str:
         corner=sum(cell["exact"]["folds"] == [2, 0] for cell in early),
         truncated=truncated,
         at_table_1=at_table_1,
+        claims=claims_page.section(),
+        F_SN=figures.percent(abs(measured.load()["figure_7a"]["F_SN"]["off"])),
     )

@@ -1,6 +1,6 @@
 """The ledger: every published formula, table entry, number and sentence held against the derivation.
 
-In:  the derivation's `Results`, and published.py, loaded by path.
+In:  the derivation's `Results`; published.py, loaded by path; benchmarks/results/claims.json, what was measured.
 Out: LEDGER.md and ledger.json.
 
     source     published.py as a module of its own, with an exact namespace
@@ -12,6 +12,8 @@ Out: LEDGER.md and ledger.json.
     facts      every number that the ledger quotes
     entries    rows of formulas, tables and numbers
     claims     rows of sentences
+    measured   verdicts on sentences that judge figures, from what direct integration measured
+    figures    the numbers behind these verdicts
     findings   what differs, with its proof
     truncation what the fifth-order force costs
     render     text

@@ -2,6 +2,7 @@
 
 Where a sentence says in words what an equation says, the verdict follows from the proof of that equation; where it
 states a number or a sign, from a certified value, which `needs` asks for: a verdict whose evidence fails is an error.
+Where it judges a figure, from what was measured (`figures`).
 """
 
 from __future__ import annotations
@@ -12,10 +13,11 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb
 
+from derivations.ledger import figures, measured
 from derivations.ledger.balls import evaluate, rounded, sign, significant
 from derivations.ledger.facts import Facts
 from derivations.ledger.formulas import stiffness
-from derivations.ledger.rows import DEFINITION, DIFFERS, FALSE, LOOSE, OPEN, TRUE, Row
+from derivations.ledger.rows import DEFINITION, DIFFERS, FALSE, LOOSE, TRUE, Row
 from derivations.mechanisms.rod_spring import delta_h, lam, r
 from derivations.slow_flow import I, R, m
 from derivations.symbols import F_0, A, Omega, mu, u, zeta
@@ -331,17 +333,11 @@ def section_4_1(facts: Facts) -> dict[str, Verdict]:
             "the same term with minus sign, and is positive because Ωb < π. So the maximand stays below 1, its "
             "limit at τ → 0.",
         ),
-        "den_hartog_agreement": (
-            OPEN,
-            "Compares (35) with direct integration over values of μ/F_0 that only Figure 2a shows.",
-        ),
         "kbm_discrepancies": (
             TRUE,
             f"From (24) and (35) at Ω = 0.8 the averaged amplitude is off by {quoted}. A_KBM² − A² = "
             "μ²(U² − (16/π²)V²): relative to A² it grows with (μ/F_0)² and as A falls.",
         ),
-        "kbm_qualitative": (OPEN, "A judgement on Figure 2a."),
-        "kbm_low_friction": (OPEN, "A judgement on Figure 2b; needs direct integration."),
         "kbm_threshold": (
             TRUE,
             f"At μ/F_0 = 0.785, just below π/4, and Ω = 0.8: A/F_0 = {few(worst[0])} by averaging, {few(worst[1])} "
@@ -453,7 +449,6 @@ def section_4_3(facts: Facts) -> dict[str, Verdict]:
         ),
         "F_cr_rate": (TRUE, "Its increments over equal steps of δ_h decrease throughout, at 20 points up to 1/(λr)."),
         "beyond_limit": (TRUE, "α = 1 − 3rδ_h < 0 for δ_h > (3r)⁻¹."),
-        "agreement_acceptable": (OPEN, "Needs direct integration and the curves of Figure 7a."),
         "below_F_cr": (
             TRUE,
             "u_cr is reached at F_cr only at one point, no fold is detached there, and A = 1 is out of reach: no "
@@ -498,8 +493,6 @@ def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]
     needs(gain > arb("0.5"), "ζ raises F_cr at a tenth of the preload")
     slowest = (-2 * arb.pi() * 100 * facts.example.zeta / arb("1.5")).exp()
     return {
-        "reliability": (OPEN, "Rests on Figures 2 and 7a and direct integration."),
-        "conclusion_kbm": (OPEN, "Rests on Figures 2 and 7a and direct integration."),
         "conclusion_1_algebraic": (
             LOOSE,
             "Algebraic in Ω always, in A while attached; beyond u_cr, H_2 holds ψ_0 = arccos(u_cr/A): "
@@ -563,7 +556,7 @@ def claim_rows(facts: Facts) -> list[Row]:
     decided: dict[str, Verdict] = {}
     for section in SECTIONS:
         decided |= section(facts)
-    decided |= conclusions(facts, decided)
+    decided |= conclusions(facts, decided) | figures.decided(measured.load())
     return [
         Row(
             id=claim.id,

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import jinja2
 
+from derivations.ledger import measured
 from derivations.ledger.findings import Finding, readings
-from derivations.ledger.rows import ALLOWED, VOCABULARY, Row
+from derivations.ledger.rows import ALLOWED, LOOSE, TRUE, VOCABULARY, Row
 
 TITLES = {"formula": "Formulas", "table": "Tables 1 and 2", "number": "Numbers", "claim": "Sentences"}
 CITATION = (
@@ -57,6 +58,7 @@ def markdown(
         titles=TITLES,
         vocabulary=VOCABULARY,
         citation=CITATION,
+        criteria=measured.CRITERIA,
     )
 
 
@@ -70,6 +72,7 @@ def machine_readable(
         "counts": counts(rows),
         "table_2": table_2,
         "truncation": cost,
+        "criteria": {claim: {TRUE: true, LOOSE: loose} for claim, (true, loose) in measured.CRITERIA.items()},
         "findings": [asdict(finding) for finding in findings],
         "rows": [asdict(row) for row in rows],
     }

@@ -17,7 +17,6 @@ TRUE = "true"
 FALSE = "false"
 LOOSE = "loose as worded"
 DEFINITION = "definition"
-OPEN = "not decided here"
 
 #: what each verdict says, in the order of the summary
 VOCABULARY: dict[str, str] = {
@@ -32,7 +31,6 @@ VOCABULARY: dict[str, str] = {
     FALSE: "the sentence does not hold, by the evidence given",
     LOOSE: "holds only with a condition, or in a sense, that the sentence does not state",
     DEFINITION: "introduces a name, a convention or a choice of method: nothing to decide",
-    OPEN: "needs direct integration of the equation of motion or data of a figure that our text does not hold",
 }
 
 #: the kinds of rows, with the verdicts that each may have
@@ -40,7 +38,7 @@ ALLOWED: dict[str, tuple[str, ...]] = {
     "formula": (IDENTICAL, REWRITTEN, DIFFERS, AMBIGUOUS),
     "table": (IDENTICAL, DIFFERS, AMBIGUOUS, INPUT),
     "number": (IDENTICAL, DIFFERS, AMBIGUOUS, INPUT),
-    "claim": (TRUE, FALSE, LOOSE, DEFINITION, OPEN),
+    "claim": (TRUE, FALSE, LOOSE, DEFINITION),
 }
 
 
