@@ -1,8 +1,8 @@
 """In: benchmarks/results/claims.json, measured by direct integration. Out: verdicts on sentences that judge figures.
 
 The measuring needs the runtime and is done by `python -m benchmarks.claims`; here its numbers are data. What a word
-such as "excellent" asks for is settled in `CRITERIA`, and was before these comparisons were measured; each verdict
-follows from it.
+such as "excellent" asks for is in `CRITERIA`, and each verdict follows from it. The sizes in it were settled before
+anything was measured; three readings were not, and LEDGER.md names them.
 """
 
 from __future__ import annotations
