@@ -1,20 +1,27 @@
 """Step 5, beyond the paper: the second approximation, what the higher harmonics do to the first one.
 
 In:  the averaged equations; the slow flow's R, I and backbone; the mechanism stays an open h(A), h_3(A), h_5(A).
-Out: `SecondApproximation`: R, I, F and the largest displacement u_max with the first-order effect of the harmonics.
+Out: `SecondApproximation`: R, I and F with the first-order effect of the harmonics, in A = A_1 + sum a_n.
 
 The first approximation u = A cos psi leaves the harmonics of the spring, -h_n cos(n psi), and of friction,
 -(m/n) sin(n psi), n = 3, 5, ..., unbalanced. The second lets them drive the linear oscillator that averaging has put in
 the spring's place, whose stiffness K is the backbone's Omega^2:
 
-    u = A cos psi + sum a_n cos(n psi) + sum b_n sin(n psi),      n^2 Omega^2 - K divides both
+    u = A_1 cos psi + sum a_n cos(n psi) + sum b_n sin(n psi),      n^2 Omega^2 - K divides both
 
-and puts this motion back into the balance of the first harmonic:
+and puts this motion back into the balance of the first harmonic. It is varied about A cos psi with A = A_1 + sum a_n,
 
-    cosine  the spring's share changes by a_n h_n': for f(A cos psi) the share of a_n cos(n psi) in the first
-            harmonic is that of a change of A in the n-th. Friction changes sign where the mass turns, delta after
-            psi = 0, which turns its first harmonic by delta.
+    u = A cos psi + sum a_n (cos(n psi) - cos psi) + sum b_n sin(n psi),
+
+where the brackets vanish with their slope at psi = 0: their effect stays finite where the force has a corner. (About
+A_1 cos psi it would not, as the slope of h_n' has no bound next to u_cr.)
+
+    cosine  the spring's share is h plus a_n (h_n' - h'): for f(A cos psi) the share of cos(n psi) in the first harmonic
+            is that of a change of A in the n-th. Odd terms have none. Friction changes sign where the mass turns, at
+            psi = delta, which turns its first harmonic by delta.
     sine    the work of a cycle: friction takes 4 mu u_max, viscous damping is quadratic in each harmonic.
+
+For a linear spring this is Den Hartog's solution itself, (35).
 
 The b_n add up: sum of 1/(n^2 - kappa), kappa = K/Omega^2, is Den Hartog's U (37) less its first term. It is
 printed with its poles at the resonances of the first harmonics and the rest as a power series.
@@ -59,9 +66,10 @@ class SecondApproximation:
     outputs -- by name, in these:
         R, I  -- -F_0 cos phi and -F_0 sin phi at a steady state, as in (23)
         u_max -- largest displacement
-        phi   -- phase, in its quadrant (25)
+        A_1   -- amplitude of the first harmonic
+        phi   -- its phase, in its quadrant (25)
         F     -- response, R^2 + (I - F_0)(I + F_0); zero at a steady state
-        turning -- zero where the forcing that holds a given u_max is least
+        turning -- zero where the forcing that reaches a given u_max is least
         and derivatives, as F_A
     """
 
@@ -147,16 +155,19 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
     # stiffness of the linear oscillator of the first approximation, over Omega^2
     kappa = chain.define("kappa", flow.backbone**2 / Omega**2)
     a = {n: chain.define(f"a_{n}", -family[0] / (Omega**2 * (n**2 - kappa))) for n, family in OF_HARMONIC.items()}
-    # u' = 0 at psi = delta: -A sin(delta) + sum n b_n = 0, to first order
+    share = chain.define("share", sum(a.values()))
+    A_1 = chain.define("A_1", A - share)
+    # u' = 0 at psi = delta: -A_1 sin(delta) + sum n b_n = 0
     total = chain.function("total", [friction_sum(kappa, order) for order in range(3)], kappa)
-    delta = chain.define("delta", -m * total / (A * Omega**2))
-    sine = chain.function("sine", [sp.sin(delta), sp.cos(delta), -sp.sin(delta)], delta)
-    cosine = chain.function("cosine", [sp.cos(delta), -sp.sin(delta), -sp.cos(delta)], delta)
-    u_max = chain.define("u_max", A * cosine + sum(a.values()))
-    R = chain.define("R", flow.R + sum(a[n] * family[1] for n, family in OF_HARMONIC.items()) - m * sine)
-    # work of the forcing over a cycle: -pi A F_0 sin(phi) = pi A I
-    viscous = 2 * zeta * Omega * (A + sum(n**2 * a[n] ** 2 for n in HARMONICS) / A)
-    I = chain.define("I", viscous + m * u_max / A)
+    sine = chain.define("sine", -m * total / (A_1 * Omega**2))
+    c = sp.Symbol("cosine", real=True)
+    cosine = chain.function("cosine", [sp.sqrt((1 - sine) * (1 + sine)), -sine / c, -1 / c**3], sine)
+    u_max = chain.define("u_max", A_1 * cosine + share)
+    spring = chain.define("spring", h + sum(a[n] * (family[1] - h_A) for n, family in OF_HARMONIC.items()))
+    R = chain.define("R", flow.R.subs({A: A_1, h: spring}, simultaneous=True) - m * sine)
+    # work of the forcing over a cycle: -pi A_1 F_0 sin(phi) = pi A_1 I
+    viscous = A_1 + sum(n**2 * a[n] ** 2 for n in HARMONICS) / A_1
+    I = chain.define("I", flow.I.subs({A: viscous, m: m * u_max / A_1}, simultaneous=True))
     F_A = 2 * (R * chain.by_A[R] + I * chain.by_A[I])
     F_Omega = 2 * (R * chain.by_Omega[R] + I * chain.by_Omega[I])
     return SecondApproximation(
@@ -165,6 +176,7 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
             "R": R,
             "I": I,
             "u_max": u_max,
+            "A_1": A_1,
             "phi": flow.phase.subs({R_1: R, I_1: I}),
             "F": R**2 + (I - F_0) * (I + F_0),
             "R_A": chain.by_A[R],

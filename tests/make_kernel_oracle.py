@@ -140,18 +140,20 @@ def peak_cubic(A, m, zeta, h):
 
 
 def second(Omega, A, m, zeta, h, h_3, h_5):
-    """The balance with harmonics: R, I and the largest displacement; h, h_3, h_5 are functions of A."""
+    """The balance with harmonics: R, I, largest displacement, first harmonic; h, h_3, h_5 are functions of A."""
     K = -h(A) / A
     a_3, a_5 = (-h_n(A) / (n**2 * Omega**2 - K) for n, h_n in ((3, h_3), (5, h_5)))
+    A_1 = A - a_3 - a_5
     # sum over odd n of 1/(n^2 - kappa) is pi tan(pi k/2)/(4 k), k^2 = kappa
     k = mp.sqrt(K) / Omega
-    turned = -m / (A * Omega**2) * mp.re(mp.pi * mp.tan(mp.pi * k / 2) / (4 * k) - 1 / (1 - k**2))
-    u_max = A * mp.cos(turned) + a_3 + a_5
-    slopes = [mp.diff(h_n, A) for h_n in (h_3, h_5)]
-    R = A * Omega**2 + h(A) + a_3 * slopes[0] + a_5 * slopes[1] - m * mp.sin(turned)
+    turned = mp.asin(-m / (A_1 * Omega**2) * mp.re(mp.pi * mp.tan(mp.pi * k / 2) / (4 * k) - 1 / (1 - k**2)))
+    u_max = A_1 * mp.cos(turned) + a_3 + a_5
+    # force of A cos psi + a_3 (cos 3 psi - cos psi) + a_5 (cos 5 psi - cos psi), to first order in a_3, a_5
+    shares = (mp.diff(lambda a, h_n=h_n: h_n(a) - h(a), A) for h_n in (h_3, h_5))
+    R = A_1 * Omega**2 + h(A) + sum(a_n * share for a_n, share in zip((a_3, a_5), shares, strict=True))
     # power of the forcing is what friction, 4 mu u_max a cycle, and viscosity take
-    I = 2 * zeta * Omega * (A**2 + 9 * a_3**2 + 25 * a_5**2) / A + m * u_max / A
-    return R, I, u_max
+    I = 2 * zeta * Omega * (A_1**2 + 9 * a_3**2 + 25 * a_5**2) / A_1 + m * u_max / A_1
+    return R - m * mp.sin(turned), I, u_max, A_1
 
 
 def second_kernel(kernel):
@@ -166,13 +168,13 @@ def second_kernel(kernel):
             return second(w, a, m, zeta, *families)
 
         def F(w, a):
-            R, I, _ = at(w, a)
+            R, I, *_ = at(w, a)
             return R**2 + I**2 - F_0**2
 
         def slope(f, by):
             return mp.diff(f, (Omega, A), by)
 
-        R, I, u_max = at(Omega, A)
+        R, I, u_max, A_1 = at(Omega, A)
         F_Omega, F_A = slope(F, (1, 0)), slope(F, (0, 1))
         if kernel == "folds":
             return [F(Omega, A), F_A, slope(F, (0, 2))]
@@ -180,7 +182,7 @@ def second_kernel(kernel):
             by_A, by_Omega = (slope(lambda w, a: at(w, a)[2], by) for by in ((0, 1), (1, 0)))
             return [R, I, u_max, F_Omega * by_A - F_A * by_Omega]
         slopes = [slope(lambda w, a: at(w, a)[0], by) for by in ((0, 1), (1, 0))]
-        return [u_max, mp.arg(mp.mpc(-R, -I)), R, I, F(Omega, A), F_A, F_Omega, *slopes]
+        return [u_max, A_1, mp.arg(mp.mpc(-R, -I)), R, F(Omega, A), F_A, F_Omega, *slopes]
 
     return of
 

@@ -10,6 +10,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from derivations.den_hartog import S, U, V, den_hartog, without_cancellation
+from derivations.harmonics import HARMONICS, harmonics
 from derivations.restoring import FAR, moment_parts, moment_series, restoring
 from derivations.symbols import F_0, A, Omega, mu, tau, u
 
@@ -31,15 +32,16 @@ def average():
     return restoring(PIECES, (b_1, b_2))
 
 
-def by_quadrature(amplitude, count):
-    """The average and its derivatives, with `count` breakpoints exceeded."""
+def by_quadrature(amplitude, count, harmonic=1):
+    """A harmonic of the force and its derivatives, with `count` breakpoints exceeded; the first is the average."""
     forces = [sp.lambdify(u, piece, "mpmath") for piece in PIECES]
 
     def of(a):
         cuts = [mpf(0), *(mp.asin(b / a) for b in list(ENDS.values())[:count]), mp.pi / 2]
         parts = []
         for f, interval in zip(forces, itertools.pairwise(cuts), strict=False):
-            parts.append(mp.quad(lambda t, f=f: f(a * mp.sin(t)) * mp.sin(t), interval, method="gauss-legendre"))
+            weight = lambda t, f=f: f(a * mp.sin(t)) * mp.cos(harmonic * (mp.pi / 2 - t))  # noqa: E731
+            parts.append(mp.quad(weight, interval, method="gauss-legendre"))
         return -4 / mp.pi * mp.fsum(parts)
 
     return [c * mp.factorial(k) for k, c in enumerate(mp.taylor(of, amplitude, 3))]
@@ -74,6 +76,26 @@ def test_far_form_to_working_precision(average, count, far, amplitude):
     exact = by_quadrature(mpf(amplitude), count)
     for one, other in zip(values(average.far_regimes[count, far], mpf(amplitude)), exact, strict=True):
         assert abs(one - other) <= mpf(2) ** -54 * (1 + abs(other))
+
+
+@pytest.mark.parametrize(("count", "far", "amplitude"), [(0, 0, "0.2"), (1, 0, "0.31"), (2, 0, "0.501"), *FAR_POINTS])
+def test_higher_harmonics(count, far, amplitude):
+    """Every form of h_3 and h_5; the series leave out less than rounding does."""
+    found = {case.name: case.regime for case in harmonics(PIECES, (b_1, b_2)).cases}
+    regime = found[f"passed_{count}" + (f"_far_{far}" if far else "")]
+    exact = [value for n in HARMONICS for value in by_quadrature(mpf(amplitude), count, n)]
+    bound = mpf(2) ** -54 if far else mpf(10) ** -DIGITS
+    for one, other in zip(values(regime, mpf(amplitude)), exact, strict=True):
+        assert abs(one - other) <= bound * (1 + abs(other))
+
+
+def test_harmonics_that_vanish():
+    """A linear force has none; a cubic one has a third, beta A^3/4, and no fifth."""
+    (case,) = harmonics((3 * u,), ()).cases
+    assert set(case.regime.derivatives) == {0}
+    (case,) = harmonics((u**3,), ()).cases
+    assert case.regime.derivatives[:4] == (-(A**3) / 4, -3 * A**2 / 4, -3 * A / 2, -sp.Rational(3, 2))
+    assert set(case.regime.derivatives[4:]) == {0}
 
 
 @pytest.mark.parametrize("power", [2, 4, 6, 8])

@@ -308,22 +308,15 @@ def second_approximation_module(results: Results) -> Module:
 
     return Module(
         name="second_approximation",
-        title="Second approximation of any mechanism: with what the higher harmonics do to the first",
+        title="Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5",
         inputs=("averaging.py", "slow_flow.py", "second_approximation.py"),
         kernels=(
             kernel(
                 "response",
                 (F_0,),
                 2,
-                ("u_max", "phi", "R", "I", "F", "F_A", "F_Omega", "R_A", "R_Omega"),
-                "Largest displacement, phase, R, I, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.",
-            ),
-            kernel(
-                "folds",
-                (F_0,),
-                3,
-                ("F", "F_A", "F_AA"),
-                "F and its derivatives: a fold has F = F_A = 0, a cusp all three.",
+                ("u_max", "A_1", "phi", "R", "F", "F_A", "F_Omega", "R_A", "R_Omega"),
+                "Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.",
             ),
             kernel(
                 "detachment",
@@ -331,6 +324,13 @@ def second_approximation_module(results: Results) -> Module:
                 2,
                 ("R", "I", "u_max", "turning"),
                 "R, I, largest displacement, and what vanishes where the forcing that reaches it is least.",
+            ),
+            kernel(
+                "folds",
+                (F_0,),
+                3,
+                ("F", "F_A", "F_AA"),
+                "F and its derivatives: a fold has F = F_A = 0, a cusp all three.",
             ),
         ),
         constants={"RESONANCE": sp.Integer(RESONANCE)},

@@ -35,8 +35,6 @@ from slowflow.results import (
 from slowflow_kernels import duffing, rod_spring, rod_spring_attached
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from slowflow import exact
     from slowflow.exact.force import Force
     from slowflow.second import SecondApproximation
@@ -260,16 +258,18 @@ class Oscillator:
     def second_approximation(self) -> SecondApproximation:
         """The same questions with the higher harmonics of force and friction: closer to the equation of motion.
 
-        Raises ValueError where these harmonics are not derived: for an `Isolator` with u_cr > 3/4.
+        Raises ValueError where these harmonics are not derived: for force="exact" with u_cr > 3/4.
         """
         from slowflow.second import SecondApproximation
 
-        return SecondApproximation(self, self._model, self._harmonics())
-
-    def _harmonics(self) -> Callable[[Any], tuple[Floats, ...]]:
-        """h_3, h_5 and their derivatives with respect to A, as functions of A."""
-        kernels, parameters = self._model.kernels, self._model.parameters
-        return lambda A: tuple(kernels.harmonics(A, *parameters))
+        kernels = self._model.kernels
+        for u_cr in self._model.breakpoints:
+            if u_cr > kernels.HARMONICS_UP_TO:
+                raise ValueError(
+                    f"u_cr = {u_cr:g} is not allowed here: the harmonics of this force are derived for "
+                    f"u_cr <= {kernels.HARMONICS_UP_TO:g}"
+                )
+        return SecondApproximation(self, self._model)
 
     def _restoring_force(self, which: str | None) -> Force:
         """The force for the equation of motion, `which` as in `steady_state`."""
@@ -345,19 +345,6 @@ class Isolator(Oscillator):
     def __repr__(self) -> str:
         force = "" if self.force == "truncated" else f", force={self.force!r}"
         return f"Isolator(lam={self.lam}, r={self.r}, delta_h={self.delta_h}, mu={self.mu}, zeta={self.zeta}{force})"
-
-    def _harmonics(self) -> Callable[[Any], tuple[Floats, ...]]:
-        if self.delta_h == 0:
-            return super()._harmonics()
-        # those of (5) for both forces: the jump that (6) leaves at u_cr would enter them without end
-        kernels = _exact_kernels()
-        if self.u_cr > kernels.HARMONICS_UP_TO:
-            raise ValueError(
-                f"delta_h = {self.delta_h:g} is not allowed here: the second approximation is derived for "
-                f"u_cr <= {kernels.HARMONICS_UP_TO:g}, and u_cr = {self.u_cr:g}"
-            )
-        parameters = kernels.coefficients(self.lam, self.r, self.delta_h)
-        return lambda A: tuple(kernels.harmonics(A, *parameters))
 
     def _restoring_force(self, which: str | None) -> Force:
         from slowflow.exact import force

@@ -79,3 +79,7 @@ class Model:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
         h, h_A, h_AA, h_AAA = self.kernels.averaged(A, *self.parameters)
         return h, h_A, h_AA, h_AAA
+
+    def harmonics(self, A: Any) -> tuple[Floats, ...]:
+        """h_3 and h_5, each with its three derivatives, at the amplitudes A (any shape)."""
+        return tuple(self.kernels.harmonics(A, *self.parameters))

@@ -84,16 +84,15 @@ class SaddleNodes:
 class SecondStates:
     """Steady states in the second approximation, one entry each: flat arrays of one length.
 
-    Omega, A -- frequency, and amplitude of the first harmonic
-    u_max    -- largest displacement
-    phi      -- phase of the first harmonic in radians, in [-pi, 0]
+    Omega, A -- frequency, and largest displacement
+    A_1, phi -- amplitude of the first harmonic, and its phase in radians, in [-pi, 0]
     stable   -- True where the steady state is stable
     message  -- remarks in words; empty if there is nothing to say
     """
 
     Omega: Floats
     A: Floats
-    u_max: Floats
+    A_1: Floats
     phi: Floats
     stable: npt.NDArray[np.bool_]
     message: str
@@ -115,13 +114,14 @@ class SecondResponse(SecondStates):
 class SecondFolds:
     """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
 
-    Omega, A, u_max -- as in `SecondStates`; kind as in `SaddleNodes`
+    Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`
     """
 
     Omega: Floats
     A: Floats
-    u_max: Floats
+    A_1: Floats
     kind: npt.NDArray[np.str_]
+    corner: npt.NDArray[np.bool_]
     F_0: float
     message: str
 

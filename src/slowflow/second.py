@@ -7,17 +7,26 @@ survive is left out, and `message` says so.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import root
+from scipy.optimize import brentq, root
 
 from slowflow.isolator import WINDOW
 from slowflow.model import Floats, Model
-from slowflow.results import Detachment, SaddleNodeOnset, SecondFolds, SecondResponse, SecondStates, words
+from slowflow.results import (
+    Detachment,
+    FrequencyResponse,
+    SaddleNodeOnset,
+    SecondFolds,
+    SecondResponse,
+    SecondStates,
+    words,
+)
 from slowflow_kernels import second_approximation as kernels
 
 if TYPE_CHECKING:
@@ -26,52 +35,65 @@ if TYPE_CHECKING:
 Flags = npt.NDArray[np.bool_]
 Balance = Callable[[Floats], Floats]
 
-#: relative change of amplitude, frequency or displacement up to which it is a correction
+#: relative change of amplitude or frequency, and share of the harmonics in A, up to which they are a correction
 SMALL = 0.2
 #: Newton steps along the gradient, the longest one in ln A, R/F_0 and ln Omega, and the one that ends them
 STEPS, LONGEST, DONE = 25, 0.1, 1e-11
+#: Newton steps to the frequency of a given R
+MATCHING = 5
 #: distance in logarithms up to which two answers are one
 SAME = 1e-7
 #: points of the curve on which folds and states at one frequency are looked for, and how far it reaches beyond
 SAMPLES, BEYOND = 600, 1.3
 
+#: amplitudes over that of a breakpoint at which the force jumps, and whose fold has another close above
+BESIDE = np.concatenate(([1 - 1e-6, 1.0], 1 + np.logspace(-13, -2, 34)))
+
 LOST = (
-    "left out: {} of {} points of the first approximation, Omega from {:.3g} to {:.3g}; their harmonics are not small"
+    "left out: {} of {} points of the first approximation, at Omega from {:.3g} to {:.3g}; its harmonics are not small"
 )
 FEWER = "fewer states than in the first approximation at {} of {} frequencies"
-UNSOLVED = "left out: {} of {} folds, for which Newton's iteration does not settle"
+UNSOLVED = "left out: {} of {} folds, next to which the curve is lost"
 NO_FOLD = "no saddle node at F_0 = {:g} in the second approximation"
 NO_CUSP = "the onset of the first approximation is of kind {}: the second follows a cusp only"
-FAR = "the second approximation does not come near the first: its higher harmonics are no small correction"
+FAR = "the second approximation does not come near the first: its harmonics are not small"
 STATIC = "the static amplitude reaches u_cr first: there is no motion whose harmonics could be told"
+
+
+@dataclass(frozen=True)
+class _Curve:
+    """A response curve: Omega, A of the kernels, stability, number of the branch; remarks."""
+
+    Omega: Floats
+    A: Floats
+    stable: Flags
+    branch: npt.NDArray[np.intp]
+    message: str
 
 
 @dataclass(frozen=True)
 class SecondApproximation:
     """The questions of an oscillator in the second approximation; `.second_approximation` of an oscillator makes it.
 
-    A is the amplitude of the first harmonic, u_max the largest displacement. Arguments and errors are the oscillator's.
+    Answers have the largest displacement as A, and the amplitude of the first harmonic as A_1. Arguments and errors are
+    the oscillator's. Inside, as in the kernels, A is A_1 + a_3 + a_5: friction's harmonics take a little off it.
 
-    first     -- the oscillator, averaged
-    model     -- its slow flow
-    harmonics -- h_3, h_5 and their derivatives at amplitudes A, as `slowflow_kernels.*.harmonics` returns them
+    first -- the oscillator, averaged
+    model -- its slow flow
     """
 
     first: Oscillator
     model: Model
-    harmonics: Callable[[Any], tuple[Floats, ...]]
 
     def frequency_response(
         self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = WINDOW
     ) -> SecondResponse:
         """The response curve, as the first approximation's points move to it."""
-        first = self.first.frequency_response(F_0, samples, Omega)
-        at, A, kept = self._moved(first.Omega, first.A, first.F_0)
-        at, A, lost = at[kept], A[kept], first.Omega[~kept]
-        u_max, phi, *_, F_A, _, _, _ = self._response(at, A, first.F_0)
-        remark = LOST.format(lost.size, kept.size, lost.min(), lost.max()) if lost.size else ""
-        message = words(first.message, remark)
-        return SecondResponse(at, A, u_max, phi, F_A > 0, message, first.branch[kept], first.isola, first.F_0)
+        curve, first = self._curve(F_0, samples, Omega)
+        u_max, A_1, phi, *_ = self._response(curve.Omega, curve.A, first.F_0)
+        return SecondResponse(
+            curve.Omega, u_max, A_1, phi, curve.stable, curve.message, curve.branch, first.isola, first.F_0
+        )
 
     def amplitudes(self, Omega: Any, F_0: float) -> SecondStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses."""
@@ -80,49 +102,48 @@ class SecondApproximation:
         if not wanted.size or not first.A.size:
             none = np.empty(0)
             return SecondStates(none, none, none, none, np.empty(0, dtype=bool), first.message)
-        curve = self.frequency_response(F_0, SAMPLES, (wanted.min() / BEYOND, wanted.max() * BEYOND))
+        curve, _ = self._curve(F_0, SAMPLES, (wanted.min() / BEYOND, wanted.max() * BEYOND))
+        F_0 = float(F_0)
         number, low, A, high = _crossings(curve, wanted)
         at = wanted[number]
         step = np.full_like(A, np.inf)
         for _ in range(STEPS):
-            *_, F, F_A, _, _, _ = self._response(at, A, curve.F_0)
+            _, _, _, _, F, F_A, *_ = self._response(at, A, F_0)
             step = F / F_A
             A = np.clip(A - step, low, high)
-        # where points crowd beside a breakpoint the curve may cross a frequency to and fro
-        kept = (np.abs(step) <= DONE * A) & np.append(True, (np.diff(number) != 0) | (np.diff(A) > SAME * A[1:]))[
-            : A.size
-        ]
+        # a curve that turns beside a corner may cross a frequency to and fro within rounding
+        again = (number[1:] == number[:-1]) & (np.abs(np.diff(A)) <= SAME * A[1:])
+        kept = (np.abs(step) <= DONE * A) & np.append(True, ~again)[: A.size]
         at, A, number = at[kept], A[kept], number[kept]
-        u_max, phi, *_, F_A, _, _, _ = self._response(at, A, curve.F_0)
+        u_max, A_1, phi, _, _, F_A, *_ = self._response(at, A, F_0)
         expected = np.count_nonzero(first.Omega == wanted[:, np.newaxis], axis=1)
         fewer = int(np.count_nonzero(np.bincount(number, minlength=wanted.size) < expected))
         message = words(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
-        return SecondStates(at, A, u_max, phi, F_A > 0, message)
+        return SecondStates(at, u_max, A_1, phi, F_A > 0, message)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
-        """Every fold of the response curve, by rising Omega, but for those on a corner of the force."""
+        """Every fold of the response curve, by rising Omega."""
         first = self.first.saddle_nodes(F_0)
         peak = self.first.peak(F_0)
         marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
-        found: list[Floats] = []
+        found: list[tuple[float, float, bool]] = []
         message = first.message
-        lost = 0
         if marks:
-            curve = self.frequency_response(F_0, SAMPLES, (min(marks) / BEYOND, max(marks) * BEYOND))
-            starts = self._turns(curve)
-            for Omega, A, reach in starts:
-                solution = self._solved(self._fold_at(curve.F_0), np.log([Omega, A]), reach)
-                if solution is None:
-                    lost += 1
-                elif not any(np.abs(solution - other).max() < SAME for other in found):
-                    found.append(solution)
-            message = words(curve.message, UNSOLVED.format(lost, len(starts)) if lost else "")
-            message = message or ("" if found else NO_FOLD.format(curve.F_0))
-        points = np.exp(np.array(found).reshape(-1, 2))
-        at, amplitude = points[points[:, 0].argsort()].T
-        u_max = self._response(at, amplitude, first.F_0)[0]
-        F_AA = self._folds(at, amplitude, first.F_0)[2]
-        return SecondFolds(at, amplitude, u_max, np.where(F_AA < 0, "jump-up", "jump-down"), first.F_0, message)
+            curve, _ = self._curve(F_0, SAMPLES, (min(marks) / BEYOND, max(marks) * BEYOND))
+            turns = np.flatnonzero((curve.stable[1:] != curve.stable[:-1]) & (np.diff(curve.branch) == 0))
+            solved = [self._fold(curve, int(k), first.F_0) for k in turns]
+            found = sorted(fold for fold in solved if fold is not None)
+            # where points crowd the curve may turn to and fro within rounding
+            found = [fold for k, fold in enumerate(found) if k == 0 or not np.allclose(fold, found[k - 1], SAME, 0)]
+            lost = sum(fold is None for fold in solved)
+            message = words(curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
+            message = message or ("" if found else NO_FOLD.format(first.F_0))
+        at, A, corner = np.array(found).reshape(-1, 3).T
+        u_max, A_1, *_ = self._response(at, A, first.F_0)
+        # what a sweep leaves for a larger amplitude has its stable side below
+        below = self._response(at, A * (1 - SAME), first.F_0)[5] > 0
+        kind = np.where(below, "jump-up", "jump-down")
+        return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, message)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing that has a fold, where that is a cusp."""
@@ -155,16 +176,55 @@ class SecondApproximation:
         def balance(x: Floats) -> Floats:
             Omega, A = np.exp(x)
             _, _, u_max, turning = self._detachment(Omega, A)
-            return np.array([u_max / u_cr - 1.0, turning * Omega / F_cr**2])
+            return np.asarray([u_max / u_cr - 1.0, turning * Omega / F_cr**2])
 
-        # A that makes u_max u_cr, nearly: at u_cr itself the slopes of the harmonics jump
-        added = float(self._detachment(first.Omega_cr, u_cr)[2]) - u_cr
-        found = self._solved(balance, np.log([first.Omega_cr, u_cr - added]))
+        # next to u_cr, above which the harmonics change: as far below as friction's leave off u_max
+        found = self._solved(balance, np.log([first.Omega_cr, u_cr]))
         if found is None:
             return Detachment(None, None, u_cr, FAR)
         Omega, A = np.exp(found)
         R, I, *_ = self._detachment(Omega, A)
         return Detachment(float(np.hypot(R, I)), float(Omega), u_cr, first.message)
+
+    def _curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> tuple[_Curve, FrequencyResponse]:
+        """The response curve in the A of the kernels, and the first approximation's."""
+        first = self.first.frequency_response(F_0, samples, Omega)
+        at, A, kept = self._moved(first.Omega, first.A, first.F_0)
+        at, A, lost = at[kept], A[kept], first.Omega[~kept]
+        branch = first.branch[kept]
+        for b, jump in zip(self.model.breakpoints, self.model.jumps, strict=True):
+            if jump != 0:
+                at, A, branch = self._across(b, at, A, branch, first.F_0)
+        stable = self._response(at, A, first.F_0)[5] > 0
+        remark = LOST.format(lost.size, kept.size, lost.min(), lost.max()) if lost.size else ""
+        return _Curve(at, A, stable, branch, words(first.message, remark)), first
+
+    def _across(
+        self, b: float, Omega: Floats, A: Floats, branch: npt.NDArray[np.intp], F_0: float
+    ) -> tuple[Floats, Floats, npt.NDArray[np.intp]]:
+        """The curve with more points where it passes a breakpoint at which the force jumps: folds are close there."""
+        passing = np.flatnonzero(((A[1:] > b) != (A[:-1] > b)) & (branch[1:] == branch[:-1]))
+        if not passing.size:
+            return Omega, A, branch
+        rising = A[passing + 1] > b
+        amplitudes = np.where(rising[:, np.newaxis], b * BESIDE, b * BESIDE[::-1])
+        share = (b - A[passing]) / (A[passing + 1] - A[passing])
+        at = np.repeat((Omega[passing] + share * (Omega[passing + 1] - Omega[passing]))[:, np.newaxis], BESIDE.size, 1)
+        step = np.full_like(at, np.inf)
+        with np.errstate(all="ignore"):
+            for _ in range(STEPS):
+                _, _, _, _, F, _, F_Omega, *_ = self._response(at, amplitudes, F_0)
+                step = np.clip(F / (F_Omega * at), -LONGEST, LONGEST)
+                at = at * np.exp(-step)
+        # inserted where the points on both sides do not lie nearer
+        ends = np.sort(np.column_stack((A[passing], A[passing + 1])), axis=1)[:, :, np.newaxis]
+        good = (np.abs(step) <= DONE) & (amplitudes > ends[:, 0]) & (amplitudes < ends[:, 1])
+        where = np.repeat(passing[:, np.newaxis] + 1, BESIDE.size, 1)[good]
+        return (
+            np.insert(Omega, where, at[good]),
+            np.insert(A, where, amplitudes[good]),
+            np.insert(branch, where, branch[where - 1]),
+        )
 
     def _moved(self, Omega_1: Floats, A_1: Floats, F_0: float) -> tuple[Floats, Floats, Flags]:
         """Points of the first approximation moved to the second: Omega, A, and where that is a correction.
@@ -173,27 +233,30 @@ class SecondApproximation:
         there each point takes the shortest way, from where R is what it was.
         """
         Omega, A = Omega_1.copy(), A_1.copy()
-        R_1 = self.model.flow.R(Omega_1, A_1, self.model.averaged(A_1)[0])
+        R = self.model.flow.R(Omega_1, A_1, self.model.averaged(A_1)[0])
         step = np.full_like(A, np.inf)
         with np.errstate(all="ignore"):
             left = np.flatnonzero(self._off_resonance(Omega, A))
-            for k in range(STEPS):
-                at, amplitude = Omega[left], A[left]
-                *_, R, _, F, F_A, F_Omega, R_A, R_Omega = self._response(at, amplitude, F_0)
-                if k < 2:
-                    x, y = np.zeros_like(at), (R_1[left] - R) / F_0
-                else:
-                    by_y, by_x = F_Omega / (R_Omega * F_0), (F_A - F_Omega * R_A / R_Omega) * amplitude / F_0**2
-                    way = -F / F_0**2 / (by_x**2 + by_y**2)
-                    x, y = (np.clip(way * by, -LONGEST, LONGEST) for by in (by_x, by_y))
-                z = np.clip((F_0 * y - R_A * amplitude * x) / (R_Omega * at), -LONGEST, LONGEST)
-                A[left], Omega[left] = amplitude * np.exp(x), at * np.exp(z)
-                step[left] = np.maximum(np.abs(x), np.abs(z))
-                if k >= 2:
-                    left = left[step[left] > DONE]
+            for _ in range(STEPS):
+                at, amplitude = self._at_R(Omega[left], A[left], R[left], F_0), A[left]
+                _, _, _, reached, F, F_A, F_Omega, R_A, R_Omega = self._response(at, amplitude, F_0)
+                by_y, by_x = F_Omega / (R_Omega * F_0), (F_A - F_Omega * R_A / R_Omega) * amplitude / F_0**2
+                way = -F / F_0**2 / (by_x**2 + by_y**2)
+                x, y = (np.clip(way * by, -LONGEST, LONGEST) for by in (by_x, by_y))
+                A[left], Omega[left], R[left] = amplitude * np.exp(x), at, reached + F_0 * y
+                step[left] = np.maximum(np.abs(x), np.abs(y))
+                left = left[step[left] > DONE]
+            Omega = self._at_R(Omega, A, R, F_0)
             near = (np.abs(np.log(A / A_1)) < SMALL) & (np.abs(np.log(Omega / Omega_1)) < SMALL)
             kept = near & (step <= DONE) & self._small(Omega, A)
         return Omega, A, kept
+
+    def _at_R(self, Omega: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
+        """The frequency at which the cosine balance is R, from one nearby."""
+        for _ in range(MATCHING):
+            _, _, _, reached, _, _, _, _, R_Omega = self._response(Omega, A, F_0)
+            Omega = Omega * np.exp(np.clip((R - reached) / (R_Omega * Omega), -LONGEST, LONGEST))
+        return Omega
 
     def _off_resonance(self, Omega: Any, A: Any) -> Flags:
         """Where the third harmonic is above its resonance."""
@@ -201,68 +264,72 @@ class SecondApproximation:
 
     def _small(self, Omega: Any, A: Any) -> Flags:
         """Where the harmonics are a correction."""
-        u_max = self._response(Omega, A, 1.0)[0]
-        return np.asarray(self._off_resonance(Omega, A) & (np.abs(u_max / A - 1.0) < SMALL))
+        A_1 = self._response(Omega, A, 1.0)[1]
+        return np.asarray(self._off_resonance(Omega, A) & (np.abs(A_1 / A - 1.0) < SMALL))
 
-    def _turns(self, curve: SecondResponse) -> list[tuple[float, float, float]]:
-        """Where F_A changes its sign along the curve: Omega, A, and the distance of the points there, in logarithms."""
-        # just beyond a breakpoint, by less than what the harmonics add, their linear effect tells nothing
-        trusted = np.ones(curve.A.size, dtype=bool)
-        for b in self.model.breakpoints:
-            trusted &= (curve.A <= b) | (curve.A - b > np.abs(curve.u_max - curve.A))
-        rows = np.flatnonzero(trusted)
-        turned = (curve.stable[rows[1:]] != curve.stable[rows[:-1]]) & (np.diff(curve.branch[rows]) == 0)
-        points = np.log(np.column_stack((curve.Omega, curve.A)))
-        result = []
-        for i, j in zip(rows[:-1][turned], rows[1:][turned], strict=True):
-            Omega, A = np.exp((points[i] + points[j]) / 2)
-            result.append((float(Omega), float(A), float(np.linalg.norm(points[i] - points[j]))))
-        return result
+    def _fold(self, curve: _Curve, k: int, F_0: float) -> tuple[float, float, bool] | None:
+        """Where F_A changes its sign between points k and k + 1: Omega, A, and whether that is a corner's jump."""
+        rising = [k, k + 1] if curve.A[k + 1] > curve.A[k] else [k + 1, k]
+        frequencies, amplitudes = curve.Omega[rising], curve.A[rising]
 
-    def _fold_at(self, F_0: float) -> Balance:
-        def balance(x: Floats) -> Floats:
-            Omega, A = np.exp(x)
-            F, F_A, _ = self._folds(Omega, A, F_0)
-            return np.array([F, A * F_A]) / F_0**2
+        def on_curve(A: float) -> float:
+            Omega = float(np.interp(A, amplitudes, frequencies))
+            for _ in range(STEPS):
+                _, _, _, _, F, _, F_Omega, *_ = self._response(Omega, A, F_0)
+                step = float(np.clip(F / (F_Omega * Omega), -LONGEST, LONGEST))
+                Omega *= math.exp(-step)
+                if abs(step) <= DONE:
+                    break
+            return Omega
 
-        return balance
+        def slope(A: float) -> float:
+            return float(self._response(on_curve(A), A, F_0)[5])
 
-    def _solved(self, balance: Balance, start: Floats, reach: float = SMALL) -> Floats | None:
-        """The zero near a start; None where there is none within `reach`, or where it is no correction."""
+        ends = amplitudes.tolist()
+        if (slope(ends[0]) > 0) == (slope(ends[1]) > 0):
+            return None
+        A = float(brentq(slope, *ends, xtol=4 * np.finfo(float).tiny, rtol=4 * np.finfo(float).eps))
+        corners = [b for b in self.model.breakpoints if abs(A - b) <= 8 * np.spacing(b)]
+        return on_curve(A), corners[0] if corners else A, bool(corners)
+
+    def _solved(self, balance: Balance, start: Floats) -> Floats | None:
+        """The zero near a start, in logarithms of Omega, A and what follows; None where it is no correction."""
         with np.errstate(all="ignore"):
             found = root(balance, start, method="hybr", options={"xtol": 1e-13})
             x = np.asarray(found.x)
-            near = bool(np.all(np.abs(x - start) <= reach)) and float(np.abs(found.fun).max()) < 1e-9
-            return x if near and bool(np.all(self._small(*np.exp(x[:2])))) else None
+            near = bool(np.all(np.abs(x - start) <= SMALL)) and float(np.abs(found.fun).max()) < 1e-9
+            return x if near and bool(self._small(*np.exp(x[:2]))) else None
 
     def _response(self, Omega: Any, A: Any, F_0: float) -> tuple[Floats, ...]:
-        """u_max, phi, R, I, F, F_A, F_Omega, R_A, R_Omega"""
+        """u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega"""
         h, h_A, h_AA, _ = self.model.averaged(A)
-        h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.harmonics(A)
+        h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.model.harmonics(A)
         m, zeta = self.model.m, self.model.zeta
         values: tuple[Floats, ...] = kernels.response(
             Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA
         )
         return values
 
-    def _folds(self, Omega: Any, A: Any, F_0: Any) -> tuple[Floats, ...]:
-        """F, F_A, F_AA"""
-        m, zeta = self.model.m, self.model.zeta
-        values: tuple[Floats, ...] = kernels.folds(Omega, A, F_0, m, zeta, *self.model.averaged(A), *self.harmonics(A))
-        return values
-
     def _detachment(self, Omega: Any, A: Any) -> tuple[Floats, ...]:
         """R, I, u_max, turning"""
         h, h_A, h_AA, _ = self.model.averaged(A)
-        h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.harmonics(A)
+        h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.model.harmonics(A)
         m, zeta = self.model.m, self.model.zeta
         values: tuple[Floats, ...] = kernels.detachment(
             Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA
         )
         return values
 
+    def _folds(self, Omega: Any, A: Any, F_0: Any) -> tuple[Floats, ...]:
+        """F, F_A, F_AA"""
+        m, zeta = self.model.m, self.model.zeta
+        values: tuple[Floats, ...] = kernels.folds(
+            Omega, A, F_0, m, zeta, *self.model.averaged(A), *self.model.harmonics(A)
+        )
+        return values
 
-def _crossings(curve: SecondResponse, Omega: Floats) -> tuple[npt.NDArray[np.intp], Floats, Floats, Floats]:
+
+def _crossings(curve: _Curve, Omega: Floats) -> tuple[npt.NDArray[np.intp], Floats, Floats, Floats]:
     """Where a curve passes frequencies: number of the frequency; A below, there and above, by rising A for each."""
     found = []
     x = np.log(curve.A)
