@@ -254,6 +254,19 @@ def test_short_curve_by_scipy():
 
 
 @heyoka
+def test_a_whole_curve_by_scipy(curves):
+    """Both integrators, on steps of their own, agree about peak, folds and where the springs detach."""
+    slow = exact_response(table_1(exact=True), 0.04, (0.7, 1.1), step=0.2, integrator=ScipyIntegrator())
+    quick = curves[True, 0.04]
+    assert slow.peak.A == pytest.approx(quick.peak.A, rel=1e-10)
+    for a, b in zip(slow.folds, quick.folds, strict=True):
+        assert abs(a.Omega - b.Omega) <= 1e-9 and abs(a.A - b.A) <= 1e-7 and (a.kind, a.corner) == (b.kind, b.corner)
+    assert len(slow.borders) == 2
+    for Omega, A in slow.borders:
+        assert min(abs(Omega - o) + abs(A - a) for o, a in quick.borders) <= 1e-9
+
+
+@heyoka
 def test_unbounded_resonance_in_words():
     with pytest.raises(ArithmeticError, match="resonance is unbounded"):
         exact_response(Oscillator(linear(), 0.3, 0.0), 1.0, (0.6, 1.4))
