@@ -11,7 +11,7 @@ import pytest
 import exact_brute
 import exact_linear
 from exact_cases import isolator, random_cases, table_1
-from slowflow.exact import Oscillator, linear, rod_spring, steady_state
+from slowflow.exact import Oscillator, duffing, linear, rod_spring, steady_state, sweep
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
 from slowflow_kernels import den_hartog
@@ -211,6 +211,18 @@ def test_released_asymmetric_motion():
     _, u, _ = state.series(100)
     assert abs(np.mean(u)) > 0.1
     assert abs(state.harmonics(2)[0].real - np.mean(u)) <= 1e-6
+
+
+@pytest.mark.parametrize("integrator", [default_integrator(), ScipyIntegrator()], ids=lambda one: one.name)
+def test_escape_in_words(integrator):
+    """A softening spring that pulls outwards beyond |u| = 1.83 lets the mass go: said, not looped over for ever."""
+    system = Oscillator(duffing(1.0, -0.3), 0.01, 0.05)
+    with pytest.raises(ArithmeticError, match="motion escapes"):
+        steady_state(system, 0.7, 0.6, integrator=integrator)
+    with pytest.raises(ArithmeticError, match="motion escapes"):
+        steady_state(system, 0.7, 0.3, (1.9, -1.0), integrator=integrator)
+    with pytest.raises(ArithmeticError, match="motion escapes"):
+        sweep(system, 0.6, [0.7], integrator=integrator)
 
 
 def test_errors_in_words():

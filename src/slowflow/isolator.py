@@ -247,7 +247,8 @@ class Oscillator:
         """What an experiment sees that steps through the frequencies `Omega` in their order: amplitudes and jumps.
 
         (u, v) has settled once a turn of the forcing changes it by no more than `tolerance`; `force` as in
-        `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu.
+        `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError where the motion
+        escapes a softening spring.
         """
         from slowflow.exact import questions
 

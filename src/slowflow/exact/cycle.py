@@ -310,7 +310,10 @@ class Cycle:
         """Whether the motion from z's start really switches in the order of the signature."""
         if not self.consistent or np.any(z[2:-1] <= 0.0):
             return False
-        found = self.phases(z, F_0)
+        try:
+            found = self.phases(z, F_0)
+        except ArithmeticError:
+            return False
         k = len(self.signature)
         return signature(found[:k]) == self.signature and abs(found[k - 1].end - z[1] - np.sum(z[2:-1])) < 1e-5
 
