@@ -62,6 +62,7 @@ class Response:
     folds        -- by rising Omega
     borders      -- (Omega, A) where the order of switches changes
     closed       -- whether the curve closed on itself (an isola)
+    message      -- curves that do not hang together with this one, as far as averaging knows; empty if there is none
     """
 
     F_0: float
@@ -74,6 +75,7 @@ class Response:
     borders: tuple[tuple[float, float], ...]
     closed: bool
     states: tuple[_Point, ...]
+    message: str = ""
 
     def steady_state(self, index: int) -> SteadyState:
         """The full steady state of a point of the curve."""

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +18,14 @@ from slowflow.exact.sweep import sweep as stepped
 
 if TYPE_CHECKING:
     from slowflow.isolator import Oscillator as Averaged
+
+#: distance, relative in amplitude and frequency, from which on the averaged points are those of another curve
+APART = 0.1
+
+OTHER = (
+    "another curve is not part of this one: averaging has it at Omega = {Omega:.4g}, A = {A:.4g}; "
+    "start = steady_state({Omega:.4g}, {F_0:.4g}, {A:.4g}) leads to it"
+)
 
 
 def oscillator(averaged: Averaged, which: str | None) -> Oscillator:
@@ -59,7 +68,25 @@ def exact_response(
         raise ValueError(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
         )
-    return continuation.exact_response(system, F_0, (low, high), start=start, step=step)
+    found = continuation.exact_response(system, F_0, (low, high), start=start, step=step)
+    return dataclasses.replace(found, message=_others(averaged, found, (low, high)))
+
+
+def _others(averaged: Averaged, found: continuation.Response, window: tuple[float, float]) -> str:
+    """Names a stable point of each averaged curve in the window that the exact one does not come near."""
+    curve = averaged.frequency_response(found.F_0, samples=100, Omega=window)
+    points = np.log(np.column_stack((curve.Omega, curve.A)))
+    line = np.log(np.column_stack((found.Omega, found.A)))
+    apart = np.array([np.abs(line - point).max(axis=1).min() for point in points])
+    branches = [np.flatnonzero(curve.branch == branch) for branch in np.unique(curve.branch)]
+    branches.sort(key=lambda on: float(np.median(apart[on])))
+    remarks = []
+    for on in branches[1:]:  # the nearest is this curve, however far friction keeps averaging from it
+        stable = on[curve.stable[on]]
+        if stable.size and np.median(apart[on]) > APART:
+            at = stable[stable.size // 2]
+            remarks.append(OTHER.format(Omega=curve.Omega[at], A=curve.A[at], F_0=found.F_0))
+    return "; ".join(remarks)
 
 
 def sweep(averaged: Averaged, F_0: float, Omega: Any, tolerance: float, which: str | None) -> Sweep:
