@@ -11,6 +11,7 @@ import pytest
 import exact_brute
 import exact_linear
 from exact_cases import isolator, random_cases, table_1
+from slowflow import Duffing
 from slowflow.exact import Oscillator, duffing, linear, rod_spring, steady_state, sweep
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
@@ -211,6 +212,19 @@ def test_released_asymmetric_motion():
     _, u, _ = state.series(100)
     assert abs(np.mean(u)) > 0.1
     assert abs(state.harmonics(2)[0].real - np.mean(u)) <= 1e-6
+
+
+def test_a_slip_that_turns_round_unseen_is_no_motion():
+    """The equations of an order of switches may be solved with a velocity that passes zero within a phase: refused.
+
+    Duffing(1, -0.3, 0.01, 0.05) at F_0 = 0.05, from what averaging guesses at Omega = 0.3; from rest there is one motion.
+    """
+    system = Oscillator(duffing(1.0, -0.3), 0.01, 0.05)
+    from_rest = steady_state(system, 0.3, 0.05)
+    states = Duffing(1.0, -0.3, 0.01, 0.05).amplitudes(0.3, 0.05)
+    found = steady_state(system, 0.3, 0.05, (float(states.A[0]), float(states.phi[0])))
+    assert found.residual <= 1e-11
+    assert found.A == pytest.approx(from_rest.A, rel=1e-9) and found.stops == from_rest.stops == 2
 
 
 @pytest.mark.parametrize("integrator", [default_integrator(), ScipyIntegrator()], ids=lambda one: one.name)

@@ -315,7 +315,11 @@ class Cycle:
         except ArithmeticError:
             return False
         k = len(self.signature)
-        return signature(found[:k]) == self.signature and abs(found[k - 1].end - z[1] - np.sum(z[2:-1])) < 1e-5
+        # every switch at its time: the equations may also be solved with a slip whose velocity passes zero twice
+        ends = z[1] + np.cumsum(z[2:-1])
+        return signature(found[:k]) == self.signature and all(
+            abs(phase.end - end) < 1e-5 for phase, end in zip(found[:k], ends, strict=True)
+        )
 
     def newton(
         self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = 12, tolerance: float = 1e-13
