@@ -217,7 +217,7 @@ def test_released_asymmetric_motion():
 def test_a_slip_that_turns_round_unseen_is_no_motion():
     """The equations of an order of switches may be solved with a velocity that passes zero within a phase: refused.
 
-    Duffing(1, -0.3, 0.01, 0.05) at F_0 = 0.05, from what averaging guesses at Omega = 0.3; from rest there is one motion.
+    Duffing(1, -0.3, 0.01, 0.05), F_0 = 0.05, from what averaging guesses at Omega = 0.3; from rest there is one motion.
     """
     system = Oscillator(duffing(1.0, -0.3), 0.01, 0.05)
     from_rest = steady_state(system, 0.3, 0.05)

@@ -33,6 +33,18 @@ def test_each_averaged_state_leads_to_a_motion_beside_it():
     assert from_rest.stable and abs(from_rest.A / averaged.A[0] - 1) < 0.1
 
 
+def test_a_mass_at_rest_comes_to_a_stable_motion():
+    """Negative stiffness at rest: the averaged state about u = 0 leads to a motion, but an unstable one."""
+    with pytest.warns(UserWarning, match="negative stiffness"):
+        oscillator = isolator(delta_h=0.27, mu=0.00116, zeta=0.093, r=2.79)
+    (A,) = oscillator.amplitudes(1.14, 0.005844).A
+    about_zero = oscillator.steady_state(1.14, 0.005844, A)
+    assert not about_zero.stable and about_zero.symmetric
+    found = oscillator.steady_state(1.14, 0.005844)
+    assert found.stable and not found.symmetric
+    assert abs(found.harmonics(0)[0].real) > 0.1
+
+
 def test_a_motion_shows_its_series_and_harmonics():
     state = isolator().steady_state(0.9, 0.04)
     tau, u, _ = state.series(256)

@@ -182,9 +182,11 @@ class _Path:
                     yield self._fold(point, new, size)
                 yield new
                 if new.equations.A > LARGEST:
+                    unbounded = new.cycle.system.zeta == 0
                     raise ArithmeticError(
                         f"the response curve at F_0 = {self.F_0} passes A = {LARGEST:g} at Omega = {new.z[-1]:.9g}: "
-                        f"without viscous damping resonance is unbounded (27); choose a range on one side of it"
+                        + ("without viscous damping resonance is unbounded (27); " if unbounded else "")
+                        + "choose a range on one side of it"
                     )
                 travelled += size
                 if travelled > 10 * self.step and self._meets(point, new, first):

@@ -45,7 +45,10 @@ def steady_state(
     Omega = validate.number("Omega", Omega, above=0.0)
     F_0 = validate.number("F_0", F_0, above=0.0)
     wanted = None if A is None else validate.number("A", A, above=0.0)
-    return shooting.steady_state(oscillator(averaged, which), Omega, F_0, _guess(averaged, Omega, F_0, wanted))
+    system = oscillator(averaged, which)
+    if wanted is None:
+        return _from_rest(averaged, system, Omega, F_0)
+    return shooting.steady_state(system, Omega, F_0, _guess(averaged, Omega, F_0, wanted))
 
 
 def exact_response(
@@ -63,7 +66,7 @@ def exact_response(
     step = validate.number("step", step, above=0.0, most=0.5)
     system = oscillator(averaged, which)
     if start is None:
-        start = shooting.steady_state(system, low, F_0, _guess(averaged, low, F_0, None))
+        start = _from_rest(averaged, system, low, F_0)
     elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
         raise ValueError(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
@@ -97,10 +100,20 @@ def sweep(averaged: Averaged, F_0: float, Omega: Any, tolerance: float, which: s
     return stepped(oscillator(averaged, which), F_0, frequencies, tolerance=tolerance)
 
 
-def _guess(averaged: Averaged, Omega: float, F_0: float, A: float | None) -> tuple[float, float] | None:
-    """(A, phi) of the averaged state nearest to A, of the only one if A is None, or None: then from rest."""
+def _from_rest(averaged: Averaged, system: Oscillator, Omega: float, F_0: float) -> shooting.SteadyState:
+    """What a mass at rest comes to; where averaging knows of one state only, that one, without waiting for it."""
     states = averaged.amplitudes(Omega, F_0)
-    if not states.A.size or (A is None and states.A.size > 1):
+    if states.A.size == 1:
+        found = shooting.steady_state(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])))
+        if found.stable:  # about u = 0 it need not be, where the stiffness is negative
+            return found
+    return shooting.steady_state(system, Omega, F_0)
+
+
+def _guess(averaged: Averaged, Omega: float, F_0: float, A: float) -> tuple[float, float] | None:
+    """(A, phi) of the averaged state nearest to A, or None: then from rest."""
+    states = averaged.amplitudes(Omega, F_0)
+    if not states.A.size:
         return None
-    nearest = 0 if A is None else int(np.argmin(np.abs(states.A - A)))
+    nearest = int(np.argmin(np.abs(states.A - A)))
     return float(states.A[nearest]), float(states.phi[nearest])
