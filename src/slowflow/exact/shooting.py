@@ -29,7 +29,7 @@ GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 class SteadyState:
     """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
 
-    A            -- largest |u|
+    A            -- largest |u|, good to about 1e-13 whatever its size
     stops        -- rests in one period
     multipliers  -- Floquet multipliers over `period`, shape (2,)
     half_multipliers -- of the map over half a period with u -> -u, where the motion is half-wave symmetric, else None;
