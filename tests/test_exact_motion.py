@@ -12,7 +12,7 @@ import exact_brute
 import exact_linear
 from exact_cases import isolator, random_cases, table_1
 from slowflow import Duffing
-from slowflow.exact import Oscillator, duffing, linear, rod_spring, steady_state, sweep
+from slowflow.exact import Oscillator, duffing, linear, rod_spring, rod_spring_exact, steady_state, sweep
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
 from slowflow_kernels import den_hartog
@@ -237,6 +237,18 @@ def test_escape_in_words(integrator):
         steady_state(system, 0.7, 0.3, (1.9, -1.0), integrator=integrator)
     with pytest.raises(ArithmeticError, match="motion escapes"):
         sweep(system, 0.6, [0.7], integrator=integrator)
+
+
+@pytest.mark.parametrize("integrator", [default_integrator(), ScipyIntegrator()], ids=lambda one: one.name)
+def test_a_wall_within_reach(integrator):
+    """u_cr = 0.99995: Newton's trials run against the force (5) near |u| = 1, where it has no bound."""
+    system = Oscillator(rod_spring_exact(3, 0.1, 0.99), 0.012, 0.02)
+    state = steady_state(system, 0.5, 0.9, (1.3187, -0.04), integrator=integrator)
+    assert state.stable and state.residual <= 1e-9
+    again = steady_state(system, 0.5, 0.9, state, integrator=default_integrator())
+    assert again.A == pytest.approx(state.A, rel=1e-9) and again.stops == state.stops
+    with pytest.raises(ArithmeticError, match="the integration from theta = 0"):
+        steady_state(system, 0.5, 1e9, integrator=integrator)
 
 
 def test_errors_in_words():
