@@ -20,7 +20,7 @@ from scipy.optimize import brentq
 
 from benchmarks import validity_page
 from slowflow import Isolator
-from slowflow.exact import Response, exact_response
+from slowflow.exact import Response, SteadyState, exact_response
 from slowflow.exact.force import Force
 from slowflow.exact.force import Oscillator as Motion
 from slowflow.exact.integrate import default_integrator
@@ -114,11 +114,11 @@ def compared(averaged: Isolator, F_0: float, low_high: tuple[float, float]) -> d
         line = logs(exact.Omega, exact.A)
         nearest = ((points[:, None, :] - line) ** 2).sum(axis=2).argmin(axis=1)
         out[force] = {
-            "A": float(exact.A.max()),
+            "A": exact.peak.A,
             "kinds": [fold.kind for fold in exact.folds],
             "Omega": [fold.Omega for fold in exact.folds],
             "stops": int(exact.stops.max()),
-            "stops at top": int(exact.stops[exact.A.argmax()]),
+            "stops at top": exact.peak.stops,
         }
         out["points"][force] = misfit(points, line)
         out["points"]["stops"] = exact.stops[nearest]
@@ -175,15 +175,17 @@ def steepness(curve: Response) -> float:
 
 
 def zero_near(function: Callable[[float], float], at: float) -> float | None:
-    """The zero of a function of the forcing, near `at`."""
-    for low, high in ((0.985, 1.015), (0.93, 1.07), (0.75, 1.25), (0.45, 1.7)):
-        try:
-            if function(low * at) * function(high * at) < 0:
-                zero = float(brentq(function, low * at, high * at, xtol=1e-5 * at, rtol=1e-5))
-                # a change of sign may also be a jump, from one peak to another
-                return zero if abs(function(zero)) < 1e-3 else None
-        except (ArithmeticError, ValueError):
+    """The zero nearest to `at` of a function that rises with the forcing; it may jump there. None if none is found."""
+    last, before = 1.0, attempt(lambda: function(at))
+    if before is None:
+        return None
+    for factor in (0.985, 0.97, 0.94, 0.88, 0.8, 0.7) if before > 0 else (1.015, 1.03, 1.06, 1.12, 1.3, 1.7):
+        there = attempt(lambda factor=factor: function(factor * at))
+        if there is None:
             continue
+        if before * there <= 0:
+            return attempt(lambda: float(brentq(function, last * at, factor * at, xtol=1e-5 * at, rtol=1e-5)))  # noqa: B023
+        last, before = factor, there
     return None
 
 
@@ -222,42 +224,48 @@ def onsets() -> list[dict[str, Any]]:
                 if found is not None:
                     averaged = make(found[0])
                     cell["kind"] = averaged.saddle_node_onset().kind
-                    if cell["kind"] == "cusp":
-                        cell["F_SN"] = onset(averaged, found[1])
+                    cell["F_SN"] = onset(averaged, found[1])
                 out.append(cell)
     return out
 
 
 def onset(averaged: Isolator, F_SN: float) -> dict[str, float | None]:
-    """Averaged F_SN over the exact one, less 1: where the exact curve becomes vertical."""
-    at = averaged.saddle_node_onset()
-    shown = (0.8 * float(at.Omega or 1), 1.1 * float(at.Omega or 1))
+    """Averaged F_SN over the exact one, less 1: where the exact curve becomes vertical, or gets folds at a corner."""
+    Omega = float(averaged.saddle_node_onset().Omega or 1)
     out: dict[str, float | None] = {}
     for force in FORCES:
-        exact = zero_near(
-            lambda F_0, force=force: steepness(averaged.exact_response(F_0, shown, step=STEP, force=force)), F_SN
-        )
+
+        def folded(F_0: float, force: str = force) -> float:
+            curve = averaged.exact_response(F_0, (0.4 * Omega, 1.3 * Omega), step=STEP, force=force)
+            try:
+                return -steepness(curve)
+            except ArithmeticError:
+                return 1.0 if curve.folds else -1.0
+
+        exact = zero_near(folded, F_SN)
         out[force] = None if exact is None else F_SN / exact - 1
     return out
 
 
-def detachment(averaged: Isolator, F_cr: float) -> dict[str, float | None]:
-    """Averaged F_cr over the exact one, less 1: where the peak of the exact curve without detachment is u_cr."""
+def detachment(averaged: Isolator, F_cr: float) -> dict[str, Any]:
+    """Averaged F_cr over the exact one, less 1: where the peak of the exact curve without detachment is u_cr.
+
+    The peak may be far from the resonance, where the mass stops within the cycle: stops there, with either force.
+    """
     Omega = float(averaged.detachment().Omega_cr or 1)
-    out: dict[str, float | None] = {}
+    out: dict[str, Any] = {"stops": 0}
     for force in FORCES:
         attached = Force(averaged._restoring_force(force).pieces[:1], ())
         system = Motion(attached, averaged.mu, averaged.zeta)
 
-        def above(F_0: float, system: Motion = system) -> float:
-            A = exact_response(system, F_0, (0.8 * math.sqrt(averaged.alpha), 1.1 * Omega), step=STEP).A
-            i = int(A.argmax())
-            if i in (0, A.size - 1):
-                raise ArithmeticError("no peak")
-            return float(A[i]) / averaged.u_cr - 1
+        def peak(F_0: float, system: Motion = system) -> SteadyState:
+            window = (0.5 * math.sqrt(averaged.alpha), 1.25 * Omega)
+            return exact_response(system, F_0, window, step=STEP).peak
 
-        exact = zero_near(above, F_cr)
+        exact = zero_near(lambda F_0, peak=peak: peak(F_0).A / averaged.u_cr - 1, F_cr)
         out[force] = None if exact is None else F_cr / exact - 1
+        if exact is not None:
+            out["stops"] = max(out["stops"], peak(exact).stops)
     return out
 
 

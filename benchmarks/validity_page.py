@@ -109,7 +109,7 @@ def resonance(numbers: dict[str, Any]) -> Any:
 
 
 def critical(numbers: dict[str, Any]) -> Any:
-    """Errors of F_SN and F_cr over mu/F and zeta, a row of panels for each."""
+    """Errors of F_SN and F_cr over mu/F and zeta, a row of panels for each; an asterisk where F_SN is a corner's."""
     found = numbers["onsets"]
     ratios, zetas, preloads = (_axis(found, name) for name in ("ratio", "zeta", "delta_h"))
     figure, axes = plt.subplots(2, len(preloads), figsize=(13, 4.6), layout="constrained")
@@ -123,6 +123,11 @@ def critical(numbers: dict[str, Any]) -> Any:
                 for zeta in zetas
             ]
             image = cells(ax, values, ratios, zetas)
+            for i, zeta in enumerate(zetas):
+                for j, ratio in enumerate(ratios):
+                    cell = _lookup(found, ratio=ratio, zeta=zeta, delta_h=delta_h)
+                    if quantity == "F_SN" and cell.get("kind") == "corner":
+                        ax.text(j + 0.4, i, "*", ha="center", va="center", fontsize=9)
             ax.set_title(f"{quantity}; delta_h = {delta_h:.3g}", fontsize=8)
             ax.set_ylabel("zeta", fontsize=8)
             ax.set_xlabel(f"mu/{quantity}", fontsize=8)
@@ -258,9 +263,24 @@ def _at_resonance(numbers: dict[str, Any], quantity: str, ratios: tuple[float, f
 
 
 def _critical(numbers: dict[str, Any], quantity: str, ratios: tuple[float, float]) -> str:
+    """Without the onsets at a corner, which are not those of the force (5)."""
     return _largest(
-        (cell.get(quantity) or {}).get("exact") for cell in numbers["onsets"] if ratios[0] <= cell["ratio"] <= ratios[1]
+        (cell.get(quantity) or {}).get("exact")
+        for cell in numbers["onsets"]
+        if ratios[0] <= cell["ratio"] <= ratios[1] and not (quantity == "F_SN" and cell.get("kind") == "corner")
     )
+
+
+def _corners(numbers: dict[str, Any]) -> dict[str, Any]:
+    """What the page says of the onsets at a corner, and of the motions that stop where they reach u_cr."""
+    found = [cell["F_SN"] for cell in numbers["onsets"] if cell.get("kind") == "corner"]
+    return {
+        "corners": len(found),
+        "corner_truncated": _largest(cell["truncated"] for cell in found),
+        "corner_exact": _largest(cell["exact"] for cell in found),
+        "without_fold": sum(cell["exact"] is None for cell in found),
+        "reached_with_stops": sum(cell.get("F_cr", {}).get("stops", 0) > 0 for cell in numbers["onsets"]),
+    }
 
 
 def page(numbers: dict[str, Any]) -> str:
@@ -307,6 +327,7 @@ def page(numbers: dict[str, Any]) -> str:
         least_rest=pool["least rest with stops"],
         near=remarked_from(pool),
         designs=len(compared),
+        lost=sum("truncated" not in cell for cell in found),
         points=sum(cell["points"] for cell in pool["by rest"]),
         other=other,
         **{f"at_{name}": {kind: _percent(pool["by rest"][j][kind]) for kind in ("median", "q95")} for name, j in BINS},
@@ -316,4 +337,5 @@ def page(numbers: dict[str, Any]) -> str:
         at_table_1=at_table_1,
         claims=claims_page.section(),
         F_SN=figures.percent(abs(measured.load()["figure_7a"]["F_SN"]["off"])),
+        **_corners(numbers),
     )

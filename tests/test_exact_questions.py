@@ -1,5 +1,6 @@
 """What `Isolator` and `Duffing` ask of the equation of motion: interface, guesses, refusals."""
 
+import re
 import subprocess
 import sys
 
@@ -30,6 +31,18 @@ def test_each_averaged_state_leads_to_a_motion_beside_it():
         assert state.residual <= 1e-12
     from_rest = isolator().steady_state(0.9, 0.04)
     assert from_rest.stable and abs(from_rest.A / averaged.A[0] - 1) < 0.1
+
+
+def test_a_mass_at_rest_comes_to_a_stable_motion():
+    """Negative stiffness at rest: the averaged state about u = 0 leads to a motion, but an unstable one."""
+    with pytest.warns(UserWarning, match="negative stiffness"):
+        oscillator = isolator(delta_h=0.27, mu=0.00116, zeta=0.093, r=2.79)
+    (A,) = oscillator.amplitudes(1.14, 0.005844).A
+    about_zero = oscillator.steady_state(1.14, 0.005844, A)
+    assert not about_zero.stable and about_zero.symmetric
+    found = oscillator.steady_state(1.14, 0.005844)
+    assert found.stable and not found.symmetric
+    assert abs(found.harmonics(0)[0].real) > 0.1
 
 
 def test_a_motion_shows_its_series_and_harmonics():
@@ -82,6 +95,39 @@ def test_a_curve_may_start_anywhere_on_it():
     curve = isolator().exact_response(0.04, (0.8, 1.05), start=start)
     whole = isolator().exact_response(0.04, (0.8, 1.05))
     assert [fold.Omega for fold in curve.folds] == pytest.approx([fold.Omega for fold in whole.folds], abs=1e-10)
+
+
+# a softening spring with friction: above F_0 = 0.2247 the resonance has left the curve through the motions from rest
+SOFTENING, SOFTENING_F_0, SOFTENING_WINDOW = Duffing(1.0, -0.5, 0.05, 0.1), 0.35, (0.4, 1.5)
+
+
+@pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: a curve takes a minute")
+def test_the_message_leads_to_a_curve_apart():
+    """Numbers read from the message start the other curve, whose message leads back."""
+    one = SOFTENING.exact_response(SOFTENING_F_0, SOFTENING_WINDOW)
+    other = one
+    for _ in range(2):
+        numbers = re.search(r"start = steady_state\((.*), (.*), (.*)\) leads", other.message).groups()
+        Omega, F_0, A = (float(number) for number in numbers)
+        assert F_0 == SOFTENING_F_0
+        start = SOFTENING.steady_state(Omega, F_0, A)
+        assert start.A == pytest.approx(A, rel=0.1)
+        last, other = other, SOFTENING.exact_response(F_0, SOFTENING_WINDOW, start=start)
+    # back on the first one, which turns round at a fold; the resonance is the other
+    assert [fold.Omega for fold in other.folds] == pytest.approx([fold.Omega for fold in one.folds], abs=1e-9)
+    assert one.Omega.max() < 0.7 and last.Omega.max() == pytest.approx(1.5)
+    assert SOFTENING.sweep(SOFTENING_F_0, [0.5]).A[0] == pytest.approx(one.A[np.argmin(abs(one.Omega - 0.5))], rel=0.05)
+
+
+@pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: a curve takes a minute")
+def test_no_message_where_one_curve_is_all():
+    assert isolator().exact_response(0.04).message == ""
+    assert isolator(mu=0.028).exact_response(0.04, (0.5, 1.3)).message == ""
+    # but a window that ends between the folds cuts the curve in two
+    cut = isolator().exact_response(0.04, (0.5, 0.95))
+    assert "steady_state(0.8896, 0.04, 0.1373)" in cut.message and cut.A[-1] > 0.5
+    rest = isolator().exact_response(0.04, (0.5, 0.95), start=isolator().steady_state(0.8896, 0.04, 0.1373))
+    assert [fold.kind for fold in rest.folds] == ["jump-up"]
 
 
 REFUSED = [

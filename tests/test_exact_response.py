@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.optimize import root
+from scipy.optimize import minimize_scalar, root
 
 from exact_cases import isolator, random_cases, table_1
 from slowflow.exact import Oscillator, exact_response, linear, steady_state, sweep
@@ -128,6 +128,58 @@ def test_curve_by_amplitude(curves, exact, F_0):
     assert turns == len(curve.folds)
 
 
+@pytest.mark.parametrize(("exact", "F_0"), CURVES)
+def test_peak_by_amplitude(curves, exact, F_0):
+    """The highest motion maximised over Omega by SciPy, the force typed in: independent of everything but the start.
+
+    The curves' own points miss it by up to 7e-5.
+    """
+    mu, zeta = 0.012, 0.02
+    by_hand, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), mu, zeta, exact)[1]
+    peak = curves[exact, F_0].peak
+    near = [peak.A, float(peak.unknowns[1])]
+
+    def lowered(Omega):
+        def mirrored(x):
+            u, v = _half_turn(x[0], x[1], Omega, F_0, mu, zeta, by_hand, u_cr)
+            return u + x[0], v
+
+        solution = root(mirrored, near, tol=1e-13)
+        assert np.max(np.abs(solution.fun)) <= 1e-11
+        return -float(solution.x[0])
+
+    # the jump just beyond the peak leaves no room for more
+    beside = 2e-5
+    found = minimize_scalar(lowered, bounds=(peak.Omega - beside, peak.Omega + beside), options={"xatol": 1e-11})
+    assert -found.fun == pytest.approx(peak.A, rel=1e-10)
+    assert found.x == pytest.approx(peak.Omega, abs=1e-6)
+    assert peak.A >= curves[exact, F_0].A.max() and peak.residual <= 1e-12
+
+
+@pytest.mark.parametrize("zeta", [0.05, 0.3, 0.9])
+def test_peak_of_the_linear_oscillator(zeta):
+    """F_0/(2 zeta sqrt(1 - zeta^2)) at sqrt(1 - 2 zeta^2), or the lower end where the amplitude only falls."""
+    peak = exact_response(Oscillator(linear(), 0.0, zeta), 0.1, (0.5, 1.5), step=0.3).peak
+    if zeta < 0.7:
+        assert peak.A == pytest.approx(0.1 / (2 * zeta * math.sqrt(1 - zeta**2)), rel=1e-12)
+        assert peak.Omega == pytest.approx(math.sqrt(1 - 2 * zeta**2), rel=1e-11)
+    else:
+        assert peak.Omega == 0.5 and peak.A == pytest.approx(0.1 / abs(1 - 0.25 + 0.9j), rel=1e-12)
+
+
+@heyoka
+@pytest.mark.parametrize("ratio", [0.0, 0.3, 0.6])
+def test_a_peak_does_not_depend_on_the_step(ratio):
+    """Light damping, a sharp peak, stops on the flanks: the points miss it by up to 9e-4, the peak does not."""
+    system = isolator(3, 3747 / 1848, 0.03, ratio * 0.005, 0.005, exact=True)[0]
+    curves = [exact_response(system, 0.005, (0.7, 1.1), step=step) for step in (0.3, 0.1, 0.02)]
+    finest = curves[-1].peak
+    assert curves[0].A.max() < (1 - 1e-5) * finest.A
+    for curve in curves:
+        assert curve.peak.A == pytest.approx(finest.A, rel=1e-10)
+        assert curve.peak.Omega == pytest.approx(finest.Omega, rel=1e-10)
+
+
 @heyoka
 @pytest.mark.parametrize("exact", [False, True])
 @pytest.mark.parametrize("F_0", [0.03, 0.04])
@@ -199,6 +251,19 @@ def test_short_curve_by_scipy():
     for point in short.states[::3]:
         state = steady_state(system, float(point.z[-1]), 0.025, (point.equations.A, -float(point.z[1])))
         assert abs(state.A - point.equations.A) <= 1e-9
+
+
+@heyoka
+def test_a_whole_curve_by_scipy(curves):
+    """Both integrators, on steps of their own, agree about peak, folds and where the springs detach."""
+    slow = exact_response(table_1(exact=True), 0.04, (0.7, 1.1), step=0.2, integrator=ScipyIntegrator())
+    quick = curves[True, 0.04]
+    assert slow.peak.A == pytest.approx(quick.peak.A, rel=1e-10)
+    for a, b in zip(slow.folds, quick.folds, strict=True):
+        assert abs(a.Omega - b.Omega) <= 1e-9 and abs(a.A - b.A) <= 1e-7 and (a.kind, a.corner) == (b.kind, b.corner)
+    assert len(slow.borders) == 2
+    for Omega, A in slow.borders:
+        assert min(abs(Omega - o) + abs(A - a) for o, a in quick.borders) <= 1e-9
 
 
 @heyoka

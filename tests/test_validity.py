@@ -44,6 +44,34 @@ def test_the_table_is_the_measured_one():
     assert validity.TABLE.read_text(encoding="utf-8") == validity.table(numbers)
 
 
+def test_every_critical_forcing_is_compared():
+    """A dot in the figure is a corner's onset that the untruncated force does not have; averaging (5) agrees."""
+    numbers = json.loads(validity.RESULTS.read_text(encoding="utf-8"))
+    for cell in numbers["onsets"]:
+        assert None not in (cell["F_cr"]["truncated"], cell["F_cr"]["exact"], cell["F_SN"]["truncated"])
+        if cell["F_SN"]["exact"] is None:
+            assert cell["kind"] == "corner"
+            ratio, shape = cell["ratio"], {"zeta": cell["zeta"], "delta_h": cell["delta_h"]}
+            mu, _ = validity.with_ratio(
+                lambda mu, shape=shape: isolator(**shape, mu=mu).saddle_node_onset().F_SN, ratio
+            )
+            assert isolator(**shape, mu=mu, force="exact").saddle_node_onset().F_SN is None
+
+
+@pytest.mark.parametrize("zero", [0.5, 0.71, 0.99, 1.0, 1.01, 1.09, 1.31, 1.9])
+def test_a_zero_is_found_between_0p7_and_1p7(zero):
+    """Smooth, or a jump; also where the function has no value in places."""
+
+    def smooth(F_0):
+        if 1.05 < F_0 < 1.08:
+            raise ArithmeticError("no value")
+        return F_0**3 - zero**3
+
+    for function in (smooth, lambda F_0: 1.0 if F_0 > zero else -1.0):
+        found = validity.zero_near(function, 1.0)
+        assert found is None if not 0.7 < zero < 1.7 else found == pytest.approx(zero, abs=2e-5)
+
+
 @pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: each curve takes 10 s")
 @pytest.mark.parametrize("ratio", [0.0, 0.25, 0.42, 0.53, 0.62, 0.68])
 def test_errors_told_for_designs_that_were_not_measured(ratio):

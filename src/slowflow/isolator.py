@@ -215,8 +215,8 @@ class Oscillator:
     ) -> exact.SteadyState:
         """A periodic motion of the equation of motion (3) itself: series, harmonics, stops, multipliers, residual.
 
-        A     -- the motion near the averaged state whose amplitude is nearest to A, stable or not; without it the
-                 motion that a mass at rest comes to
+        A     -- the motion near the averaged state whose amplitude is nearest to A, stable or not, or what that state
+                 settles to where there is none; without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "exact" for (5); by default the one that is averaged
 
         Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError if nothing periodic is found.
@@ -236,8 +236,10 @@ class Oscillator:
     ) -> exact.Response:
         """The response curve of the equation of motion (3) in the window `Omega`: points, stability, stops, folds.
 
-        It is the curve through the motion that a mass at rest comes to at the lowest frequency, or through `start`, as
-        an isolated curve needs. `step` is the largest distance of neighbouring points, `force` as in `steady_state`.
+        It is the curve through the motion that a mass at rest comes to at the lowest frequency, or through `start`: an
+        isolated curve needs its own, `start=steady_state(Omega, F_0, A)`, and where averaging knows of one that this
+        is not, `.message` gives these numbers. `step` is the largest distance of neighbouring points, `force` as in
+        `steady_state`. `.peak` is the highest motion of the curve.
         Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError where it cannot be followed.
         """
         from slowflow.exact import questions
@@ -248,7 +250,8 @@ class Oscillator:
         """What an experiment sees that steps through the frequencies `Omega` in their order: amplitudes and jumps.
 
         (u, v) has settled once a turn of the forcing changes it by no more than `tolerance`; `force` as in
-        `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu.
+        `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError where the motion
+        escapes a softening spring.
         """
         from slowflow.exact import questions
 

@@ -10,9 +10,11 @@ side: a fold that sits on the border (`corner`) is found as such, and no fold is
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -31,6 +33,7 @@ LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve is taken to go 
 NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
 SAME = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
 LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
+NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 MOST_POINTS = 20_000
 
 
@@ -59,6 +62,7 @@ class Response:
     folds        -- by rising Omega
     borders      -- (Omega, A) where the order of switches changes
     closed       -- whether the curve closed on itself (an isola)
+    message      -- curves that do not hang together with this one, as far as averaging knows; empty if there is none
     """
 
     F_0: float
@@ -71,10 +75,20 @@ class Response:
     borders: tuple[tuple[float, float], ...]
     closed: bool
     states: tuple[_Point, ...]
+    message: str = ""
 
     def steady_state(self, index: int) -> SteadyState:
         """The full steady state of a point of the curve."""
         point = self.states[index]
+        return describe(point.cycle, point.z, self.F_0, point.equations)
+
+    @functools.cached_property
+    def peak(self) -> SteadyState:
+        """The highest motion of the curve, stable or not, found between its points too, whatever their distance.
+
+        A is stationary there along the curve, or it is at a border or at an end of the range.
+        """
+        point = _highest(self.F_0, self.states)
         return describe(point.cycle, point.z, self.F_0, point.equations)
 
 
@@ -89,6 +103,11 @@ class _Point(NamedTuple):
     def multipliers(self) -> NDArray[np.complex128]:
         found = self.cycle.multipliers(self.equations)
         return found**2 if self.cycle.sign == -1 else found
+
+    @property
+    def rise(self) -> float:
+        """The derivative of A along the curve."""
+        return float(self.equations.of_A[:-1] @ self.tangent)
 
 
 def exact_response(
@@ -163,9 +182,11 @@ class _Path:
                     yield self._fold(point, new, size)
                 yield new
                 if new.equations.A > LARGEST:
+                    unbounded = new.cycle.system.zeta == 0
                     raise ArithmeticError(
                         f"the response curve at F_0 = {self.F_0} passes A = {LARGEST:g} at Omega = {new.z[-1]:.9g}: "
-                        f"without viscous damping resonance is unbounded (27); choose a range on one side of it"
+                        + ("without viscous damping resonance is unbounded (27); " if unbounded else "")
+                        + "choose a range on one side of it"
                     )
                 travelled += size
                 if travelled > 10 * self.step and self._meets(point, new, first):
@@ -257,9 +278,13 @@ class _Path:
         return _Point(point.cycle, *found, self._tangent(found[0], found[1], point.tangent), "")
 
     def _fold(self, point: _Point, new: _Point, size: float) -> _Point:
-        """Where the tangent's Omega component vanishes, by regula falsi (Illinois) along the curve."""
+        """Where the tangent's Omega component vanishes."""
+        return self._zero(lambda at: float(at.tangent[-1]), point, new, size)._replace(role="fold")
+
+    def _zero(self, function: Callable[[_Point], float], point: _Point, new: _Point, size: float) -> _Point:
+        """Where a function vanishes between `point` and `new`, by regula falsi (Illinois) along the curve."""
         a, b = 0.0, size
-        at_a, at_b = float(point.tangent[-1]), float(new.tangent[-1])
+        at_a, at_b = function(point), function(new)
         middle = new
         for _ in range(60):
             c = (a * at_b - b * at_a) / (at_b - at_a)
@@ -267,7 +292,7 @@ class _Path:
             if corrected is None:
                 break
             middle = corrected
-            at_c = float(middle.tangent[-1])
+            at_c = function(middle)
             if at_c == 0.0 or abs(at_c) < 1e-13:
                 break
             if at_c * at_b < 0:
@@ -277,7 +302,23 @@ class _Path:
             b, at_b = c, at_c
             if abs(b - a) < 1e-14:
                 break
-        return middle._replace(role="fold")
+        return middle
+
+    def summit(self, base: _Point, other: _Point) -> _Point | None:
+        """Where A, which rises from `base` along its tangent, turns before `other`; None if it does not."""
+        # no more than their distance along the curve, which the phases take part in
+        size = math.hypot(other.equations.A / base.equations.A - 1.0, 2.0 * float(other.z[-1] - base.z[-1]))
+        for _ in range(8):
+            there = self._corrected(base, size)
+            if there is None:
+                return None
+            if there.rise < 0.0:
+                found = self._zero(lambda at: at.rise, base, there, size)
+                return found if found.cycle.holds(found.z, self.F_0) else None
+            if not there.cycle.holds(there.z, self.F_0):
+                return None
+            size *= 2.0
+        return None
 
     def _fold_behind(self, new: _Point) -> _Point | None:
         """A fold between a border and the first point beyond it, found going back."""
@@ -461,6 +502,25 @@ def _without_short(trial: _Point, short: float) -> tuple[Cycle, Array] | None:
         return None
     z = np.array([trial.z[0], trial.z[1], *spans, trial.z[-1]])
     return replace(trial.cycle, signature=tuple(phases)), z
+
+
+def _highest(F_0: float, points: tuple[_Point, ...]) -> _Point:
+    """The highest point of the curve through the points, between them too."""
+    path = _Path(F_0, 0.0, math.inf, STEP)
+    best = max(points, key=lambda point: point.equations.A)
+    least = NEAR_TOP * best.equations.A
+    for a, b in pairwise(points):
+        if max(a.equations.A, b.equations.A) < least:
+            continue
+        back = [point._replace(tangent=-point.tangent) for point in (b, a)]
+        for base, other in ((a, b), back):
+            # in another order of switches the slope beyond the border says nothing of that before it
+            if base.rise > 0.0 and (other.rise <= 0.0 or other.cycle.order != base.cycle.order):
+                found = path.summit(base, other)
+                if found is not None and found.equations.A > best.equations.A:
+                    best = found
+                    break
+    return best
 
 
 def _response(F_0: float, points: list[_Point], closed: bool) -> Response:

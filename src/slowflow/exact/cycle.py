@@ -45,13 +45,15 @@ class Border(NamedTuple):
 class Equations(NamedTuple):
     """residual (k+2), jacobian (k+2, k+4): columns u_0, theta_0, k spans, Omega, F_0; monodromy over the cycle (2, 2).
 
-    A is the largest |u| at a switch; borders lists the margins within which the order of switches holds.
+    A is the largest |u| at a switch, of_A its derivatives by the same unknowns; borders lists the margins within which
+    the order of switches holds.
     """
 
     residual: Array
     jacobian: Array
     monodromy: Array
     A: float
+    of_A: Array
     borders: tuple[Border, ...]
 
 
@@ -96,14 +98,13 @@ class Cycle:
         of_theta = np.zeros(k + 4)
         of_theta[1] = 1.0
         monodromy = np.eye(2)
-        A = abs(u)
+        A, of_A = abs(u), math.copysign(1.0, u) * of_state[0]
         borders: list[Border] = []
         for i, (slip, region) in enumerate(phases):
             end = theta + float(z[2 + i])
             next_slip, next_region = phases[(i + 1) % k]
             if i == k - 1:
                 next_slip, next_region = self.sign * next_slip, self.sign * next_region
-            A = max(A, abs(u))
             if slip == 0:
                 push = forced.push(region, end, u)
                 of_theta[2 + i] = 1.0
@@ -126,6 +127,8 @@ class Cycle:
             of_state[:, -2:] += flow[:, 2:]
             monodromy = flow[:, :2] @ monodromy
             theta = end
+            if abs(u) > A:
+                A, of_A = abs(u), math.copysign(1.0, u) * of_state[0]
             if next_region != region:
                 edge = edge_ahead(system, slip, region)
                 residual[i] = u - edge
@@ -146,7 +149,7 @@ class Cycle:
         jacobian[k, 0] -= self.sign
         residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * self.half_turns
         jacobian[k + 1, 2:-2] = 1.0
-        return Equations(residual, jacobian, self.sign * monodromy, max(A, abs(u)), tuple(borders))
+        return Equations(residual, jacobian, self.sign * monodromy, A, of_A, tuple(borders))
 
     def _borders(
         self, forced: Forced, phase: int, next_slip: int, theta: float, u: float, of_u: Array, of_theta: Array
@@ -307,9 +310,16 @@ class Cycle:
         """Whether the motion from z's start really switches in the order of the signature."""
         if not self.consistent or np.any(z[2:-1] <= 0.0):
             return False
-        found = self.phases(z, F_0)
+        try:
+            found = self.phases(z, F_0)
+        except ArithmeticError:
+            return False
         k = len(self.signature)
-        return signature(found[:k]) == self.signature and abs(found[k - 1].end - z[1] - np.sum(z[2:-1])) < 1e-5
+        # every switch at its time: the equations may also be solved with a slip whose velocity passes zero twice
+        ends = z[1] + np.cumsum(z[2:-1])
+        return signature(found[:k]) == self.signature and all(
+            abs(phase.end - end) < 1e-5 for phase, end in zip(found[:k], ends, strict=True)
+        )
 
     def newton(
         self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = 12, tolerance: float = 1e-13

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 
 TIME, STOP, EDGE = 0, 1, 2
 FAR = 1e6  # stands for "no breakpoint ahead": no motion of an isolator comes near
+MOST_CALLS = 5000  # of SciPy's right-hand side, and as many for each unit of time; a smooth motion takes some hundred
 
 
 class Drive(NamedTuple):
@@ -220,7 +221,7 @@ class ScipyIntegrator:
         start = np.array([u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0])
         if end == theta:
             return u, v, start[2:].reshape(2, 4)
-        y = self._solve(variational, (theta, end), start).y[:, -1]
+        y = self._solve(variational, Omega, (theta, end), start).y[:, -1]
         return float(y[0]), float(y[1]), y[2:].reshape(2, 4)
 
     def until(
@@ -238,17 +239,19 @@ class ScipyIntegrator:
             event.terminal = True  # type: ignore[attr-defined]
             event.direction = direction  # type: ignore[attr-defined]
         field = self._field(piece, drive)
-        solution = self._solve(field, (theta, end), np.array([u, v]), events=[stop, arrival])
+        solution = self._solve(field, drive.Omega, (theta, end), np.array([u, v]), events=[stop, arrival])
         for code, times in ((STOP, solution.t_events[0]), (EDGE, solution.t_events[1])):
             if times.size:
-                return self._refined(field, edge, solution, float(times[0]), code)
+                return self._refined(field, drive.Omega, edge, solution, float(times[0]), code)
         return end, float(solution.y[0, -1]), float(solution.y[1, -1]), TIME
 
-    def _refined(self, field: Any, edge: float, solution: Any, at: float, code: int) -> tuple[float, float, float, int]:
+    def _refined(
+        self, field: Any, Omega: float, edge: float, solution: Any, at: float, code: int
+    ) -> tuple[float, float, float, int]:
         """The event's time by Newton from the start of its step: the dense output alone is too coarse."""
         begin, start = float(solution.t[-2]), solution.y[:, -2]
         for _ in range(8):
-            u, v = self._solve(field, (begin, at), start).y[:, -1] if at != begin else start
+            u, v = self._solve(field, Omega, (begin, at), start).y[:, -1] if at != begin else start
             u_dot, v_dot = field(at, np.array([u, v]))
             change = v / v_dot if code == STOP else (u - edge) / u_dot
             if not abs(change) > 1e-15 * max(1.0, abs(at)):
@@ -263,12 +266,23 @@ class ScipyIntegrator:
         y = np.array([u, v])
         for i, at in enumerate(times):  # step by step: the dense output is too coarse
             if at > theta:
-                y = self._solve(self._field(piece, drive), (theta, float(at)), y).y[:, -1]
+                y = self._solve(self._field(piece, drive), drive.Omega, (theta, float(at)), y).y[:, -1]
             theta, states[i] = float(at), y
         return states[where]
 
-    def _solve(self, field: Any, span: tuple[float, float], start: Array, **options: Any) -> Any:
-        solution = solve_ivp(field, span, start, **self._tolerances, **options)
+    def _solve(self, field: Any, Omega: float, span: tuple[float, float], start: Array, **options: Any) -> Any:
+        left = MOST_CALLS * (1.0 + abs(span[1] - span[0]) / Omega)
+
+        def counted(theta: float, y: Array) -> Any:
+            nonlocal left
+            left -= 1.0
+            if left < 0.0:
+                raise ArithmeticError(f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}")
+            return field(theta, y)
+
+        # a step tried may leave the range where the force is defined; it is then refused
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            solution = solve_ivp(counted, span, start, **self._tolerances, **options)
         if solution.status < 0:
             raise ArithmeticError(f"the integration from theta = {span[0]} to {span[1]} failed: {solution.message}")
         return solution

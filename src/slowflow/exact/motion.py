@@ -103,7 +103,7 @@ def follow(
 ) -> list[Phase]:
     """All phases from (theta, u, v) to `end`; `start` = (slip, region) overrides the state, e.g. at break-away.
 
-    Raises ArithmeticError if switches accumulate (the mass chatters at a jump of the force).
+    Raises ArithmeticError if switches accumulate (the mass chatters at a jump of the force) or the motion escapes.
     """
     system, integrator = forced.system, forced.integrator
     if start is not None:
@@ -126,6 +126,11 @@ def follow(
             theta = _rest(phases, region, theta, u, min(at, end), end)
             continue
         edge = edge_ahead(system, slip, region)
+        if slip * u >= FAR:
+            raise ArithmeticError(
+                f"the motion escapes at Omega = {forced.Omega}, F_0 = {forced.F_0}: |u| passes {FAR:g}, the restoring "
+                f"force does not hold it"
+            )
         if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
             region += slip
             continue

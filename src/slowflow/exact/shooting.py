@@ -29,7 +29,7 @@ GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 class SteadyState:
     """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
 
-    A            -- largest |u|
+    A            -- largest |u|, good to about 1e-13 whatever its size
     stops        -- rests in one period
     multipliers  -- Floquet multipliers over `period`, shape (2,)
     half_multipliers -- of the map over half a period with u -> -u, where the motion is half-wave symmetric, else None;
@@ -228,9 +228,11 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
             return describe(cycle, z, forced.F_0, equations)
         theta, u = float(z[1]), float(z[0])
         end = theta + (cycle.half_turns + 3) * math.pi
-        closed = closed_cycle(
-            forced.system, forced.integrator, cycle.half_turns, follow(forced, theta, u, 0.0, end), forced.Omega
-        )
+        try:
+            motion = follow(forced, theta, u, 0.0, end)
+        except ArithmeticError:
+            return None
+        closed = closed_cycle(forced.system, forced.integrator, cycle.half_turns, motion, forced.Omega)
         if closed is None or closed[0].signature in seen:
             return None
         cycle, z = closed

@@ -59,7 +59,7 @@ def sweep(
     most_turns -- at one frequency
 
     A jump is a change of amplitude by more than 10 %, and more than three times what either neighbouring step shows.
-    Raises ValueError for parameters out of range.
+    Raises ValueError for parameters out of range, ArithmeticError where the motion escapes or chatters.
     """
     frequencies = np.asarray(Omega, dtype=float)
     if frequencies.ndim != 1 or frequencies.size == 0:
