@@ -17,6 +17,7 @@ import mpmath as mp
 import numpy as np
 from scipy.optimize import minimize_scalar, root
 
+from slowflow import Isolator
 from slowflow.exact import Oscillator, Response, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import TURN, Forced, follow
@@ -28,6 +29,7 @@ import exact_linear
 from exact_cases import isolator, table_1
 from test_exact_response import _half_turn
 
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
 NAMES = {False: "truncated (6)", True: "untruncated (5)"}
 
@@ -62,7 +64,9 @@ def rows() -> list[Row]:
     out = [*compiling()]
     curves = {(exact, F_0): exact_response(table_1(exact), F_0) for exact in NAMES for F_0 in FORCINGS}
     for exact in NAMES:
-        out += one_frequency(exact) + whole_curve(exact, curves[exact, 0.04])
+        out += (
+            one_frequency(exact) + whole_curve(exact, curves[exact, 0.04]) + approximations(exact, curves[exact, 0.04])
+        )
     wrong = sum([f.kind for f in curve.folds] != ["jump-up", "jump-down"] for curve in curves.values())
     out.append(Row("curves of 10 (5 forcings, 2 forces) whose folds are not one of each kind", wrong, "", 0))
     out += fold_count_by_amplitude(curves)
@@ -134,6 +138,26 @@ def whole_curve(exact: bool, curve: Response) -> list[Row]:
         Row(f"{name}: |multiplier - 1| at the folds", multiplier, ""),
         Row(f"{name}: Omega of the folds against SciPy's extremum of Omega(A)", independent, "", 1e-8),
     ]
+
+
+def approximations(exact: bool, curve: Response) -> list[Row]:
+    """Averaging and the second approximation beside that curve: time, and the jumps' frequencies."""
+    name = NAMES[exact]
+    iso = Isolator(**TABLE_1, force="exact" if exact else "truncated")
+    out = []
+    for title, asked in (("averaging", iso), ("second approximation", iso.second_approximation)):
+        job = lambda asked=asked: (asked.frequency_response(0.04), asked.saddle_nodes(0.04))  # noqa: E731
+        folds = asked.saddle_nodes(0.04)
+        pairs = zip(folds.Omega, sorted(fold.Omega for fold in curve.folds), strict=True)
+        out += [
+            Row(f"{name}: {title}, curve of 1000 points with both folds", 1e3 * best(job), "ms"),
+            Row(
+                f"{name}: {title}, the jumps' frequencies, larger relative error",
+                max(abs(a / b - 1) for a, b in pairs),
+                "",
+            ),
+        ]
+    return out
 
 
 def frequency_at(exact: bool, F_0: float, A: float, guess: tuple[float, float]) -> float:

@@ -24,6 +24,7 @@ from slowflow.exact import Response, SteadyState, exact_response
 from slowflow.exact.force import Force
 from slowflow.exact.force import Oscillator as Motion
 from slowflow.exact.integrate import default_integrator
+from slowflow.second import SecondApproximation
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks/results/validity.json"
@@ -92,6 +93,12 @@ def misfit(points: np.ndarray, line: np.ndarray) -> np.ndarray:
     return np.where(near, off, np.inf).min(axis=1)
 
 
+def second_approximation(averaged: Isolator) -> SecondApproximation:
+    """Of the same design, with the force (5)."""
+    design = {name: getattr(averaged, name) for name in ("lam", "r", "delta_h", "mu", "zeta")}
+    return Isolator(**design, force="exact").second_approximation
+
+
 def compared(averaged: Isolator, F_0: float, low_high: tuple[float, float]) -> dict[str, Any]:
     """One averaged curve against the exact ones with both forces."""
     curve = averaged.frequency_response(F_0, samples=600, Omega=low_high)
@@ -105,6 +112,16 @@ def compared(averaged: Isolator, F_0: float, low_high: tuple[float, float]) -> d
         "A": curve.A[chosen],
         "stable": curve.stable[chosen],
         "rest": averaged.mu / (curve.A[chosen] * curve.Omega[chosen] ** 2),
+    }
+    second = second_approximation(averaged)
+    moved, turns = second.frequency_response(F_0, 2000, low_high), second.saddle_nodes(F_0)
+    out["second"] = {"A": float(moved.A.max(initial=0.0)), "kinds": turns.kind.tolist(), "Omega": turns.Omega.tolist()}
+    within = (moved.Omega > 1.02 * low_high[0]) & (moved.Omega < 0.98 * low_high[1])
+    some = np.flatnonzero(within)[:: max(1, int(within.sum()) // POINTS)]
+    out["second points"] = {
+        "Omega": moved.Omega[some],
+        "A": moved.A[some],
+        "rest": averaged.mu / (moved.A[some] * moved.Omega[some] ** 2),
     }
     for force in FORCES:
         exact = attempt(lambda force=force: averaged.exact_response(F_0, low_high, step=STEP, force=force))
@@ -121,6 +138,8 @@ def compared(averaged: Isolator, F_0: float, low_high: tuple[float, float]) -> d
             "stops at top": exact.peak.stops,
         }
         out["points"][force] = misfit(points, line)
+        if force == "exact":
+            out["second points"]["exact"] = misfit(logs(moved.Omega[some], moved.A[some]), line)
         out["points"]["stops"] = exact.stops[nearest]
     return out
 
@@ -153,9 +172,18 @@ def resonance() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
                         mine, theirs = jumps(found), jumps(exact)
                         if mine and theirs:
                             cell[force] |= {kind: mine[kind] / theirs[kind] - 1 for kind in mine}
+                    if found["exact"]:
+                        cell["second"] = against(found["second"], found["exact"])
                     cells.append(cell)
-                    pool.append({**cell, "u_cr": u_cr, **found["points"]})
+                    pool.append({**cell, "u_cr": u_cr, **found["points"], "second points": found["second points"]})
     return cells, pool
+
+
+def against(found: dict[str, Any], exact: dict[str, Any]) -> dict[str, Any]:
+    """Errors of the second approximation, as those of averaging."""
+    cell: dict[str, Any] = {"A": found["A"] / exact["A"] - 1, "folds": [len(found["kinds"]), len(exact["kinds"])]}
+    mine, theirs = jumps(found), jumps(exact)
+    return cell | {kind: mine[kind] / theirs[kind] - 1 for kind in mine} if mine and theirs else cell
 
 
 def steepness(curve: Response) -> float:
@@ -244,6 +272,9 @@ def onset(averaged: Isolator, F_SN: float) -> dict[str, float | None]:
 
         exact = zero_near(folded, F_SN)
         out[force] = None if exact is None else F_SN / exact - 1
+        if force == "exact" and exact is not None:
+            better = second_approximation(averaged).saddle_node_onset().F_SN
+            out["second"] = None if better is None else better / exact - 1
     return out
 
 
@@ -266,6 +297,9 @@ def detachment(averaged: Isolator, F_cr: float) -> dict[str, Any]:
         out[force] = None if exact is None else F_cr / exact - 1
         if exact is not None:
             out["stops"] = max(out["stops"], peak(exact).stops)
+        if force == "exact" and exact is not None:
+            better = second_approximation(averaged).detachment().F_cr
+            out["second"] = None if better is None else better / exact - 1
     return out
 
 
@@ -347,9 +381,15 @@ def pooled(pool: list[dict[str, Any]]) -> dict[str, Any]:
     row, column = (np.searchsorted(edges, values, side="right") - 1 for edges, values in ((BINS, ratio), (RESTS, rest)))
 
     def quantiles(chosen: np.ndarray, force: str = "exact") -> dict[str, Any]:
-        few = np.count_nonzero(chosen) < FEW
-        found = [None, None] if few else np.quantile(size[force][chosen], (0.5, 0.95)).tolist()
-        return {"points": int(np.count_nonzero(chosen)), "median": found[0], "q95": found[1]}
+        return spread(size[force][chosen])
+
+    moved = [p for p in pool if "exact" in p["second points"]]
+    again = {name: np.concatenate([p["second points"][name] for p in moved]) for name in ("rest", "exact")}
+    ratio_again = np.concatenate([np.full(p["second points"]["A"].size, p["ratio"]) for p in moved])
+    again_row, again_column = (
+        np.searchsorted(edges, values, side="right") - 1
+        for edges, values in ((BINS, ratio_again), (RESTS, again["rest"]))
+    )
 
     return {
         "ratios": list(BINS),
@@ -359,10 +399,20 @@ def pooled(pool: list[dict[str, Any]]) -> dict[str, Any]:
         "by rest": [
             {**quantiles(column == j), "stopping": float(stops[column == j].mean())} for j in range(len(RESTS))
         ],
+        "second": {
+            "by ratio": [spread(again["exact"][again_row == i]) for i in range(len(BINS))],
+            "by rest": [spread(again["exact"][again_column == j]) for j in range(len(RESTS))],
+        },
         "moving": {force: quantiles(~stops, force) for force in FORCES},
         "stopping": {force: quantiles(stops, force) for force in FORCES},
         "least rest with stops": float(rest[stops].min()),
     }
+
+
+def spread(sizes: np.ndarray) -> dict[str, Any]:
+    """How many, and within what half and 95 of 100 of them lie."""
+    found = [None, None] if sizes.size < FEW else np.quantile(sizes, (0.5, 0.95)).tolist()
+    return {"points": int(sizes.size), "median": found[0], "q95": found[1]}
 
 
 def table(numbers: dict[str, Any]) -> str:
@@ -401,8 +451,11 @@ def table(numbers: dict[str, Any]) -> str:
             *lines("ERROR", errors["q95"]),
             "# the same whatever mu/(A Omega^2)",
             line("BY_RATIO", by_ratio),
+            "# and in the second approximation",
+            line("SECOND_BY_RATIO", [cell["q95"] for cell in pool["second"]["by ratio"]]),
             "# mu/F_0 from which on every answer is remarked on; mu/(A Omega^2) from which on stops were found",
-            f"NEAR = {validity_page.remarked_from(pool):g}",
+            f"NEAR = {validity_page.remarked_from(pool['ratios'], pool['by ratio']):g}",
+            f"SECOND_NEAR = {validity_page.remarked_from(pool['ratios'], pool['second']['by ratio']):g}",
             f"STOPS_FROM = {math.floor(10 * pool['least rest with stops']) / 10:g}",
             "# what (6) costs against (5): a row for each of U_CRS, a column for each A/u_cr of LEVELS",
             'TRUNCATED = ("rod_spring", "rod_spring_attached")',

@@ -39,6 +39,7 @@ def write(numbers: dict[str, Any], folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     drawings = {
         "validity_resonance": functools.partial(resonance, numbers),
+        "validity_second": functools.partial(second, numbers),
         "validity_critical": functools.partial(critical, numbers),
         "validity_plane": functools.partial(plane, numbers),
         "validity_truncation": functools.partial(truncation, numbers),
@@ -105,6 +106,32 @@ def resonance(numbers: dict[str, Any]) -> Any:
     for ax in axes[-1]:
         ax.set_xlabel("mu/F_0", fontsize=8)
     figure.colorbar(image, ax=axes, shrink=0.4, label="averaged / exact - 1, in per cent", ticks=TICKS, format="%g")
+    return figure
+
+
+def second(numbers: dict[str, Any]) -> Any:
+    """Errors of averaging and of the second approximation over mu/F_0: half of the designs, and all."""
+    found = numbers["resonance"]
+    ratios = _axis(found, "ratio")
+    figure, axes = plt.subplots(1, 3, figsize=(14, 4.2), layout="constrained", sharey=True)
+    for ax, (quantity, title) in zip(axes, NAMES.items(), strict=True):
+        for kind, name, colour in (("exact", "averaging", "0.45"), ("second", "second approximation", RAMP(0.5))):
+            sizes = [
+                [
+                    abs(cell[kind][quantity])
+                    for cell in found
+                    if cell["ratio"] == ratio and quantity in cell.get(kind, {})
+                ]
+                for ratio in ratios
+            ]
+            for share, style in ((0.5, "-"), (1.0, ":")):
+                values = [100 * float(np.quantile(some, share)) if some else np.nan for some in sizes]
+                label = f"{name}, {'half' if share < 1 else 'all'} of the designs within"
+                ax.plot(ratios, values, style, marker="o", markersize=3, color=colour, label=label)
+        ax.set(yscale="log", xlabel="mu/F_0", title=title)
+        ax.grid(alpha=0.3)
+    axes[0].set_ylabel("|computed / exact - 1|, per cent")
+    axes[0].legend(fontsize=7)
     return figure
 
 
@@ -248,9 +275,9 @@ def _percent(value: float) -> str:
     return f"{100 * value:.0f} %" if value >= 0.1 else f"{100 * value:.2g} %"
 
 
-def remarked_from(pool: dict[str, Any]) -> float:
+def remarked_from(ratios: list[float], by_ratio: list[dict[str, Any]]) -> float:
     """mu/F_0 from which on 95 of 100 amplitudes no longer lie within `REMARKED`."""
-    both = zip(pool["ratios"], pool["by ratio"], strict=True)
+    both = zip(ratios, by_ratio, strict=True)
     return float(min(edge for edge, cell in both if cell["q95"] > REMARKED))
 
 
@@ -262,13 +289,43 @@ def _at_resonance(numbers: dict[str, Any], quantity: str, ratios: tuple[float, f
     )
 
 
-def _critical(numbers: dict[str, Any], quantity: str, ratios: tuple[float, float]) -> str:
+def _critical(numbers: dict[str, Any], quantity: str, ratios: tuple[float, float], kind: str = "exact") -> str:
     """Without the onsets at a corner, which are not those of the force (5)."""
     return _largest(
-        (cell.get(quantity) or {}).get("exact")
+        (cell.get(quantity) or {}).get(kind)
         for cell in numbers["onsets"]
         if ratios[0] <= cell["ratio"] <= ratios[1] and not (quantity == "F_SN" and cell.get("kind") == "corner")
     )
+
+
+def _second(numbers: dict[str, Any], ranges: tuple[tuple[float, float], ...]) -> dict[str, Any]:
+    """The table of largest errors, and how often the number of folds is the exact one."""
+    rows = [
+        "| mu/F_0 | largest amplitude | jump up, Omega | jump down, Omega | F_SN | F_cr |",
+        "|---|---|---|---|---|---|",
+    ]
+    for low, high in ranges:
+        sizes = [_at_resonance(numbers, quantity, (low, high), "second") for quantity in NAMES]
+        sizes += [_critical(numbers, quantity, (low, high), "second") for quantity in ("F_SN", "F_cr")]
+        rows.append(f"| {low:g} to {high:g} | " + " | ".join(sizes) + " |")
+    early = [cell for cell in numbers["resonance"] if "second" in cell and cell["ratio"] <= 0.65]
+    wrong = {
+        kind: sum(cell[kind]["folds"][0] != cell[kind]["folds"][1] for cell in early) for kind in ("exact", "second")
+    }
+    by_rest = [
+        "| mu/(A Omega^2) from | averaging: median | 95 of 100 | second: median | 95 of 100 |",
+        "|---|---|---|---|---|",
+    ]
+    pool = numbers["pool"]
+    for edge, one, other in zip(pool["rests"], pool["by rest"], pool["second"]["by rest"], strict=True):
+        cells = [cell[kind] for cell in (one, other) for kind in ("median", "q95")]
+        by_rest.append(f"| {edge:g} | " + " | ".join("-" if v is None else _percent(v) for v in cells) + " |")
+    return {
+        "second_by_ratio": "\n".join(rows),
+        "second_by_rest": "\n".join(by_rest),
+        "early_designs": len(early),
+        "wrong_folds": wrong,
+    }
 
 
 def _corners(numbers: dict[str, Any]) -> dict[str, Any]:
@@ -325,7 +382,9 @@ def page(numbers: dict[str, Any]) -> str:
         by_rest="\n".join(by_rest),
         shares="\n".join(shares),
         least_rest=pool["least rest with stops"],
-        near=remarked_from(pool),
+        near=remarked_from(pool["ratios"], pool["by ratio"]),
+        second_near=remarked_from(pool["ratios"], pool["second"]["by ratio"]),
+        **_second(numbers, ranges),
         designs=len(compared),
         lost=sum("truncated" not in cell for cell in found),
         points=sum(cell["points"] for cell in pool["by rest"]),

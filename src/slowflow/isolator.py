@@ -86,6 +86,10 @@ class Oscillator:
         About `samples` points; folds, peaks and corners are among them exactly. Raises ValueError for F_0 <= 0,
         samples < 2, or a window that is not 0 <= low < high. F_0 <= 4 mu/pi gives no point and a message.
         """
+        return self._remarked(self._curve(F_0, samples, Omega), F_0)
+
+    def _curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> FrequencyResponse:
+        """`frequency_response` without the remarks on averaging."""
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples = validate.count("samples", samples, least=2)
         shown = validate.window("Omega", Omega)
@@ -93,7 +97,7 @@ class Oscillator:
         if planned.model is None:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
             return FrequencyResponse(none, none, flags, self._sticks(F_0), self._model, np.empty(0, np.intp), (), F_0)
-        return self._remarked(solvers.frequency_response(planned.model, F_0, samples, shown), F_0)
+        return solvers.frequency_response(planned.model, F_0, samples, shown)
 
     def amplitudes(self, Omega: Any, F_0: float) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
@@ -101,24 +105,31 @@ class Oscillator:
         Flat arrays .Omega, .A, .phi, .stable, in the order of Omega, then by rising A. Raises ValueError for Omega <= 0
         or F_0 <= 0. F_0 <= 4 mu/pi gives no state and a message.
         """
+        return self._remarked(self._states(Omega, F_0), F_0)
+
+    def _states(self, Omega: Any, F_0: float) -> SteadyStates:
+        """`amplitudes` without the remarks on averaging."""
         at = validate.positive_array("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("amplitudes", F_0)
         if planned.model is None:
             none = np.empty(0)
             return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self._model)
-        return self._remarked(solvers.amplitudes(planned.model, at, F_0), F_0)
+        return solvers.amplitudes(planned.model, at, F_0)
 
     def saddle_nodes(self, F_0: float) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
+        return self._remarked(self._folds(F_0), F_0)
+
+    def _folds(self, F_0: float) -> SaddleNodes:
+        """`saddle_nodes` without the remarks on averaging."""
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("saddle_nodes", F_0)
         if planned.model is None or not planned.folds:
             none = np.empty(0)
             message = self._sticks(F_0) if planned.model is None else NO_FOLD.format(F_0)
-            found = SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self._model)
-            return found if planned.model is None else self._remarked(found, F_0)
-        return self._remarked(solvers.saddle_nodes(planned.model, F_0), F_0)
+            return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self._model)
+        return solvers.saddle_nodes(planned.model, F_0)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
@@ -289,11 +300,17 @@ class Oscillator:
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with remarks where averaging fails for friction, and where amplitudes exceed the reach."""
-        reach = self._model.reach
-        remark = validity.near_sticking(self.mu, F_0)
-        if found.A.size and found.A.max() > reach and "cut at" not in found.message:
-            remark = words(f"amplitudes above {reach:g} are not reached: {self._model.kernels.REACH_REASON}", remark)
+        if F_0 <= self._model.m:
+            return found
+        remark = words(self._beyond_reach(found.A, found.message), validity.near_sticking(self.mu, F_0))
         return dataclasses.replace(found, message=words(found.message, remark)) if remark else found
+
+    def _beyond_reach(self, A: Floats, message: str) -> str:
+        """The remark for amplitudes that the mechanism cannot take; empty for others, and where `message` says it."""
+        reach = self._model.reach
+        if not A.size or A.max() <= reach or "cut at" in message:
+            return ""
+        return f"amplitudes above {reach:g} are not reached: {self._model.kernels.REACH_REASON}"
 
 
 class Isolator(Oscillator):

@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq, root
 
+from slowflow import validity
 from slowflow.isolator import WINDOW
 from slowflow.model import Floats, Model
 from slowflow.results import (
@@ -91,13 +92,12 @@ class SecondApproximation:
         """The response curve, as the first approximation's points move to it."""
         curve, first = self._curve(F_0, samples, Omega)
         u_max, A_1, phi, *_ = self._response(curve.Omega, curve.A, first.F_0)
-        return SecondResponse(
-            curve.Omega, u_max, A_1, phi, curve.stable, curve.message, curve.branch, first.isola, first.F_0
-        )
+        message = self._remarked(curve.message, u_max, first.F_0)
+        return SecondResponse(curve.Omega, u_max, A_1, phi, curve.stable, message, curve.branch, first.isola, first.F_0)
 
     def amplitudes(self, Omega: Any, F_0: float) -> SecondStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses."""
-        first = self.first.amplitudes(Omega, F_0)
+        first = self.first._states(Omega, F_0)
         wanted = np.asarray(Omega, dtype=float).ravel()
         if not wanted.size or not first.A.size:
             none = np.empty(0)
@@ -119,11 +119,12 @@ class SecondApproximation:
         expected = np.count_nonzero(first.Omega == wanted[:, np.newaxis], axis=1)
         fewer = int(np.count_nonzero(np.bincount(number, minlength=wanted.size) < expected))
         message = words(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
+        message = self._remarked(message, u_max, F_0)
         return SecondStates(at, u_max, A_1, phi, F_A > 0, message)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve, by rising Omega."""
-        first = self.first.saddle_nodes(F_0)
+        first = self.first._folds(F_0)
         peak = self.first.peak(F_0)
         marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
         found: list[tuple[float, float, bool]] = []
@@ -143,6 +144,7 @@ class SecondApproximation:
         # what a sweep leaves for a larger amplitude has its stable side below
         below = self._response(at, A * (1 - SAME), first.F_0)[5] > 0
         kind = np.where(below, "jump-up", "jump-down")
+        message = self._remarked(message, u_max, first.F_0)
         return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, message)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
@@ -186,9 +188,16 @@ class SecondApproximation:
         R, I, *_ = self._detachment(Omega, A)
         return Detachment(float(np.hypot(R, I)), float(Omega), u_cr, first.message)
 
+    def _remarked(self, message: str, A: Floats, F_0: float) -> str:
+        """The message with what there is to say of amplitudes beyond the reach, and of friction near sticking."""
+        if F_0 <= self.model.m:
+            return message
+        reach = self.first._beyond_reach(A, message)
+        return words(message, reach, validity.near_sticking_second(self.model.mu, F_0))
+
     def _curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> tuple[_Curve, FrequencyResponse]:
         """The response curve in the A of the kernels, and the first approximation's."""
-        first = self.first.frequency_response(F_0, samples, Omega)
+        first = self.first._curve(F_0, samples, Omega)
         at, A, kept = self._moved(first.Omega, first.A, first.F_0)
         at, A, lost = at[kept], A[kept], first.Omega[~kept]
         branch = first.branch[kept]
@@ -246,6 +255,8 @@ class SecondApproximation:
                 A[left], Omega[left], R[left] = amplitude * np.exp(x), at, reached + F_0 * y
                 step[left] = np.maximum(np.abs(x), np.abs(y))
                 left = left[step[left] > DONE]
+                if not left.size:
+                    break
             Omega = self._at_R(Omega, A, R, F_0)
             near = (np.abs(np.log(A / A_1)) < SMALL) & (np.abs(np.log(Omega / Omega_1)) < SMALL)
             kept = near & (step <= DONE) & self._small(Omega, A)
@@ -253,9 +264,13 @@ class SecondApproximation:
 
     def _at_R(self, Omega: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
         """The frequency at which the cosine balance is R, from one nearby."""
+        averages = self._averages(A)
         for _ in range(MATCHING):
-            _, _, _, reached, _, _, _, _, R_Omega = self._response(Omega, A, F_0)
-            Omega = Omega * np.exp(np.clip((R - reached) / (R_Omega * Omega), -LONGEST, LONGEST))
+            _, _, _, reached, _, _, _, _, R_Omega = self._response(Omega, A, F_0, averages)
+            step = np.clip((R - reached) / (R_Omega * Omega), -LONGEST, LONGEST)
+            Omega = Omega * np.exp(step)
+            if not (np.abs(step) > DONE).any():
+                break
         return Omega
 
     def _off_resonance(self, Omega: Any, A: Any) -> Flags:
@@ -300,24 +315,23 @@ class SecondApproximation:
             near = bool(np.all(np.abs(x - start) <= SMALL)) and float(np.abs(found.fun).max()) < 1e-9
             return x if near and bool(self._small(*np.exp(x[:2]))) else None
 
-    def _response(self, Omega: Any, A: Any, F_0: float) -> tuple[Floats, ...]:
-        """u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega"""
+    def _averages(self, A: Any) -> tuple[Floats, ...]:
+        """h, h_3 and h_5, each with two derivatives."""
         h, h_A, h_AA, _ = self.model.averaged(A)
         h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.model.harmonics(A)
-        m, zeta = self.model.m, self.model.zeta
-        values: tuple[Floats, ...] = kernels.response(
-            Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA
-        )
+        return h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA
+
+    def _response(
+        self, Omega: Any, A: Any, F_0: float, averages: tuple[Floats, ...] | None = None
+    ) -> tuple[Floats, ...]:
+        """u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega; `averages` of A if they are known."""
+        known = self._averages(A) if averages is None else averages
+        values: tuple[Floats, ...] = kernels.response(Omega, A, F_0, self.model.m, self.model.zeta, *known)
         return values
 
     def _detachment(self, Omega: Any, A: Any) -> tuple[Floats, ...]:
         """R, I, u_max, turning"""
-        h, h_A, h_AA, _ = self.model.averaged(A)
-        h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.model.harmonics(A)
-        m, zeta = self.model.m, self.model.zeta
-        values: tuple[Floats, ...] = kernels.detachment(
-            Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA
-        )
+        values: tuple[Floats, ...] = kernels.detachment(Omega, A, self.model.m, self.model.zeta, *self._averages(A))
         return values
 
     def _folds(self, Omega: Any, A: Any, F_0: Any) -> tuple[Floats, ...]:

@@ -20,6 +20,10 @@ NEAR_STICKING = (
     "mu/F_0 = {0:.3g} is near pi/4, where averaging fails: amplitudes were measured to be off by up to {1:.0%}, "
     ".validity tells it for each"
 )
+NEAR_STICKING_SECOND = (
+    "mu/F_0 = {0:.3g} is near pi/4, where the mass stops within the cycle: amplitudes were measured to be off by up to "
+    "{1:.0%}"
+)
 
 CORNER = (
     "a fold sits on the corner at u_cr, where the truncated force (6) jumps: it and its partner beside it are of the "
@@ -86,10 +90,18 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
 
 def near_sticking(mu: float, F_0: float) -> str:
     """The remark for a forcing that does not exceed friction by much; empty for others."""
-    if not mu > measured.NEAR * F_0:
+    return _near_sticking(NEAR_STICKING, mu / F_0, measured.NEAR, measured.BY_RATIO)
+
+
+def near_sticking_second(mu: float, F_0: float) -> str:
+    """The same for the second approximation."""
+    return _near_sticking(NEAR_STICKING_SECOND, mu / F_0, measured.SECOND_NEAR, measured.SECOND_BY_RATIO)
+
+
+def _near_sticking(remark: str, ratio: float, near: float, errors: tuple[float, ...]) -> str:
+    if ratio <= near:
         return ""
-    ratio = mu / F_0
-    return NEAR_STICKING.format(ratio, measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
+    return remark.format(ratio, errors[int(_bin(measured.RATIOS, np.array(ratio)))])
 
 
 def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:
