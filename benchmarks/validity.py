@@ -1,4 +1,4 @@
-"""How far averaging is from the equation of motion: measured over mu/F_0, zeta, delta_h; four minutes of one core.
+"""How far averaging is from the equation of motion: measured over mu/F_0, zeta, delta_h; five minutes of one core.
 
 `python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and src/slowflow/validity_table.py,
 and lets `validity_page` draw the figures and write docs/validity.md; `--draw` does all but measure. Wants heyoka.

@@ -13,7 +13,7 @@ import exact_linear
 from exact_cases import isolator, random_cases, table_1
 from slowflow import Duffing
 from slowflow.exact import Oscillator, duffing, linear, rod_spring, rod_spring_exact, steady_state, sweep
-from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
+from slowflow.exact.integrate import Drive, HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
 from slowflow_kernels import den_hartog
 
@@ -249,6 +249,14 @@ def test_a_wall_within_reach(integrator):
     assert again.A == pytest.approx(state.A, rel=1e-9) and again.stops == state.stops
     with pytest.raises(ArithmeticError, match="the integration from theta = 0"):
         steady_state(system, 0.5, 1e9, integrator=integrator)
+
+
+@pytest.mark.parametrize("integrator", [default_integrator(), ScipyIntegrator()], ids=lambda one: one.name)
+def test_ever_faster_motion_is_given_up(integrator):
+    """A trial may end where the mass swings a million times a turn: an error, not a wait."""
+    stiff, drive = duffing(1.0, 1e12).pieces[0], Drive(0.5, 0.1, 0.02, 0.0)
+    with pytest.raises(ArithmeticError, match="the integration from theta = 0"):
+        integrator.advance(stiff, drive, 0.0, 1.0, 0.0, 3.0)
 
 
 def test_errors_in_words():

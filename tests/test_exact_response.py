@@ -302,6 +302,15 @@ def test_random_curves_go_through():
 
 
 @heyoka
+def test_a_trial_beyond_zero_frequency_is_none():
+    """Negative stiffness: a step of Newton's went to Omega < 0 and never came back; the curve can be followed."""
+    system = isolator(3, 1.7799765049665899, 0.30647249977631186, 0.005296695821561307, 0.02370128262012328, False)[0]
+    start = steady_state(system, 0.3, 0.026979642127992823, (0.02, -0.1))
+    curve = exact_response(system, 0.026979642127992823, (0.3, 1.5), step=0.05, start=start)
+    assert np.isfinite(curve.A).all() and curve.Omega.min() == 0.3
+
+
+@heyoka
 @pytest.mark.parametrize("step", [0.01, 0.02, 0.05, 0.1])
 def test_kinds_of_folds_beside_a_sharp_peak(step):
     """Light damping: the curve folds just behind its peak, and a coarse step passes both at once."""

@@ -337,6 +337,8 @@ class Cycle:
     ) -> tuple[Array, Equations] | None:
         last = math.inf
         for _ in range(most):
+            if not z[-1] > 0.0:  # a step beyond Omega = 0
+                return None
             try:
                 found = self.equations(z, F_0)
                 if extra is None:

@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 TIME, STOP, EDGE = 0, 1, 2
 FAR = 1e6  # stands for "no breakpoint ahead": no motion of an isolator comes near
-MOST_CALLS = 5000  # of SciPy's right-hand side, and as many for each unit of time; a smooth motion takes some hundred
+MOST = 5000  # calls by SciPy or steps by heyoka, and as many for each unit of time: a motion takes a tenth of it
 
 
 class Drive(NamedTuple):
@@ -90,6 +90,11 @@ _UFUNCS: dict[str, Callable[..., Any]] = {
 }
 
 
+def _most(theta: float, end: float, Omega: float) -> int:
+    """Steps or calls after which an integration is given up: a trial may have run into ever faster motion."""
+    return MOST + int(MOST * abs(end - theta) / Omega)
+
+
 class HeyokaIntegrator:
     """Taylor series of order 20, error per step of one rounding; each expression is compiled once, in about 0.4 s."""
 
@@ -146,7 +151,7 @@ class HeyokaIntegrator:
         self._set(integrator, piece, drive, 0.0, FAR, theta)
         state = integrator.state
         state[:] = (u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-        if integrator.propagate_until(end)[0] != self._end:
+        if integrator.propagate_until(end, max_steps=_most(theta, end, drive.Omega))[0] != self._end:
             raise ArithmeticError(f"the integration from theta = {theta} to {end} failed at theta = {integrator.time}")
         return float(state[0]), float(state[1]), state[2:].reshape(2, 4).copy()
 
@@ -159,7 +164,7 @@ class HeyokaIntegrator:
         state = integrator.state
         state[:] = (u, v)
         integrator.reset_cooldowns()
-        outcome = integrator.propagate_until(end)[0]
+        outcome = integrator.propagate_until(end, max_steps=_most(theta, end, drive.Omega))[0]
         if outcome == self._end:
             event = TIME
         else:
@@ -271,12 +276,12 @@ class ScipyIntegrator:
         return states[where]
 
     def _solve(self, field: Any, Omega: float, span: tuple[float, float], start: Array, **options: Any) -> Any:
-        left = MOST_CALLS * (1.0 + abs(span[1] - span[0]) / Omega)
+        left = _most(*span, Omega)
 
         def counted(theta: float, y: Array) -> Any:
             nonlocal left
-            left -= 1.0
-            if left < 0.0:
+            left -= 1
+            if left < 0:
                 raise ArithmeticError(f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}")
             return field(theta, y)
 
