@@ -99,37 +99,36 @@ def second_approximation(averaged: Isolator) -> SecondApproximation:
     return Isolator(**design, force="exact").second_approximation
 
 
-def compared(averaged: Isolator, F_0: float, low_high: tuple[float, float]) -> dict[str, Any]:
-    """One averaged curve against the exact ones with both forces."""
-    curve = averaged.frequency_response(F_0, samples=600, Omega=low_high)
-    folds = averaged.saddle_nodes(F_0)
-    out: dict[str, Any] = {"A": float(curve.A.max()), "kinds": folds.kind.tolist(), "Omega": folds.Omega.tolist()}
+def approximate(
+    asked: Isolator | SecondApproximation, mu: float, F_0: float, low_high: tuple[float, float], samples: int
+) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """What an approximation says: largest amplitude and folds; and some points of its curve."""
+    curve, folds = asked.frequency_response(F_0, samples, low_high), asked.saddle_nodes(F_0)
     inside = (curve.Omega > 1.02 * low_high[0]) & (curve.Omega < 0.98 * low_high[1])
-    chosen = np.flatnonzero(inside)[:: max(1, int(inside.sum()) // POINTS)]
-    points = logs(curve.Omega[chosen], curve.A[chosen])
-    out["points"] = {
-        "Omega": curve.Omega[chosen],
-        "A": curve.A[chosen],
-        "stable": curve.stable[chosen],
-        "rest": averaged.mu / (curve.A[chosen] * curve.Omega[chosen] ** 2),
-    }
-    second = second_approximation(averaged)
-    moved, turns = second.frequency_response(F_0, 2000, low_high), second.saddle_nodes(F_0)
-    out["second"] = {"A": float(moved.A.max(initial=0.0)), "kinds": turns.kind.tolist(), "Omega": turns.Omega.tolist()}
-    within = (moved.Omega > 1.02 * low_high[0]) & (moved.Omega < 0.98 * low_high[1])
-    some = np.flatnonzero(within)[:: max(1, int(within.sum()) // POINTS)]
-    out["second points"] = {
-        "Omega": moved.Omega[some],
-        "A": moved.A[some],
-        "rest": averaged.mu / (moved.A[some] * moved.Omega[some] ** 2),
-    }
+    some = np.flatnonzero(inside)[:: max(1, int(inside.sum()) // POINTS)]
+    Omega, A = curve.Omega[some], curve.A[some]
+    said = {"A": float(curve.A.max(initial=0.0)), "kinds": folds.kind.tolist(), "Omega": folds.Omega.tolist()}
+    return said, {"Omega": Omega, "A": A, "stable": curve.stable[some], "rest": mu / (A * Omega**2)}
+
+
+def compared(
+    averaged: Isolator, F_0: float, low_high: tuple[float, float], second: SecondApproximation | None = None
+) -> dict[str, Any]:
+    """One averaged curve against the exact ones with both forces, the second approximation against that with (5)."""
+    out: dict[str, Any]
+    out, points = approximate(averaged, averaged.mu, F_0, low_high, 600)
+    out["points"] = points
+    if second is not None:
+        # the first approximation's curves hold their peaks, the second's do not
+        out["second"], out["second points"] = approximate(second, averaged.mu, F_0, low_high, 4000)
     for force in FORCES:
         exact = attempt(lambda force=force: averaged.exact_response(F_0, low_high, step=STEP, force=force))
         if exact is None:
             out[force] = None
             continue
         line = logs(exact.Omega, exact.A)
-        nearest = ((points[:, None, :] - line) ** 2).sum(axis=2).argmin(axis=1)
+        at = logs(points["Omega"], points["A"])
+        nearest = ((at[:, None, :] - line) ** 2).sum(axis=2).argmin(axis=1)
         out[force] = {
             "A": exact.peak.A,
             "kinds": [fold.kind for fold in exact.folds],
@@ -137,10 +136,11 @@ def compared(averaged: Isolator, F_0: float, low_high: tuple[float, float]) -> d
             "stops": int(exact.stops.max()),
             "stops at top": exact.peak.stops,
         }
-        out["points"][force] = misfit(points, line)
-        if force == "exact":
-            out["second points"]["exact"] = misfit(logs(moved.Omega[some], moved.A[some]), line)
-        out["points"]["stops"] = exact.stops[nearest]
+        points[force] = misfit(at, line)
+        points["stops"] = exact.stops[nearest]
+        if second is not None and force == "exact":
+            moved = out["second points"]
+            moved["exact"] = misfit(logs(moved["Omega"], moved["A"]), line)
     return out
 
 
@@ -161,7 +161,7 @@ def resonance() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
                 for ratio in RATIOS:
                     F_0, Omega = forcing(ratio, zeta, delta_h, level * u_cr)
                     averaged = isolator(ratio, zeta, delta_h, F_0)
-                    found = compared(averaged, F_0, window(averaged, Omega))
+                    found = compared(averaged, F_0, window(averaged, Omega), second_approximation(averaged))
                     cell = {"delta_h": delta_h, "zeta": zeta, "level": level, "ratio": ratio, "F_0": F_0}
                     for force in FORCES:
                         exact = found[force]

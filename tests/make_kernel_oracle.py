@@ -409,6 +409,11 @@ def untruncated_family(passed: int, less_vertical: bool, A, *p) -> list:
             total += end * ((high - low) * w) * beside_vertical * s**2
     taylor = -4 / arb.pi() * amplitude * total
     ctx.cap = before
+    return derivatives(taylor)
+
+
+def derivatives(taylor: arb_series) -> list:
+    """The value and three derivatives from a Taylor series."""
     values = []
     for k in range(4):
         man, exp = (int(part) for part in taylor[k].mid().man_exp())
@@ -454,11 +459,7 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
             total += end * ((high - low) * w) * (forces[name](u, q) - u) * (n * (arb.pi() / 2 - t)).cos()
     taylor = -4 / arb.pi() * total
     ctx.cap = before
-    values = []
-    for k in range(4):
-        man, exp = (int(part) for part in taylor[k].mid().man_exp())
-        values.append(mp.factorial(k) * mp.ldexp(man, exp))
-    return values
+    return derivatives(taylor)
 
 
 def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
