@@ -383,13 +383,9 @@ def pooled(pool: list[dict[str, Any]]) -> dict[str, Any]:
     def quantiles(chosen: np.ndarray, force: str = "exact") -> dict[str, Any]:
         return spread(size[force][chosen])
 
-    moved = [p for p in pool if "exact" in p["second points"]]
-    again = {name: np.concatenate([p["second points"][name] for p in moved]) for name in ("rest", "exact")}
-    ratio_again = np.concatenate([np.full(p["second points"]["A"].size, p["ratio"]) for p in moved])
-    again_row, again_column = (
-        np.searchsorted(edges, values, side="right") - 1
-        for edges, values in ((BINS, ratio_again), (RESTS, again["rest"]))
-    )
+    moved = [p["second points"] for p in pool if "exact" in p["second points"]]
+    again, sizes = (np.concatenate([points[name] for points in moved]) for name in ("rest", "exact"))
+    again = np.searchsorted(RESTS, again, side="right") - 1
 
     return {
         "ratios": list(BINS),
@@ -399,10 +395,7 @@ def pooled(pool: list[dict[str, Any]]) -> dict[str, Any]:
         "by rest": [
             {**quantiles(column == j), "stopping": float(stops[column == j].mean())} for j in range(len(RESTS))
         ],
-        "second": {
-            "by ratio": [spread(again["exact"][again_row == i]) for i in range(len(BINS))],
-            "by rest": [spread(again["exact"][again_column == j]) for j in range(len(RESTS))],
-        },
+        "second by rest": [spread(sizes[again == j]) for j in range(len(RESTS))],
         "moving": {force: quantiles(~stops, force) for force in FORCES},
         "stopping": {force: quantiles(stops, force) for force in FORCES},
         "least rest with stops": float(rest[stops].min()),
@@ -451,11 +444,10 @@ def table(numbers: dict[str, Any]) -> str:
             *lines("ERROR", errors["q95"]),
             "# the same whatever mu/(A Omega^2)",
             line("BY_RATIO", by_ratio),
-            "# and in the second approximation",
-            line("SECOND_BY_RATIO", [cell["q95"] for cell in pool["second"]["by ratio"]]),
+            "# the same whatever mu/F_0, in the second approximation",
+            line("SECOND_BY_REST", [cell["q95"] for cell in pool["second by rest"]]),
             "# mu/F_0 from which on every answer is remarked on; mu/(A Omega^2) from which on stops were found",
-            f"NEAR = {validity_page.remarked_from(pool['ratios'], pool['by ratio']):g}",
-            f"SECOND_NEAR = {validity_page.remarked_from(pool['ratios'], pool['second']['by ratio']):g}",
+            f"NEAR = {validity_page.remarked_from(pool):g}",
             f"STOPS_FROM = {math.floor(10 * pool['least rest with stops']) / 10:g}",
             "# what (6) costs against (5): a row for each of U_CRS, a column for each A/u_cr of LEVELS",
             'TRUNCATED = ("rod_spring", "rod_spring_attached")',

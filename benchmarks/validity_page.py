@@ -275,9 +275,9 @@ def _percent(value: float) -> str:
     return f"{100 * value:.0f} %" if value >= 0.1 else f"{100 * value:.2g} %"
 
 
-def remarked_from(ratios: list[float], by_ratio: list[dict[str, Any]]) -> float:
+def remarked_from(pool: dict[str, Any]) -> float:
     """mu/F_0 from which on 95 of 100 amplitudes no longer lie within `REMARKED`."""
-    both = zip(ratios, by_ratio, strict=True)
+    both = zip(pool["ratios"], pool["by ratio"], strict=True)
     return float(min(edge for edge, cell in both if cell["q95"] > REMARKED))
 
 
@@ -317,12 +317,19 @@ def _second(numbers: dict[str, Any], ranges: tuple[tuple[float, float], ...]) ->
         "|---|---|---|---|---|",
     ]
     pool = numbers["pool"]
-    for edge, one, other in zip(pool["rests"], pool["by rest"], pool["second"]["by rest"], strict=True):
+    for edge, one, other in zip(pool["rests"], pool["by rest"], pool["second by rest"], strict=True):
         cells = [cell[kind] for cell in (one, other) for kind in ("median", "q95")]
         by_rest.append(f"| {edge:g} | " + " | ".join("-" if v is None else _percent(v) for v in cells) + " |")
     return {
         "second_by_ratio": "\n".join(rows),
         "second_by_rest": "\n".join(by_rest),
+        "second_q95": _percent(
+            max(
+                cell["q95"]
+                for edge, cell in zip(pool["rests"], pool["second by rest"], strict=True)
+                if edge < 1 and cell["q95"] is not None
+            )
+        ),
         "early_designs": len(early),
         "wrong_folds": wrong,
     }
@@ -382,8 +389,7 @@ def page(numbers: dict[str, Any]) -> str:
         by_rest="\n".join(by_rest),
         shares="\n".join(shares),
         least_rest=pool["least rest with stops"],
-        near=remarked_from(pool["ratios"], pool["by ratio"]),
-        second_near=remarked_from(pool["ratios"], pool["second"]["by ratio"]),
+        near=remarked_from(pool),
         **_second(numbers, ranges),
         designs=len(compared),
         lost=sum("truncated" not in cell for cell in found),

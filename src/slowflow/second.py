@@ -92,7 +92,7 @@ class SecondApproximation:
         """The response curve, as the first approximation's points move to it."""
         curve, first = self._curve(F_0, samples, Omega)
         u_max, A_1, phi, *_ = self._response(curve.Omega, curve.A, first.F_0)
-        message = self._remarked(curve.message, u_max, first.F_0)
+        message = self._remarked(curve.message, curve.Omega, u_max)
         return SecondResponse(curve.Omega, u_max, A_1, phi, curve.stable, message, curve.branch, first.isola, first.F_0)
 
     def amplitudes(self, Omega: Any, F_0: float) -> SecondStates:
@@ -119,7 +119,7 @@ class SecondApproximation:
         expected = np.count_nonzero(first.Omega == wanted[:, np.newaxis], axis=1)
         fewer = int(np.count_nonzero(np.bincount(number, minlength=wanted.size) < expected))
         message = words(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
-        message = self._remarked(message, u_max, F_0)
+        message = self._remarked(message, at, u_max)
         return SecondStates(at, u_max, A_1, phi, F_A > 0, message)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
@@ -144,7 +144,7 @@ class SecondApproximation:
         # what a sweep leaves for a larger amplitude has its stable side below
         below = self._response(at, A * (1 - SAME), first.F_0)[5] > 0
         kind = np.where(below, "jump-up", "jump-down")
-        message = self._remarked(message, u_max, first.F_0)
+        message = self._remarked(message, at, u_max)
         return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, message)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
@@ -188,12 +188,9 @@ class SecondApproximation:
         R, I, *_ = self._detachment(Omega, A)
         return Detachment(float(np.hypot(R, I)), float(Omega), u_cr, first.message)
 
-    def _remarked(self, message: str, A: Floats, F_0: float) -> str:
-        """The message with what there is to say of amplitudes beyond the reach, and of friction near sticking."""
-        if F_0 <= self.model.m:
-            return message
-        reach = self.first._beyond_reach(A, message)
-        return words(message, reach, validity.near_sticking_second(self.model.mu, F_0))
+    def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
+        """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
+        return words(message, self.first._beyond_reach(A, message), validity.of_second(self.model.mu, Omega, A))
 
     def _curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> tuple[_Curve, FrequencyResponse]:
         """The response curve in the A of the kernels, and the first approximation's."""

@@ -20,9 +20,9 @@ NEAR_STICKING = (
     "mu/F_0 = {0:.3g} is near pi/4, where averaging fails: amplitudes were measured to be off by up to {1:.0%}, "
     ".validity tells it for each"
 )
-NEAR_STICKING_SECOND = (
-    "mu/F_0 = {0:.3g} is near pi/4, where the mass stops within the cycle: amplitudes were measured to be off by up to "
-    "{1:.0%}"
+STOPS_SECOND = (
+    "in {} of {} states the mass stops within the cycle, or nearly so (mu/(A Omega^2) >= {:g}): their amplitudes were "
+    "measured to be off by up to {:.0%}"
 )
 
 CORNER = (
@@ -90,18 +90,22 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
 
 def near_sticking(mu: float, F_0: float) -> str:
     """The remark for a forcing that does not exceed friction by much; empty for others."""
-    return _near_sticking(NEAR_STICKING, mu / F_0, measured.NEAR, measured.BY_RATIO)
-
-
-def near_sticking_second(mu: float, F_0: float) -> str:
-    """The same for the second approximation."""
-    return _near_sticking(NEAR_STICKING_SECOND, mu / F_0, measured.SECOND_NEAR, measured.SECOND_BY_RATIO)
-
-
-def _near_sticking(remark: str, ratio: float, near: float, errors: tuple[float, ...]) -> str:
-    if ratio <= near:
+    if not mu > measured.NEAR * F_0:
         return ""
-    return remark.format(ratio, errors[int(_bin(measured.RATIOS, np.array(ratio)))])
+    ratio = mu / F_0
+    return NEAR_STICKING.format(ratio, measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
+
+
+def of_second(mu: float, Omega: Floats, A: Floats) -> str:
+    """The remark for states of the second approximation in which the mass stops; empty if there are none."""
+    with np.errstate(divide="ignore"):
+        rest = mu / (A * Omega**2)
+    off = np.array(measured.SECOND_BY_REST)[_bin(measured.RESTS, rest)]
+    stopping = off >= WORTH
+    if not stopping.any():
+        return ""
+    least = next(edge for edge, size in zip(measured.RESTS, measured.SECOND_BY_REST, strict=True) if size >= WORTH)
+    return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, least, off.max())
 
 
 def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:

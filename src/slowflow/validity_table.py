@@ -33,11 +33,10 @@ ERROR = (
 )
 # the same whatever mu/(A Omega^2)
 BY_RATIO = (0.00988, 0.0171, 0.0502, 0.156, 0.257, 0.386, 0.565, 0.785, 3.77)
-# and in the second approximation
-SECOND_BY_RATIO = (0.000756, 0.000751, 0.000719, 0.000844, 0.00104, 0.00376, 0.0243, 0.717, 8.84)
+# the same whatever mu/F_0, in the second approximation
+SECOND_BY_REST = (0.000765, 0.000787, 0.000814, 0.000776, 0.00144, 0.00686, 0.00357, 0.0562, 1.82, 15)
 # mu/F_0 from which on every answer is remarked on; mu/(A Omega^2) from which on stops were found
 NEAR = 0.575
-SECOND_NEAR = 0.675
 STOPS_FROM = 0.7
 # what (6) costs against (5): a row for each of U_CRS, a column for each A/u_cr of LEVELS
 TRUNCATED = ("rod_spring", "rod_spring_attached")
