@@ -335,6 +335,17 @@ def _second(numbers: dict[str, Any], ranges: tuple[tuple[float, float], ...]) ->
     }
 
 
+def _table_2(rows: list[dict[str, Any]]) -> str:
+    """Table 2 by each way."""
+    ways = [way for way in rows[0] if way != "what"]
+    lines = ["| | " + " | ".join(ways) + " |", "|---" * (len(ways) + 1) + "|"]
+    for row in rows:
+        lines.append(
+            f"| {row['what']} | " + " | ".join("-" if row[way] is None else f"{row[way]:.5f}" for way in ways) + " |"
+        )
+    return "\n".join(lines)
+
+
 def _corners(numbers: dict[str, Any]) -> dict[str, Any]:
     """What the page says of the onsets at a corner, and of the motions that stop where they reach u_cr."""
     found = [cell["F_SN"] for cell in numbers["onsets"] if cell.get("kind") == "corner"]
@@ -391,6 +402,7 @@ def page(numbers: dict[str, Any]) -> str:
         least_rest=pool["least rest with stops"],
         near=remarked_from(pool),
         **_second(numbers, ranges),
+        table_2=_table_2(numbers["table 2"]),
         designs=len(compared),
         lost=sum("truncated" not in cell for cell in found),
         points=sum(cell["points"] for cell in pool["by rest"]),
