@@ -153,6 +153,38 @@ def test_next_to_no_viscous_damping_the_points_keep_their_order(zeta):
         assert largest[1] < 1.1 * largest[0]
 
 
+#: designs on which points once overtook each other, or a curve went on across what had been left out; F_0, force
+WITH_ORDER = (
+    ({"lam": 1, "r": 1.761, "delta_h": 0.0456, "mu": 0.00758, "zeta": 0.01476}, 0.0174, "exact"),
+    ({"lam": 2, "r": 1.31, "delta_h": 0.262, "mu": 0.0045, "zeta": 0.027}, 0.0753, "truncated"),
+    ({"lam": 4, "r": 1.39, "delta_h": 0.092, "mu": 0.031, "zeta": 0.0713}, 0.1539, "truncated"),
+    ({"lam": 1, "r": 2.71, "delta_h": 0.263, "mu": 0.0004, "zeta": 0.0351}, 0.0419, "truncated"),
+)
+
+
+@pytest.mark.parametrize(("design", "F_0", "force"), WITH_ORDER)
+def test_the_frequency_turns_only_at_folds(design, F_0, force):
+    """Points in order along the curve, whatever way each was moved."""
+    second = Isolator(**design, force=force).second_approximation
+    curve = second.frequency_response(F_0)
+    turns = 0
+    for branch in np.unique(curve.branch):
+        way = np.sign(np.diff(curve.Omega[curve.branch == branch]))
+        turns += np.count_nonzero(np.diff(way[way != 0]))
+    assert turns == len(second.saddle_nodes(F_0))
+
+
+def test_a_branch_ends_where_points_are_left_out():
+    """A part of the curve that the second approximation does not have is no straight line."""
+    with pytest.warns(UserWarning, match="negative stiffness"):
+        iso = Isolator(lam=3, r=3747 / 1848, delta_h=0.25, mu=0.012, zeta=0.02)
+    curve = iso.second_approximation.frequency_response(0.05)
+    assert "left out" in curve.message
+    assert len(curve.isola) == len(np.unique(curve.branch)) and curve.branch.max() == len(curve.isola) - 1
+    same = np.diff(curve.branch) == 0
+    assert np.hypot(np.diff(np.log(curve.Omega)), np.diff(np.log(curve.A)))[same].max() < 0.1
+
+
 def test_what_is_not_there_is_told_in_words():
     second = isolator().second_approximation
     stuck = second.frequency_response(0.01)
@@ -216,3 +248,11 @@ def test_states_at_many_frequencies_are_those_at_each():
     apart = [second.amplitudes(Omega, 0.04) for Omega in frequencies]
     assert np.allclose(together.A, list(itertools.chain(*(one.A for one in apart))), rtol=1e-9)
     assert together.Omega.tolist() == list(itertools.chain(*(one.Omega for one in apart)))
+
+
+def test_repeated_frequencies_are_asked_for_once_each():
+    second = isolator().second_approximation
+    once, thrice = second.amplitudes(0.9, 0.04), second.amplitudes([[0.9, 0.9], [1.1, 0.9]], 0.04)
+    assert not once.message and not thrice.message
+    assert np.allclose(thrice.A[thrice.Omega == 0.9], np.tile(once.A, 3), rtol=1e-12)
+    assert thrice.Omega.size == 3 * once.Omega.size + 1

@@ -40,6 +40,8 @@ Balance = Callable[[Floats], Floats]
 SMALL = 0.2
 #: Newton steps along the gradient, the longest one in ln A, R/F_0 and ln Omega, and the one that ends them
 STEPS, LONGEST, DONE = 25, 0.1, 1e-11
+#: weight of ln Omega in the distance beside ln A and R/F_0
+WEIGHT = 2.0
 #: Newton steps to the frequency of a given R
 MATCHING = 5
 #: distance in logarithms up to which two answers are one
@@ -63,12 +65,13 @@ STATIC = "the static amplitude reaches u_cr first: there is no motion whose harm
 
 @dataclass(frozen=True)
 class _Curve:
-    """A response curve: Omega, A of the kernels, stability, number of the branch; remarks."""
+    """A response curve: Omega, A of the kernels, stability; number of the branch, whether each is closed; remarks."""
 
     Omega: Floats
     A: Floats
     stable: Flags
     branch: npt.NDArray[np.intp]
+    isola: tuple[bool, ...]
     message: str
 
 
@@ -93,7 +96,7 @@ class SecondApproximation:
         curve, first = self._curve(F_0, samples, Omega)
         u_max, A_1, phi, *_ = self._response(curve.Omega, curve.A, first.F_0)
         message = self._remarked(curve.message, u_max, first.F_0)
-        return SecondResponse(curve.Omega, u_max, A_1, phi, curve.stable, message, curve.branch, first.isola, first.F_0)
+        return SecondResponse(curve.Omega, u_max, A_1, phi, curve.stable, message, curve.branch, curve.isola, first.F_0)
 
     def amplitudes(self, Omega: Any, F_0: float) -> SecondStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses."""
@@ -116,8 +119,8 @@ class SecondApproximation:
         kept = (np.abs(step) <= DONE * A) & np.append(True, ~again)[: A.size]
         at, A, number = at[kept], A[kept], number[kept]
         u_max, A_1, phi, _, _, F_A, *_ = self._response(at, A, F_0)
-        expected = np.count_nonzero(first.Omega == wanted[:, np.newaxis], axis=1)
-        fewer = int(np.count_nonzero(np.bincount(number, minlength=wanted.size) < expected))
+        there, expected = (np.count_nonzero(one == wanted[:, np.newaxis], axis=1) for one in (at, first.Omega))
+        fewer = int(np.count_nonzero(there < expected))
         message = words(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         message = self._remarked(message, u_max, F_0)
         return SecondStates(at, u_max, A_1, phi, F_A > 0, message)
@@ -200,13 +203,15 @@ class SecondApproximation:
         first = self.first._curve(F_0, samples, Omega)
         at, A, kept = self._moved(first.Omega, first.A, first.F_0)
         at, A, lost = at[kept], A[kept], first.Omega[~kept]
-        branch = first.branch[kept]
+        branch, isola = _parts(first, kept)
         for b, jump in zip(self.model.breakpoints, self.model.jumps, strict=True):
             if jump != 0:
                 at, A, branch = self._across(b, at, A, branch, first.F_0)
         stable = self._response(at, A, first.F_0)[5] > 0
+        order = _order(at, stable, branch)
+        at, A, stable = at[order], A[order], stable[order]
         remark = LOST.format(lost.size, kept.size, lost.min(), lost.max()) if lost.size else ""
-        return _Curve(at, A, stable, branch, words(first.message, remark)), first
+        return _Curve(at, A, stable, branch, isola, words(first.message, remark)), first
 
     def _across(
         self, b: float, Omega: Floats, A: Floats, branch: npt.NDArray[np.intp], F_0: float
@@ -238,8 +243,8 @@ class SecondApproximation:
     def _moved(self, Omega_1: Floats, A_1: Floats, F_0: float) -> tuple[Floats, Floats, Flags]:
         """Points of the first approximation moved to the second: Omega, A, and where that is a correction.
 
-        In the plane of R/F_0 and ln A the curve keeps its distance from itself, however sharp its peak is over Omega:
-        there each point takes the shortest way, from where R is what it was.
+        Each point takes the shortest way. The distance counts ln A, R/F_0, in which the curve keeps away from itself
+        however sharp its peak is over Omega, and ln Omega, for where R hardly depends on that.
         """
         Omega, A = Omega_1.copy(), A_1.copy()
         R = self.model.flow.R(Omega_1, A_1, self.model.averaged(A_1)[0])
@@ -249,12 +254,19 @@ class SecondApproximation:
             for _ in range(STEPS):
                 at, amplitude = self._at_R(Omega[left], A[left], R[left], F_0), A[left]
                 _, _, _, reached, F, F_A, F_Omega, R_A, R_Omega = self._response(at, amplitude, F_0)
-                by_y, by_x = F_Omega / (R_Omega * F_0), (F_A - F_Omega * R_A / R_Omega) * amplitude / F_0**2
-                way = -F / F_0**2 / (by_x**2 + by_y**2)
-                x, y = (np.clip(way * by, -LONGEST, LONGEST) for by in (by_x, by_y))
-                A[left], Omega[left], R[left] = amplitude * np.exp(x), at, reached + F_0 * y
-                step[left] = np.maximum(np.abs(x), np.abs(y))
-                left = left[step[left] > DONE]
+                # by ln A and ln Omega
+                F, F_x, F_z = F / F_0**2, F_A * amplitude / F_0**2, F_Omega * at / F_0**2
+                R_x, R_z = R_A * amplitude / F_0, R_Omega * at / F_0
+                # the gradient in the metric dx^2 + dR^2 + (WEIGHT dz)^2
+                x, z = (R_z**2 + WEIGHT**2) * F_x - R_x * R_z * F_z, (1 + R_x**2) * F_z - R_x * R_z * F_x
+                way = -F / (F_x * x + F_z * z)
+                x, z = way * x, way * z
+                y = R_x * x + R_z * z
+                size = np.maximum(np.abs(x), np.maximum(np.abs(y), np.abs(z)))
+                share = np.minimum(1.0, LONGEST / size)
+                A[left], Omega[left] = amplitude * np.exp(share * x), at * np.exp(share * z)
+                R[left], step[left] = reached + F_0 * share * y, size
+                left = left[size > DONE]
                 if not left.size:
                     break
             Omega = self._at_R(Omega, A, R, F_0)
@@ -262,12 +274,15 @@ class SecondApproximation:
             kept = near & (step <= DONE) & self._small(Omega, A)
         return Omega, A, kept
 
-    def _at_R(self, Omega: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
-        """The frequency at which the cosine balance is R, from one nearby."""
+    def _at_R(self, Omega_0: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
+        """The frequency at which the cosine balance is R, the one given where R hardly depends on it."""
         averages = self._averages(A)
+        Omega = Omega_0
         for _ in range(MATCHING):
             _, _, _, reached, _, _, _, _, R_Omega = self._response(Omega, A, F_0, averages)
-            step = np.clip((R - reached) / (R_Omega * Omega), -LONGEST, LONGEST)
+            R_z, z = R_Omega * Omega / F_0, np.log(Omega / Omega_0)
+            step = (R_z * (R - reached) / F_0 - WEIGHT**2 * z) / (R_z**2 + WEIGHT**2)
+            step = np.clip(step, -LONGEST, LONGEST)
             Omega = Omega * np.exp(step)
             if not (np.abs(step) > DONE).any():
                 break
@@ -341,6 +356,24 @@ class SecondApproximation:
             Omega, A, F_0, m, zeta, *self.model.averaged(A), *self.model.harmonics(A)
         )
         return values
+
+
+def _parts(first: FrequencyResponse, kept: Flags) -> tuple[npt.NDArray[np.intp], tuple[bool, ...]]:
+    """What is left of each branch: number of its part for each point that is kept, and whether the part is closed."""
+    left = np.flatnonzero(kept)
+    begins = np.append(True, (np.diff(first.branch[left]) != 0) | (np.diff(left) > 1))[: left.size]
+    whole = [first.isola[k] and bool(kept[first.branch == k].all()) for k in first.branch[left[begins]]]
+    return np.cumsum(begins) - 1, tuple(whole)
+
+
+def _order(Omega: Floats, stable: Flags, branch: npt.NDArray[np.intp]) -> npt.NDArray[np.intp]:
+    """The points in order where some have overtaken others: only at a fold, where stability changes, Omega turns."""
+    begins = np.append(True, (np.diff(branch) != 0) | (stable[1:] != stable[:-1]))[: Omega.size]
+    stretch = np.cumsum(begins) - 1
+    low = np.flatnonzero(begins)
+    high = np.append(low[1:], Omega.size)[: low.size] - 1
+    rising = np.where(Omega[high] >= Omega[low], 1.0, -1.0)
+    return np.lexsort((rising[stretch] * Omega, stretch))
 
 
 def _crossings(curve: _Curve, Omega: Floats) -> tuple[npt.NDArray[np.intp], Floats, Floats, Floats]:
