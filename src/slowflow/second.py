@@ -176,20 +176,34 @@ class SecondApproximation:
             return first
         if first.Omega_cr == 0:
             return Detachment(None, None, first.u_cr, STATIC)
-        F_cr, u_cr = first.F_cr, first.u_cr
+        u_cr = first.u_cr
 
-        def balance(x: Floats) -> Floats:
-            Omega, A = np.exp(x)
-            _, _, u_max, turning = self._detachment(Omega, A)
-            return np.asarray([u_max / u_cr - 1.0, turning * Omega / F_cr**2])
+        def reaching(Omega: float) -> float:
+            """A whose largest displacement is u_cr: above that by what friction's harmonics take off."""
+            A = u_cr
+            for _ in range(STEPS):
+                share = u_cr / float(self._detachment(Omega, A)[2])
+                A *= share
+                if abs(share - 1) <= DONE:
+                    break
+            return A
 
-        # next to u_cr, above which the harmonics change: as far below as friction's leave off u_max
-        found = self._solved(balance, np.log([first.Omega_cr, u_cr]))
-        if found is None:
-            return Detachment(None, None, u_cr, FAR)
-        Omega, A = np.exp(found)
-        R, I, *_ = self._detachment(Omega, A)
-        return Detachment(float(np.hypot(R, I)), float(Omega), u_cr, first.message)
+        def turning(Omega: float) -> float:
+            return float(self._detachment(Omega, reaching(Omega))[3])
+
+        # no iteration over A and Omega at once: next to u_cr, above which the harmonics change, it gets stuck
+        with np.errstate(all="ignore"):
+            for width in SMALL * 0.5 ** np.arange(10, -1, -1):
+                low, high = first.Omega_cr * math.exp(-width), first.Omega_cr * math.exp(width)
+                if turning(low) < 0 < turning(high):
+                    Omega = float(brentq(turning, low, high, rtol=1e-14))
+                    A = reaching(Omega)
+                    R, I, *_ = self._detachment(Omega, A)
+                    F_cr = float(np.hypot(R, I))
+                    near = abs(A / u_cr - 1) < SMALL and abs(F_cr / first.F_cr - 1) < SMALL
+                    if near and bool(self._small(Omega, A)):
+                        return Detachment(F_cr, Omega, u_cr, first.message)
+        return Detachment(None, None, u_cr, FAR)
 
     def _remarked(self, message: str, A: Floats, F_0: float) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of friction near sticking."""
