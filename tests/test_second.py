@@ -233,6 +233,20 @@ def test_the_corner_of_the_truncated_force_keeps_its_pair_of_folds():
     assert len(isolator(zeta=0.1, delta_h=0.03, force="exact").second_approximation.saddle_nodes(F_0)) == 0
 
 
+@pytest.mark.parametrize(
+    ("oscillator", "F_0"), [(Duffing(4.0, 1.0, 0.01, 0.0), 0.0128), (isolator(mu=0.0, zeta=1e-6), 1e-6)]
+)
+def test_a_peak_as_sharp_as_a_needle_makes_no_folds(oscillator, F_0):
+    """Its two sides are one amplitude's: slipping from one to the other passed for a change of the slope's sign."""
+    second = oscillator.second_approximation
+    folds = second.saddle_nodes(F_0)
+    assert folds.kind.tolist() == ["jump-up", "jump-down"]
+    # on either side of a fold there are two states more or less
+    for Omega in folds.Omega:
+        below, above = (second.amplitudes(Omega * (1 + side * 1e-5), F_0).A.size for side in (-1, 1))
+        assert abs(below - above) == 2
+
+
 def test_bad_input_is_refused_as_in_the_first():
     second = isolator().second_approximation
     for call in (

@@ -46,6 +46,8 @@ WEIGHT = 2.0
 MATCHING = 5
 #: distance in logarithms up to which two answers are one
 SAME = 1e-7
+#: size of F_A where it has vanished, over that between two points of the curve
+VANISHED = 1e-3
 #: points of the curve on which folds and states at one frequency are looked for, and how far it reaches beyond
 SAMPLES, BEYOND = 600, 1.3
 
@@ -330,10 +332,14 @@ class SecondApproximation:
             return float(self._response(on_curve(A), A, F_0)[5])
 
         ends = amplitudes.tolist()
-        if (slope(ends[0]) > 0) == (slope(ends[1]) > 0):
+        slopes = [slope(A) for A in ends]
+        if (slopes[0] > 0) == (slopes[1] > 0):
             return None
         A = float(brentq(slope, *ends, xtol=4 * np.finfo(float).tiny, rtol=4 * np.finfo(float).eps))
         corners = [b for b in self.model.breakpoints if abs(A - b) <= 8 * np.spacing(b)]
+        # next to a tip `on_curve` may slip to its other side, and the slope with it
+        if not corners and abs(slope(A)) > VANISHED * max(map(abs, slopes)):
+            return None
         return on_curve(A), corners[0] if corners else A, bool(corners)
 
     def _solved(self, balance: Balance, start: Floats) -> Floats | None:
