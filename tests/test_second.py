@@ -286,3 +286,12 @@ def test_repeated_frequencies_are_asked_for_once_each():
     assert not once.message and not thrice.message
     assert np.allclose(thrice.A[thrice.Omega == 0.9], np.tile(once.A, 3), rtol=1e-12)
     assert thrice.Omega.size == 3 * once.Omega.size + 1
+
+
+@pytest.mark.parametrize("mu", [0.0, 0.012])
+def test_states_next_to_a_fold_are_found_where_points_are_far_apart(mu):
+    """Most points of a curve that reaches A = 200 lie above u_cr."""
+    iso = isolator(mu=mu, zeta=1e-4)
+    for Omega in (0.888, 0.89, 0.9):
+        states = iso.second_approximation.amplitudes(Omega, 0.04)
+        assert states.stable.tolist() == [True, False, True] and not states.message

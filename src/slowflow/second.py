@@ -111,11 +111,17 @@ class SecondApproximation:
         F_0 = float(F_0)
         number, low, A, high = _crossings(curve, wanted)
         at = wanted[number]
-        step = np.full_like(A, np.inf)
-        for _ in range(STEPS):
-            _, _, _, _, F, F_A, *_ = self._response(at, A, F_0)
-            step = F / F_A
-            A = np.clip(A - step, low, high)
+        with np.errstate(all="ignore"):
+            F_low, F_high = (self._response(at, end, F_0)[4] for end in (low, high))
+            between = (F_low > 0) != (F_high > 0)
+            step = np.full_like(A, np.inf)
+            for _ in range(STEPS):
+                _, _, _, _, F, F_A, *_ = self._response(at, A, F_0)
+                above = (F > 0) == (F_high > 0)
+                low, high = np.where(between & ~above, A, low), np.where(between & above, A, high)
+                step = F / F_A
+                outside = between & ((A - step < low) | (A - step > high)) & (np.abs(step) > DONE * A)
+                A = np.where(outside, np.sqrt(low * high), np.clip(A - step, low, high))
         # a curve that turns beside a corner may cross a frequency to and fro within rounding
         again = (number[1:] == number[:-1]) & (np.abs(np.diff(A)) <= SAME * A[1:])
         kept = (np.abs(step) <= DONE * A) & np.append(True, ~again)[: A.size]
