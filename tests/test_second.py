@@ -111,6 +111,13 @@ def test_the_critical_force_with_friction_comes_closer(design):
     assert off < 5e-4 < 4e-3 < far
 
 
+def test_without_damping_any_force_reaches_the_breakpoint():
+    iso = isolator(mu=0.0, zeta=0.0)
+    averaged, better = iso.detachment(), iso.second_approximation.detachment()
+    assert averaged.F_cr == 0 and better.F_cr < 1e-12
+    assert 1e-3 < 1 - better.Omega_cr / averaged.Omega_cr < 1e-2
+
+
 @pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 def test_answers_belong_together(force, mu):
@@ -128,6 +135,8 @@ def test_answers_belong_together(force, mu):
     assert states.stable.tolist() == [True, False, True] * 2
     assert np.all(np.diff(states.A[:3]) > 0)
     F_SN = second.saddle_node_onset().F_SN
+    low, high = second.saddle_nodes(1.0001 * F_SN).A
+    assert low < second.saddle_node_onset().A < high
     assert len(second.saddle_nodes(0.999 * F_SN)) == 0
     assert len(second.saddle_nodes(1.002 * F_SN)) == 2
     F_cr, Omega_cr, u_cr = (getattr(second.detachment(), name) for name in ("F_cr", "Omega_cr", "u_cr"))
@@ -161,6 +170,7 @@ def test_next_to_no_viscous_damping_the_points_keep_their_order(zeta):
     first = iso.frequency_response(0.02, Omega=(0.6, 1.1))
     curve = iso.second_approximation.frequency_response(0.02, Omega=(0.6, 1.1))
     assert curve.A.size > 0.95 * first.A.size
+    assert curve.isola == (first.isola if zeta else (False, False))
     for branch in np.unique(curve.branch):
         largest = []
         for one in (first, curve):

@@ -40,6 +40,8 @@ Balance = Callable[[Floats], Floats]
 SMALL = 0.2
 #: Newton steps along the gradient, the longest one in ln A, R/F_0 and ln Omega, and the one that ends them
 STEPS, LONGEST, DONE = 25, 0.1, 1e-11
+#: rounding of R over A Omega^2
+ROUNDING = 8 * float(np.finfo(float).eps)
 #: weight of ln Omega in the distance beside ln A and R/F_0
 WEIGHT = 2.0
 #: Newton steps to the frequency of a given R
@@ -175,7 +177,8 @@ class SecondApproximation:
         if found is None:
             return SaddleNodeOnset(None, None, None, "", FAR)
         Omega, A, F_SN = np.exp(found).tolist()
-        return SaddleNodeOnset(F_SN, Omega, A, first.kind, first.message)
+        u_max = float(self._response(Omega, A, F_SN)[0])
+        return SaddleNodeOnset(F_SN, Omega, u_max, first.kind, first.message)
 
     def detachment(self) -> Detachment:
         """The lowest forcing whose largest displacement is u_cr."""
@@ -208,7 +211,8 @@ class SecondApproximation:
                     A = reaching(Omega)
                     R, I, *_ = self._detachment(Omega, A)
                     F_cr = float(np.hypot(R, I))
-                    near = abs(A / u_cr - 1) < SMALL and abs(F_cr / first.F_cr - 1) < SMALL
+                    # without damping it is nought to rounding
+                    near = abs(A / u_cr - 1) < SMALL and abs(F_cr - first.F_cr) < SMALL * first.F_cr + DONE * u_cr
                     if near and bool(self._small(Omega, A)):
                         return Detachment(F_cr, Omega, u_cr, first.message)
         return Detachment(None, None, u_cr, FAR)
@@ -288,13 +292,17 @@ class SecondApproximation:
                 share = np.minimum(1.0, LONGEST / size)
                 A[left], Omega[left] = amplitude * np.exp(share * x), at * np.exp(share * z)
                 R[left], step[left] = reached + F_0 * share * y, size
-                left = left[size > DONE]
+                left = left[size > self._done(at, amplitude, F_0)]
                 if not left.size:
                     break
             Omega = self._at_R(Omega, A, R, F_0)
             near = (np.abs(np.log(A / A_1)) < SMALL) & (np.abs(np.log(Omega / Omega_1)) < SMALL)
-            kept = near & (step <= DONE) & self._small(Omega, A)
+            kept = near & (step <= self._done(Omega, A, F_0)) & self._small(Omega, A)
         return Omega, A, kept
+
+    def _done(self, Omega: Floats, A: Floats, F_0: float) -> Floats:
+        """The step that ends Newton's iteration: on a peak as sharp as a needle R/F_0 is known to no more."""
+        return DONE + ROUNDING * A * Omega**2 / F_0
 
     def _at_R(self, Omega_0: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
         """The frequency at which the cosine balance is R, the one given where R hardly depends on it."""
