@@ -211,12 +211,20 @@ def test_a_branch_ends_where_points_are_left_out():
     assert np.hypot(np.diff(np.log(curve.Omega)), np.diff(np.log(curve.A)))[same].max() < 0.1
 
 
+def test_harmonics_on_a_curve_are_small():
+    """Also friction's: next to the third harmonic's resonance they once took nine tenths off u_max."""
+    curve = Duffing(1.0, -0.3, 0.01, 0.05).second_approximation.frequency_response(0.2)
+    assert np.all(np.abs(np.log(curve.A_1 / curve.A)) < 0.5)
+
+
 def test_what_is_not_there_is_told_in_words():
     second = isolator().second_approximation
     stuck = second.frequency_response(0.01)
     assert stuck.A.size == 0 and "sticks" in stuck.message
     assert len(second.saddle_nodes(0.01)) == 0 and "sticks" in second.saddle_nodes(0.01).message
     assert second.amplitudes(0.9, 0.01).A.size == 0
+    single = isolator(delta_h=0).second_approximation.saddle_nodes(0.018)
+    assert len(single) == 0 and all(remark in single.message for remark in ("no saddle node", "left out"))
     low = second.frequency_response(0.04, Omega=(0.05, 0.2))
     assert "left out" in low.message and low.A.size == 0
     linear = isolator(delta_h=0).second_approximation

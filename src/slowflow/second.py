@@ -150,8 +150,8 @@ class SecondApproximation:
             # where points crowd the curve may turn to and fro within rounding
             found = [fold for k, fold in enumerate(found) if k == 0 or not np.allclose(fold, found[k - 1], SAME, 0)]
             lost = sum(fold is None for fold in solved)
-            message = words(curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
-            message = message or ("" if found else NO_FOLD.format(first.F_0))
+            none = "" if found else NO_FOLD.format(first.F_0)
+            message = words(none, curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
         at, A, corner = np.array(found).reshape(-1, 3).T
         u_max, A_1, *_ = self._response(at, A, first.F_0)
         # what a sweep leaves for a larger amplitude has its stable side below
@@ -323,9 +323,10 @@ class SecondApproximation:
         return np.asarray(np.abs(self.model.averaged(A)[0]) < kernels.RESONANCE * A * Omega**2)
 
     def _small(self, Omega: Any, A: Any) -> Flags:
-        """Where the harmonics are a correction."""
-        A_1 = self._response(Omega, A, 1.0)[1]
-        return np.asarray(self._off_resonance(Omega, A) & (np.abs(A_1 / A - 1.0) < SMALL))
+        """Where the harmonics are a correction: the force's, and friction's, which take u_max below A."""
+        u_max, A_1, *_ = self._response(Omega, A, 1.0)
+        small = (np.abs(A_1 / A - 1.0) < SMALL) & (np.abs(u_max / A - 1.0) < SMALL)
+        return np.asarray(self._off_resonance(Omega, A) & small)
 
     def _fold(self, curve: _Curve, k: int, F_0: float) -> tuple[float, float, bool] | None:
         """Where F_A changes its sign between points k and k + 1: Omega, A, and whether that is a corner's jump."""
