@@ -289,6 +289,25 @@ def test_kernels_agree_with_one_another():
     assert np.allclose((F, F_A), second_approximation.folds(Omega, A, F_0, m, zeta, *four)[:2], rtol=1e-9, atol=1e-13)
 
 
+@pytest.mark.parametrize("force", FORCES)
+@pytest.mark.parametrize("A", [0.1, 0.3, 0.45, 0.8])
+def test_derivatives_are_those_of_the_values(force, A):
+    """By differences, on both sides of u_cr."""
+    second, Omega, F_0 = isolator(force=force).second_approximation, 0.9, 0.04
+    step = 1e-5 * np.array([-1.0, 1.0])
+
+    def slope(values):
+        return (values[1] - values[0]) / 2e-5
+
+    u_max, _, _, R, F, F_A, *_ = second._response(Omega, A + step, F_0)
+    at = second._response(Omega + step, A, F_0)
+    u_A, u_Omega, F_Omega = slope(u_max), slope(at[0]), slope(at[4])
+    *_, found_F_A, found_F_Omega, R_A, R_Omega = second._response(Omega, A, F_0)
+    found = (found_F_A, found_F_Omega, R_A, R_Omega, second._folds(Omega, A, F_0)[2], second._detachment(Omega, A)[3])
+    expected = (slope(F), F_Omega, slope(R), slope(at[3]), slope(F_A), F_Omega * u_A - slope(F) * u_Omega)
+    assert np.allclose(found, expected, rtol=1e-6, atol=1e-9)
+
+
 def test_states_at_many_frequencies_are_those_at_each():
     second = isolator().second_approximation
     frequencies = [0.95, 0.85, 1.1, 0.9]

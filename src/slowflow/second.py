@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -91,7 +91,7 @@ class SecondApproximation:
     """
 
     first: Oscillator
-    model: Model
+    model: Model = field(repr=False)
 
     def frequency_response(
         self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = WINDOW
