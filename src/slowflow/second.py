@@ -112,25 +112,13 @@ class SecondApproximation:
         curve, _ = self._curve(F_0, SAMPLES, (wanted.min() / BEYOND, wanted.max() * BEYOND))
         F_0 = float(F_0)
         number, low, A, high = _crossings(curve, wanted)
-        at = wanted[number]
-        with np.errstate(all="ignore"):
-            F_low, F_high = (self._response(at, end, F_0)[4] for end in (low, high))
-            between = (F_low > 0) != (F_high > 0)
-            step = np.full_like(A, np.inf)
-            for _ in range(STEPS):
-                _, _, _, _, F, F_A, *_ = self._response(at, A, F_0)
-                above = (F > 0) == (F_high > 0)
-                low, high = np.where(between & ~above, A, low), np.where(between & above, A, high)
-                step = F / F_A
-                outside = between & ((A - step < low) | (A - step > high)) & (np.abs(step) > DONE * A)
-                A = np.where(outside, np.sqrt(low * high), np.clip(A - step, low, high))
+        A, solved = self._states(wanted[number], low, A, high, F_0)
+        number, A = number[solved], A[solved]
         # a curve that turns beside a corner may cross a frequency to and fro within rounding
-        again = (number[1:] == number[:-1]) & (np.abs(np.diff(A)) <= SAME * A[1:])
-        kept = (np.abs(step) <= DONE * A) & np.append(True, ~again)[: A.size]
-        at, A, number = at[kept], A[kept], number[kept]
+        other = np.append(True, (np.diff(number) != 0) | (np.abs(np.diff(A)) > SAME * A[1:]))[: A.size]
+        at, A = wanted[number[other]], A[other]
         u_max, A_1, phi, _, _, F_A, *_ = self._response(at, A, F_0)
-        there, expected = (np.count_nonzero(one == wanted[:, np.newaxis], axis=1) for one in (at, first.Omega))
-        fewer = int(np.count_nonzero(there < expected))
+        fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = words(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         message = self._remarked(message, u_max, F_0)
         return SecondStates(at, u_max, A_1, phi, F_A > 0, message)
@@ -328,6 +316,21 @@ class SecondApproximation:
         small = (np.abs(A_1 / A - 1.0) < SMALL) & (np.abs(u_max / A - 1.0) < SMALL)
         return np.asarray(self._off_resonance(Omega, A) & small)
 
+    def _states(self, Omega: Floats, low: Floats, A: Floats, high: Floats, F_0: float) -> tuple[Floats, Flags]:
+        """The state at each frequency between two amplitudes, from one in between; and where it was found."""
+        with np.errstate(all="ignore"):
+            F_low, F_high = (self._response(Omega, end, F_0)[4] for end in (low, high))
+            between = (F_low > 0) != (F_high > 0)
+            step = np.full_like(A, np.inf)
+            for _ in range(STEPS):
+                _, _, _, _, F, F_A, *_ = self._response(Omega, A, F_0)
+                above = (F > 0) == (F_high > 0)
+                low, high = np.where(between & ~above, A, low), np.where(between & above, A, high)
+                step = F / F_A
+                outside = between & ((A - step < low) | (A - step > high)) & (np.abs(step) > DONE * A)
+                A = np.where(outside, np.sqrt(low * high), np.clip(A - step, low, high))
+            return A, np.abs(step) <= DONE * A
+
     def _fold(self, curve: _Curve, k: int, F_0: float) -> tuple[float, float, bool] | None:
         """Where F_A changes its sign between points k and k + 1: Omega, A, and whether that is a corner's jump."""
         rising = [k, k + 1] if curve.A[k + 1] > curve.A[k] else [k + 1, k]
@@ -409,6 +412,12 @@ def _order(Omega: Floats, stable: Flags, branch: npt.NDArray[np.intp]) -> npt.ND
     high = np.append(low[1:], Omega.size)[: low.size] - 1
     rising = np.where(Omega[high] >= Omega[low], 1.0, -1.0)
     return np.lexsort((rising[stretch] * Omega, stretch))
+
+
+def _counts(wanted: Floats, values: Floats) -> npt.NDArray[np.intp]:
+    """How often each wanted value is among the values."""
+    known = np.sort(values)
+    return np.searchsorted(known, wanted, "right") - np.searchsorted(known, wanted, "left")
 
 
 def _crossings(curve: _Curve, Omega: Floats) -> tuple[npt.NDArray[np.intp], Floats, Floats, Floats]:
