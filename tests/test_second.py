@@ -265,6 +265,14 @@ def test_a_peak_as_sharp_as_a_needle_makes_no_folds(oscillator, F_0):
         assert abs(below - above) == 2
 
 
+def test_folds_as_close_as_the_corner_makes_them_are_of_two_kinds():
+    """4e-8 apart, and by rising Omega, then by rising A."""
+    design = {"lam": 4, "r": 1.0300431, "delta_h": 0.020223232, "mu": 0.0207183129, "zeta": 0.0885677}
+    folds = Isolator(**design).second_approximation.saddle_nodes(0.09701705)
+    assert folds.corner.tolist() == [True, False]
+    assert folds.kind.tolist() == ["jump-up", "jump-down"]
+
+
 def test_bad_input_is_refused_as_in_the_first():
     second = isolator().second_approximation
     for call in (

@@ -128,7 +128,7 @@ class SecondApproximation:
         first = self.first._folds(F_0)
         peak = self.first.peak(F_0)
         marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
-        found: list[tuple[float, float, bool]] = []
+        found: list[tuple[float, float, bool, bool]] = []
         message = first.message
         if marks:
             curve, _ = self._curve(F_0, SAMPLES, (min(marks) / BEYOND, max(marks) * BEYOND))
@@ -140,11 +140,10 @@ class SecondApproximation:
             lost = sum(fold is None for fold in solved)
             none = "" if found else NO_FOLD.format(first.F_0)
             message = words(none, curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
-        at, A, corner = np.array(found).reshape(-1, 3).T
+        at, A, corner, below = np.array(found).reshape(-1, 4).T
         u_max, A_1, *_ = self._response(at, A, first.F_0)
         # what a sweep leaves for a larger amplitude has its stable side below
-        below = self._response(at, A * (1 - SAME), first.F_0)[5] > 0
-        kind = np.where(below, "jump-up", "jump-down")
+        kind = np.where(below != 0, "jump-up", "jump-down")
         message = self._remarked(message, u_max, first.F_0)
         return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, message)
 
@@ -331,8 +330,8 @@ class SecondApproximation:
                 A = np.where(outside, np.sqrt(low * high), np.clip(A - step, low, high))
             return A, np.abs(step) <= DONE * A
 
-    def _fold(self, curve: _Curve, k: int, F_0: float) -> tuple[float, float, bool] | None:
-        """Where F_A changes its sign between points k and k + 1: Omega, A, and whether that is a corner's jump."""
+    def _fold(self, curve: _Curve, k: int, F_0: float) -> tuple[float, float, bool, bool] | None:
+        """Where F_A changes its sign between points k and k + 1: Omega, A; whether on a corner, and stable below."""
         rising = [k, k + 1] if curve.A[k + 1] > curve.A[k] else [k + 1, k]
         frequencies, amplitudes = curve.Omega[rising], curve.A[rising]
 
@@ -358,7 +357,7 @@ class SecondApproximation:
         # next to a tip `on_curve` may slip to its other side, and the slope with it
         if not corners and abs(slope(A)) > VANISHED * max(map(abs, slopes)):
             return None
-        return on_curve(A), corners[0] if corners else A, bool(corners)
+        return on_curve(A), corners[0] if corners else A, bool(corners), slopes[0] > 0
 
     def _solved(self, balance: Balance, start: Floats) -> Floats | None:
         """The zero near a start, in logarithms of Omega, A and what follows; None where it is no correction."""
