@@ -95,6 +95,29 @@ def test_the_critical_force_without_friction_comes_closer():
     assert averaged.F_cr > 1.015 * F_cr
 
 
+@pytest.mark.parametrize(
+    "design",
+    [
+        {"lam": 4, "r": 1.392, "delta_h": 0.0916, "mu": 0.0313, "zeta": 0.0713},
+        {"lam": 1, "r": 2.898, "delta_h": 0.2074, "mu": 0.0255, "zeta": 0.056},
+    ],
+)
+def test_the_critical_force_with_friction_comes_closer(design):
+    """Where the truncated force jumps, and friction's harmonics leave the largest displacement below A."""
+    iso = Isolator(**design)
+    averaged, better = iso.detachment(), iso.second_approximation.detachment()
+    window = (0.95 * better.Omega_cr, 1.05 * better.Omega_cr)
+    off, far = (abs(iso.exact_response(one.F_cr, window).peak.A / one.u_cr - 1) for one in (better, averaged))
+    assert off < 5e-4 < 4e-3 < far
+
+
+def test_without_damping_any_force_reaches_the_breakpoint():
+    iso = isolator(mu=0.0, zeta=0.0)
+    averaged, better = iso.detachment(), iso.second_approximation.detachment()
+    assert averaged.F_cr == 0 and better.F_cr < 1e-12
+    assert 1e-3 < 1 - better.Omega_cr / averaged.Omega_cr < 1e-2
+
+
 @pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 def test_answers_belong_together(force, mu):
@@ -112,6 +135,8 @@ def test_answers_belong_together(force, mu):
     assert states.stable.tolist() == [True, False, True] * 2
     assert np.all(np.diff(states.A[:3]) > 0)
     F_SN = second.saddle_node_onset().F_SN
+    low, high = second.saddle_nodes(1.0001 * F_SN).A
+    assert low < second.saddle_node_onset().A < high
     assert len(second.saddle_nodes(0.999 * F_SN)) == 0
     assert len(second.saddle_nodes(1.002 * F_SN)) == 2
     F_cr, Omega_cr, u_cr = (getattr(second.detachment(), name) for name in ("F_cr", "Omega_cr", "u_cr"))
@@ -145,6 +170,7 @@ def test_next_to_no_viscous_damping_the_points_keep_their_order(zeta):
     first = iso.frequency_response(0.02, Omega=(0.6, 1.1))
     curve = iso.second_approximation.frequency_response(0.02, Omega=(0.6, 1.1))
     assert curve.A.size > 0.95 * first.A.size
+    assert curve.isola == (first.isola if zeta else (False, False))
     for branch in np.unique(curve.branch):
         largest = []
         for one in (first, curve):
@@ -153,12 +179,52 @@ def test_next_to_no_viscous_damping_the_points_keep_their_order(zeta):
         assert largest[1] < 1.1 * largest[0]
 
 
+#: designs on which points once overtook each other, or a curve went on across what had been left out; F_0, force
+WITH_ORDER = (
+    ({"lam": 1, "r": 1.761, "delta_h": 0.0456, "mu": 0.00758, "zeta": 0.01476}, 0.0174, "exact"),
+    ({"lam": 2, "r": 1.31, "delta_h": 0.262, "mu": 0.0045, "zeta": 0.027}, 0.0753, "truncated"),
+    ({"lam": 4, "r": 1.39, "delta_h": 0.092, "mu": 0.031, "zeta": 0.0713}, 0.1539, "truncated"),
+    ({"lam": 1, "r": 2.71, "delta_h": 0.263, "mu": 0.0004, "zeta": 0.0351}, 0.0419, "truncated"),
+)
+
+
+@pytest.mark.parametrize(("design", "F_0", "force"), WITH_ORDER)
+def test_the_frequency_turns_only_at_folds(design, F_0, force):
+    """Points in order along the curve, whatever way each was moved."""
+    second = Isolator(**design, force=force).second_approximation
+    curve = second.frequency_response(F_0)
+    turns = 0
+    for branch in np.unique(curve.branch):
+        way = np.sign(np.diff(curve.Omega[curve.branch == branch]))
+        turns += np.count_nonzero(np.diff(way[way != 0]))
+    assert turns == len(second.saddle_nodes(F_0))
+
+
+def test_a_branch_ends_where_points_are_left_out():
+    """A part of the curve that the second approximation does not have is no straight line."""
+    with pytest.warns(UserWarning, match="negative stiffness"):
+        iso = Isolator(lam=3, r=3747 / 1848, delta_h=0.25, mu=0.012, zeta=0.02)
+    curve = iso.second_approximation.frequency_response(0.05)
+    assert "left out" in curve.message
+    assert len(curve.isola) == len(np.unique(curve.branch)) and curve.branch.max() == len(curve.isola) - 1
+    same = np.diff(curve.branch) == 0
+    assert np.hypot(np.diff(np.log(curve.Omega)), np.diff(np.log(curve.A)))[same].max() < 0.1
+
+
+def test_harmonics_on_a_curve_are_small():
+    """Also friction's: next to the third harmonic's resonance they once took nine tenths off u_max."""
+    curve = Duffing(1.0, -0.3, 0.01, 0.05).second_approximation.frequency_response(0.2)
+    assert np.all(np.abs(np.log(curve.A_1 / curve.A)) < 0.5)
+
+
 def test_what_is_not_there_is_told_in_words():
     second = isolator().second_approximation
     stuck = second.frequency_response(0.01)
     assert stuck.A.size == 0 and "sticks" in stuck.message
     assert len(second.saddle_nodes(0.01)) == 0 and "sticks" in second.saddle_nodes(0.01).message
     assert second.amplitudes(0.9, 0.01).A.size == 0
+    single = isolator(delta_h=0).second_approximation.saddle_nodes(0.018)
+    assert len(single) == 0 and all(remark in single.message for remark in ("no saddle node", "left out"))
     low = second.frequency_response(0.04, Omega=(0.05, 0.2))
     assert "left out" in low.message and low.A.size == 0
     linear = isolator(delta_h=0).second_approximation
@@ -185,6 +251,28 @@ def test_the_corner_of_the_truncated_force_keeps_its_pair_of_folds():
     assert len(isolator(zeta=0.1, delta_h=0.03, force="exact").second_approximation.saddle_nodes(F_0)) == 0
 
 
+@pytest.mark.parametrize(
+    ("oscillator", "F_0"), [(Duffing(4.0, 1.0, 0.01, 0.0), 0.0128), (isolator(mu=0.0, zeta=1e-6), 1e-6)]
+)
+def test_a_peak_as_sharp_as_a_needle_makes_no_folds(oscillator, F_0):
+    """Its two sides are one amplitude's: slipping from one to the other passed for a change of the slope's sign."""
+    second = oscillator.second_approximation
+    folds = second.saddle_nodes(F_0)
+    assert folds.kind.tolist() == ["jump-up", "jump-down"]
+    # on either side of a fold there are two states more or less
+    for Omega in folds.Omega:
+        below, above = (second.amplitudes(Omega * (1 + side * 1e-5), F_0).A.size for side in (-1, 1))
+        assert abs(below - above) == 2
+
+
+def test_folds_as_close_as_the_corner_makes_them_are_of_two_kinds():
+    """4e-8 apart, and by rising Omega, then by rising A."""
+    design = {"lam": 4, "r": 1.0300431, "delta_h": 0.020223232, "mu": 0.0207183129, "zeta": 0.0885677}
+    folds = Isolator(**design).second_approximation.saddle_nodes(0.09701705)
+    assert folds.corner.tolist() == [True, False]
+    assert folds.kind.tolist() == ["jump-up", "jump-down"]
+
+
 def test_bad_input_is_refused_as_in_the_first():
     second = isolator().second_approximation
     for call in (
@@ -209,6 +297,25 @@ def test_kernels_agree_with_one_another():
     assert np.allclose((F, F_A), second_approximation.folds(Omega, A, F_0, m, zeta, *four)[:2], rtol=1e-9, atol=1e-13)
 
 
+@pytest.mark.parametrize("force", FORCES)
+@pytest.mark.parametrize("A", [0.1, 0.3, 0.45, 0.8])
+def test_derivatives_are_those_of_the_values(force, A):
+    """By differences, on both sides of u_cr."""
+    second, Omega, F_0 = isolator(force=force).second_approximation, 0.9, 0.04
+    step = 1e-5 * np.array([-1.0, 1.0])
+
+    def slope(values):
+        return (values[1] - values[0]) / 2e-5
+
+    u_max, _, _, R, F, F_A, *_ = second._response(Omega, A + step, F_0)
+    at = second._response(Omega + step, A, F_0)
+    u_A, u_Omega, F_Omega = slope(u_max), slope(at[0]), slope(at[4])
+    *_, found_F_A, found_F_Omega, R_A, R_Omega = second._response(Omega, A, F_0)
+    found = (found_F_A, found_F_Omega, R_A, R_Omega, second._folds(Omega, A, F_0)[2], second._detachment(Omega, A)[3])
+    expected = (slope(F), F_Omega, slope(R), slope(at[3]), slope(F_A), F_Omega * u_A - slope(F) * u_Omega)
+    assert np.allclose(found, expected, rtol=1e-6, atol=1e-9)
+
+
 def test_states_at_many_frequencies_are_those_at_each():
     second = isolator().second_approximation
     frequencies = [0.95, 0.85, 1.1, 0.9]
@@ -216,3 +323,20 @@ def test_states_at_many_frequencies_are_those_at_each():
     apart = [second.amplitudes(Omega, 0.04) for Omega in frequencies]
     assert np.allclose(together.A, list(itertools.chain(*(one.A for one in apart))), rtol=1e-9)
     assert together.Omega.tolist() == list(itertools.chain(*(one.Omega for one in apart)))
+
+
+def test_repeated_frequencies_are_asked_for_once_each():
+    second = isolator().second_approximation
+    once, thrice = second.amplitudes(0.9, 0.04), second.amplitudes([[0.9, 0.9], [1.1, 0.9]], 0.04)
+    assert not once.message and not thrice.message
+    assert np.allclose(thrice.A[thrice.Omega == 0.9], np.tile(once.A, 3), rtol=1e-12)
+    assert thrice.Omega.size == 3 * once.Omega.size + 1
+
+
+@pytest.mark.parametrize("mu", [0.0, 0.012])
+def test_states_next_to_a_fold_are_found_where_points_are_far_apart(mu):
+    """Most points of a curve that reaches A = 200 lie above u_cr."""
+    iso = isolator(mu=mu, zeta=1e-4)
+    for Omega in (0.888, 0.89, 0.9):
+        states = iso.second_approximation.amplitudes(Omega, 0.04)
+        assert states.stable.tolist() == [True, False, True] and not states.message

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -36,14 +36,22 @@ if TYPE_CHECKING:
 Flags = npt.NDArray[np.bool_]
 Balance = Callable[[Floats], Floats]
 
-#: relative change of amplitude or frequency, and share of the harmonics in A, up to which they are a correction
+#: relative change of amplitude or frequency, and share that friction takes off A, up to which they are a correction
 SMALL = 0.2
+#: the same for the share of the spring's harmonics in A; from 1/8 on the mass might not turn where they add up
+HARMONICS = 0.1
 #: Newton steps along the gradient, the longest one in ln A, R/F_0 and ln Omega, and the one that ends them
 STEPS, LONGEST, DONE = 25, 0.1, 1e-11
+#: rounding of R over A Omega^2
+ROUNDING = 8 * float(np.finfo(float).eps)
+#: weight of ln Omega in the distance beside ln A and R/F_0
+WEIGHT = 2.0
 #: Newton steps to the frequency of a given R
 MATCHING = 5
 #: distance in logarithms up to which two answers are one
 SAME = 1e-7
+#: size of F_A where it has vanished, over that between two points of the curve
+VANISHED = 1e-3
 #: points of the curve on which folds and states at one frequency are looked for, and how far it reaches beyond
 SAMPLES, BEYOND = 600, 1.3
 
@@ -63,12 +71,13 @@ STATIC = "the static amplitude reaches u_cr first: there is no motion whose harm
 
 @dataclass(frozen=True)
 class _Curve:
-    """A response curve: Omega, A of the kernels, stability, number of the branch; remarks."""
+    """A response curve: Omega, A of the kernels, stability; number of the branch, whether each is closed; remarks."""
 
     Omega: Floats
     A: Floats
     stable: Flags
     branch: npt.NDArray[np.intp]
+    isola: tuple[bool, ...]
     message: str
 
 
@@ -84,7 +93,7 @@ class SecondApproximation:
     """
 
     first: Oscillator
-    model: Model
+    model: Model = field(repr=False)
 
     def frequency_response(
         self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = WINDOW
@@ -93,7 +102,7 @@ class SecondApproximation:
         curve, first = self._curve(F_0, samples, Omega)
         u_max, A_1, phi, *_ = self._response(curve.Omega, curve.A, first.F_0)
         message = self._remarked(curve.message, curve.Omega, u_max)
-        return SecondResponse(curve.Omega, u_max, A_1, phi, curve.stable, message, curve.branch, first.isola, first.F_0)
+        return SecondResponse(curve.Omega, u_max, A_1, phi, curve.stable, message, curve.branch, curve.isola, first.F_0)
 
     def amplitudes(self, Omega: Any, F_0: float) -> SecondStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses."""
@@ -105,19 +114,13 @@ class SecondApproximation:
         curve, _ = self._curve(F_0, SAMPLES, (wanted.min() / BEYOND, wanted.max() * BEYOND))
         F_0 = float(F_0)
         number, low, A, high = _crossings(curve, wanted)
-        at = wanted[number]
-        step = np.full_like(A, np.inf)
-        for _ in range(STEPS):
-            _, _, _, _, F, F_A, *_ = self._response(at, A, F_0)
-            step = F / F_A
-            A = np.clip(A - step, low, high)
+        A, solved = self._states(wanted[number], low, A, high, F_0)
+        number, A = number[solved], A[solved]
         # a curve that turns beside a corner may cross a frequency to and fro within rounding
-        again = (number[1:] == number[:-1]) & (np.abs(np.diff(A)) <= SAME * A[1:])
-        kept = (np.abs(step) <= DONE * A) & np.append(True, ~again)[: A.size]
-        at, A, number = at[kept], A[kept], number[kept]
+        other = np.append(True, (np.diff(number) != 0) | (np.abs(np.diff(A)) > SAME * A[1:]))[: A.size]
+        at, A = wanted[number[other]], A[other]
         u_max, A_1, phi, _, _, F_A, *_ = self._response(at, A, F_0)
-        expected = np.count_nonzero(first.Omega == wanted[:, np.newaxis], axis=1)
-        fewer = int(np.count_nonzero(np.bincount(number, minlength=wanted.size) < expected))
+        fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = words(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         message = self._remarked(message, at, u_max)
         return SecondStates(at, u_max, A_1, phi, F_A > 0, message)
@@ -127,7 +130,7 @@ class SecondApproximation:
         first = self.first._folds(F_0)
         peak = self.first.peak(F_0)
         marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
-        found: list[tuple[float, float, bool]] = []
+        found: list[tuple[float, float, bool, bool]] = []
         message = first.message
         if marks:
             curve, _ = self._curve(F_0, SAMPLES, (min(marks) / BEYOND, max(marks) * BEYOND))
@@ -137,13 +140,12 @@ class SecondApproximation:
             # where points crowd the curve may turn to and fro within rounding
             found = [fold for k, fold in enumerate(found) if k == 0 or not np.allclose(fold, found[k - 1], SAME, 0)]
             lost = sum(fold is None for fold in solved)
-            message = words(curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
-            message = message or ("" if found else NO_FOLD.format(first.F_0))
-        at, A, corner = np.array(found).reshape(-1, 3).T
+            none = "" if found else NO_FOLD.format(first.F_0)
+            message = words(none, curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
+        at, A, corner, below = np.array(found).reshape(-1, 4).T
         u_max, A_1, *_ = self._response(at, A, first.F_0)
         # what a sweep leaves for a larger amplitude has its stable side below
-        below = self._response(at, A * (1 - SAME), first.F_0)[5] > 0
-        kind = np.where(below, "jump-up", "jump-down")
+        kind = np.where(below != 0, "jump-up", "jump-down")
         message = self._remarked(message, at, u_max)
         return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, message)
 
@@ -164,7 +166,8 @@ class SecondApproximation:
         if found is None:
             return SaddleNodeOnset(None, None, None, "", FAR)
         Omega, A, F_SN = np.exp(found).tolist()
-        return SaddleNodeOnset(F_SN, Omega, A, first.kind, first.message)
+        u_max = float(self._response(Omega, A, F_SN)[0])
+        return SaddleNodeOnset(F_SN, Omega, u_max, first.kind, first.message)
 
     def detachment(self) -> Detachment:
         """The lowest forcing whose largest displacement is u_cr."""
@@ -173,20 +176,35 @@ class SecondApproximation:
             return first
         if first.Omega_cr == 0:
             return Detachment(None, None, first.u_cr, STATIC)
-        F_cr, u_cr = first.F_cr, first.u_cr
+        u_cr = first.u_cr
 
-        def balance(x: Floats) -> Floats:
-            Omega, A = np.exp(x)
-            _, _, u_max, turning = self._detachment(Omega, A)
-            return np.asarray([u_max / u_cr - 1.0, turning * Omega / F_cr**2])
+        def reaching(Omega: float) -> float:
+            """A whose largest displacement is u_cr: above that by what friction's harmonics take off."""
+            A = u_cr
+            for _ in range(STEPS):
+                share = u_cr / float(self._detachment(Omega, A)[2])
+                A *= share
+                if abs(share - 1) <= DONE:
+                    break
+            return A
 
-        # next to u_cr, above which the harmonics change: as far below as friction's leave off u_max
-        found = self._solved(balance, np.log([first.Omega_cr, u_cr]))
-        if found is None:
-            return Detachment(None, None, u_cr, FAR)
-        Omega, A = np.exp(found)
-        R, I, *_ = self._detachment(Omega, A)
-        return Detachment(float(np.hypot(R, I)), float(Omega), u_cr, first.message)
+        def turning(Omega: float) -> float:
+            return float(self._detachment(Omega, reaching(Omega))[3])
+
+        # no iteration over A and Omega at once: next to u_cr, above which the harmonics change, it gets stuck
+        with np.errstate(all="ignore"):
+            for width in SMALL * 0.5 ** np.arange(10, -1, -1):
+                low, high = first.Omega_cr * math.exp(-width), first.Omega_cr * math.exp(width)
+                if turning(low) < 0 < turning(high):
+                    Omega = float(brentq(turning, low, high, rtol=1e-14))
+                    A = reaching(Omega)
+                    R, I, *_ = self._detachment(Omega, A)
+                    F_cr = float(np.hypot(R, I))
+                    # without damping it is nought to rounding
+                    near = abs(A / u_cr - 1) < SMALL and abs(F_cr - first.F_cr) < SMALL * first.F_cr + DONE * u_cr
+                    if near and bool(self._small(Omega, A)):
+                        return Detachment(F_cr, Omega, u_cr, first.message)
+        return Detachment(None, None, u_cr, FAR)
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
@@ -197,13 +215,15 @@ class SecondApproximation:
         first = self.first._curve(F_0, samples, Omega)
         at, A, kept = self._moved(first.Omega, first.A, first.F_0)
         at, A, lost = at[kept], A[kept], first.Omega[~kept]
-        branch = first.branch[kept]
+        branch, isola = _parts(first, kept)
         for b, jump in zip(self.model.breakpoints, self.model.jumps, strict=True):
             if jump != 0:
                 at, A, branch = self._across(b, at, A, branch, first.F_0)
         stable = self._response(at, A, first.F_0)[5] > 0
+        order = _order(at, stable, branch)
+        at, A, stable = at[order], A[order], stable[order]
         remark = LOST.format(lost.size, kept.size, lost.min(), lost.max()) if lost.size else ""
-        return _Curve(at, A, stable, branch, words(first.message, remark)), first
+        return _Curve(at, A, stable, branch, isola, words(first.message, remark)), first
 
     def _across(
         self, b: float, Omega: Floats, A: Floats, branch: npt.NDArray[np.intp], F_0: float
@@ -235,8 +255,8 @@ class SecondApproximation:
     def _moved(self, Omega_1: Floats, A_1: Floats, F_0: float) -> tuple[Floats, Floats, Flags]:
         """Points of the first approximation moved to the second: Omega, A, and where that is a correction.
 
-        In the plane of R/F_0 and ln A the curve keeps its distance from itself, however sharp its peak is over Omega:
-        there each point takes the shortest way, from where R is what it was.
+        Each point takes the shortest way. The distance counts ln A, R/F_0, in which the curve keeps away from itself
+        however sharp its peak is over Omega, and ln Omega, for where R hardly depends on that.
         """
         Omega, A = Omega_1.copy(), A_1.copy()
         R = self.model.flow.R(Omega_1, A_1, self.model.averaged(A_1)[0])
@@ -246,25 +266,39 @@ class SecondApproximation:
             for _ in range(STEPS):
                 at, amplitude = self._at_R(Omega[left], A[left], R[left], F_0), A[left]
                 _, _, _, reached, F, F_A, F_Omega, R_A, R_Omega = self._response(at, amplitude, F_0)
-                by_y, by_x = F_Omega / (R_Omega * F_0), (F_A - F_Omega * R_A / R_Omega) * amplitude / F_0**2
-                way = -F / F_0**2 / (by_x**2 + by_y**2)
-                x, y = (np.clip(way * by, -LONGEST, LONGEST) for by in (by_x, by_y))
-                A[left], Omega[left], R[left] = amplitude * np.exp(x), at, reached + F_0 * y
-                step[left] = np.maximum(np.abs(x), np.abs(y))
-                left = left[step[left] > DONE]
+                # by ln A and ln Omega
+                F, F_x, F_z = F / F_0**2, F_A * amplitude / F_0**2, F_Omega * at / F_0**2
+                R_x, R_z = R_A * amplitude / F_0, R_Omega * at / F_0
+                # the gradient in the metric dx^2 + dR^2 + (WEIGHT dz)^2
+                x, z = (R_z**2 + WEIGHT**2) * F_x - R_x * R_z * F_z, (1 + R_x**2) * F_z - R_x * R_z * F_x
+                way = -F / (F_x * x + F_z * z)
+                x, z = way * x, way * z
+                y = R_x * x + R_z * z
+                size = np.maximum(np.abs(x), np.maximum(np.abs(y), np.abs(z)))
+                share = np.minimum(1.0, LONGEST / size)
+                A[left], Omega[left] = amplitude * np.exp(share * x), at * np.exp(share * z)
+                R[left], step[left] = reached + F_0 * share * y, size
+                left = left[size > self._done(at, amplitude, F_0)]
                 if not left.size:
                     break
             Omega = self._at_R(Omega, A, R, F_0)
             near = (np.abs(np.log(A / A_1)) < SMALL) & (np.abs(np.log(Omega / Omega_1)) < SMALL)
-            kept = near & (step <= DONE) & self._small(Omega, A)
+            kept = near & (step <= self._done(Omega, A, F_0)) & self._small(Omega, A)
         return Omega, A, kept
 
-    def _at_R(self, Omega: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
-        """The frequency at which the cosine balance is R, from one nearby."""
+    def _done(self, Omega: Floats, A: Floats, F_0: float) -> Floats:
+        """The step that ends Newton's iteration: on a peak as sharp as a needle R/F_0 is known to no more."""
+        return DONE + ROUNDING * A * Omega**2 / F_0
+
+    def _at_R(self, Omega_0: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
+        """The frequency at which the cosine balance is R, the one given where R hardly depends on it."""
         averages = self._averages(A)
+        Omega = Omega_0
         for _ in range(MATCHING):
             _, _, _, reached, _, _, _, _, R_Omega = self._response(Omega, A, F_0, averages)
-            step = np.clip((R - reached) / (R_Omega * Omega), -LONGEST, LONGEST)
+            R_z, z = R_Omega * Omega / F_0, np.log(Omega / Omega_0)
+            step = (R_z * (R - reached) / F_0 - WEIGHT**2 * z) / (R_z**2 + WEIGHT**2)
+            step = np.clip(step, -LONGEST, LONGEST)
             Omega = Omega * np.exp(step)
             if not (np.abs(step) > DONE).any():
                 break
@@ -275,12 +309,28 @@ class SecondApproximation:
         return np.asarray(np.abs(self.model.averaged(A)[0]) < kernels.RESONANCE * A * Omega**2)
 
     def _small(self, Omega: Any, A: Any) -> Flags:
-        """Where the harmonics are a correction."""
-        A_1 = self._response(Omega, A, 1.0)[1]
-        return np.asarray(self._off_resonance(Omega, A) & (np.abs(A_1 / A - 1.0) < SMALL))
+        """Where the harmonics are a correction: the force's, and friction's, which take u_max below A."""
+        u_max, A_1, *_ = self._response(Omega, A, 1.0)
+        small = (np.abs(A_1 / A - 1.0) < HARMONICS) & (np.abs(u_max / A - 1.0) < SMALL)
+        return np.asarray(self._off_resonance(Omega, A) & small)
 
-    def _fold(self, curve: _Curve, k: int, F_0: float) -> tuple[float, float, bool] | None:
-        """Where F_A changes its sign between points k and k + 1: Omega, A, and whether that is a corner's jump."""
+    def _states(self, Omega: Floats, low: Floats, A: Floats, high: Floats, F_0: float) -> tuple[Floats, Flags]:
+        """The state at each frequency between two amplitudes, from one in between; and where it was found."""
+        with np.errstate(all="ignore"):
+            F_low, F_high = (self._response(Omega, end, F_0)[4] for end in (low, high))
+            between = (F_low > 0) != (F_high > 0)
+            step = np.full_like(A, np.inf)
+            for _ in range(STEPS):
+                _, _, _, _, F, F_A, *_ = self._response(Omega, A, F_0)
+                above = (F > 0) == (F_high > 0)
+                low, high = np.where(between & ~above, A, low), np.where(between & above, A, high)
+                step = F / F_A
+                outside = between & ((A - step < low) | (A - step > high)) & (np.abs(step) > DONE * A)
+                A = np.where(outside, np.sqrt(low * high), np.clip(A - step, low, high))
+            return A, np.abs(step) <= DONE * A
+
+    def _fold(self, curve: _Curve, k: int, F_0: float) -> tuple[float, float, bool, bool] | None:
+        """Where F_A changes its sign between points k and k + 1: Omega, A; whether on a corner, and stable below."""
         rising = [k, k + 1] if curve.A[k + 1] > curve.A[k] else [k + 1, k]
         frequencies, amplitudes = curve.Omega[rising], curve.A[rising]
 
@@ -298,11 +348,15 @@ class SecondApproximation:
             return float(self._response(on_curve(A), A, F_0)[5])
 
         ends = amplitudes.tolist()
-        if (slope(ends[0]) > 0) == (slope(ends[1]) > 0):
+        slopes = [slope(A) for A in ends]
+        if (slopes[0] > 0) == (slopes[1] > 0):
             return None
         A = float(brentq(slope, *ends, xtol=4 * np.finfo(float).tiny, rtol=4 * np.finfo(float).eps))
         corners = [b for b in self.model.breakpoints if abs(A - b) <= 8 * np.spacing(b)]
-        return on_curve(A), corners[0] if corners else A, bool(corners)
+        # next to a tip `on_curve` may slip to its other side, and the slope with it
+        if not corners and abs(slope(A)) > VANISHED * max(map(abs, slopes)):
+            return None
+        return on_curve(A), corners[0] if corners else A, bool(corners), slopes[0] > 0
 
     def _solved(self, balance: Balance, start: Floats) -> Floats | None:
         """The zero near a start, in logarithms of Omega, A and what follows; None where it is no correction."""
@@ -338,6 +392,30 @@ class SecondApproximation:
             Omega, A, F_0, m, zeta, *self.model.averaged(A), *self.model.harmonics(A)
         )
         return values
+
+
+def _parts(first: FrequencyResponse, kept: Flags) -> tuple[npt.NDArray[np.intp], tuple[bool, ...]]:
+    """What is left of each branch: number of its part for each point that is kept, and whether the part is closed."""
+    left = np.flatnonzero(kept)
+    begins = np.append(True, (np.diff(first.branch[left]) != 0) | (np.diff(left) > 1))[: left.size]
+    whole = [first.isola[k] and bool(kept[first.branch == k].all()) for k in first.branch[left[begins]]]
+    return np.cumsum(begins) - 1, tuple(whole)
+
+
+def _order(Omega: Floats, stable: Flags, branch: npt.NDArray[np.intp]) -> npt.NDArray[np.intp]:
+    """The points in order where some have overtaken others: only at a fold, where stability changes, Omega turns."""
+    begins = np.append(True, (np.diff(branch) != 0) | (stable[1:] != stable[:-1]))[: Omega.size]
+    stretch = np.cumsum(begins) - 1
+    low = np.flatnonzero(begins)
+    high = np.append(low[1:], Omega.size)[: low.size] - 1
+    rising = np.where(Omega[high] >= Omega[low], 1.0, -1.0)
+    return np.lexsort((rising[stretch] * Omega, stretch))
+
+
+def _counts(wanted: Floats, values: Floats) -> npt.NDArray[np.intp]:
+    """How often each wanted value is among the values."""
+    known = np.sort(values)
+    return np.searchsorted(known, wanted, "right") - np.searchsorted(known, wanted, "left")
 
 
 def _crossings(curve: _Curve, Omega: Floats) -> tuple[npt.NDArray[np.intp], Floats, Floats, Floats]:
