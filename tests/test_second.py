@@ -11,6 +11,8 @@ from mpmath import mp, mpf
 from derivations.second_approximation import friction_sum
 from slowflow import Duffing, Isolator
 from slowflow.results import words
+from slowflow.second.balance import Balance
+from slowflow.second.curve import follow
 from slowflow_kernels import den_hartog, second_approximation
 
 pytestmark = pytest.mark.both_backends
@@ -154,8 +156,10 @@ def test_the_balance_is_met_on_the_curve(force, changes):
     iso = isolator(force=force, **changes)
     second, F_0 = iso.second_approximation, 1.3 * iso.detachment().F_cr
     shown = (0.8 * iso.backbone(0.1 * iso.u_cr), 1.2 * iso.backbone(1.4 * iso.u_cr))
-    curve, first = second._curve(F_0, 1000, shown)
-    _, _, _, _, F, *_ = second._response(curve.Omega, curve.A, F_0)
+    first = iso._curve(F_0, 1000, shown)
+    balance = Balance(iso._model)
+    curve = follow(balance, first)
+    _, _, _, _, F, *_ = balance.response(curve.Omega, curve.A, F_0)
     assert np.abs(F).max() < 1e-10 * F_0**2
     assert not curve.message and curve.A.size >= first.A.size
     x, y = np.diff(np.log(curve.Omega)), np.diff(np.log(curve.A))
@@ -301,17 +305,17 @@ def test_kernels_agree_with_one_another():
 @pytest.mark.parametrize("A", [0.1, 0.3, 0.45, 0.8])
 def test_derivatives_are_those_of_the_values(force, A):
     """By differences, on both sides of u_cr."""
-    second, Omega, F_0 = isolator(force=force).second_approximation, 0.9, 0.04
+    balance, Omega, F_0 = Balance(isolator(force=force)._model), 0.9, 0.04
     step = 1e-5 * np.array([-1.0, 1.0])
 
     def slope(values):
         return (values[1] - values[0]) / 2e-5
 
-    u_max, _, _, R, F, F_A, *_ = second._response(Omega, A + step, F_0)
-    at = second._response(Omega + step, A, F_0)
+    u_max, _, _, R, F, F_A, *_ = balance.response(Omega, A + step, F_0)
+    at = balance.response(Omega + step, A, F_0)
     u_A, u_Omega, F_Omega = slope(u_max), slope(at[0]), slope(at[4])
-    *_, found_F_A, found_F_Omega, R_A, R_Omega = second._response(Omega, A, F_0)
-    found = (found_F_A, found_F_Omega, R_A, R_Omega, second._folds(Omega, A, F_0)[2], second._detachment(Omega, A)[3])
+    *_, found_F_A, found_F_Omega, R_A, R_Omega = balance.response(Omega, A, F_0)
+    found = (found_F_A, found_F_Omega, R_A, R_Omega, balance.folds(Omega, A, F_0)[2], balance.detachment(Omega, A)[3])
     expected = (slope(F), F_Omega, slope(R), slope(at[3]), slope(F_A), F_Omega * u_A - slope(F) * u_Omega)
     assert np.allclose(found, expected, rtol=1e-6, atol=1e-9)
 

@@ -1,0 +1,77 @@
+"""The balance of the second approximation: in go a slow flow, Omega and A, out come the generated kernels' values.
+
+A is A_1 + a_3 + a_5 here, as in `slowflow_kernels.second_approximation`; friction's harmonics take a little off it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.model import Floats, Model
+from slowflow_kernels import second_approximation as kernels
+
+Flags = npt.NDArray[np.bool_]
+
+#: relative change of amplitude or frequency, and share that friction takes off A, up to which they are a correction
+SMALL = 0.2
+#: the same for the share of the spring's harmonics in A; from 1/8 on the mass might not turn where they add up
+HARMONICS = 0.1
+
+
+class Values(NamedTuple):
+    """Largest displacement, first harmonic's amplitude and phase; R, F and their derivatives."""
+
+    u_max: Floats
+    A_1: Floats
+    phi: Floats
+    R: Floats
+    F: Floats
+    F_A: Floats
+    F_Omega: Floats
+    R_A: Floats
+    R_Omega: Floats
+
+
+@dataclass(frozen=True)
+class Balance:
+    """The kernels of the second approximation with a slow flow's numbers put in; arrays broadcast."""
+
+    model: Model
+
+    def averages(self, A: Any) -> tuple[Floats, ...]:
+        """h, h_3 and h_5, each with two derivatives."""
+        h, h_A, h_AA, _ = self.model.averaged(A)
+        h_3, h_3_A, h_3_AA, _, h_5, h_5_A, h_5_AA, _ = self.model.harmonics(A)
+        return h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA
+
+    def response(self, Omega: Any, A: Any, F_0: float, averages: tuple[Floats, ...] | None = None) -> Values:
+        """What a response curve needs; `averages` of A if they are known."""
+        known = self.averages(A) if averages is None else averages
+        return Values(*kernels.response(Omega, A, F_0, self.model.m, self.model.zeta, *known))
+
+    def detachment(self, Omega: Any, A: Any) -> tuple[Floats, ...]:
+        """R, I, u_max, turning"""
+        values: tuple[Floats, ...] = kernels.detachment(Omega, A, self.model.m, self.model.zeta, *self.averages(A))
+        return values
+
+    def folds(self, Omega: Any, A: Any, F_0: Any) -> tuple[Floats, ...]:
+        """F, F_A, F_AA"""
+        m, zeta = self.model.m, self.model.zeta
+        values: tuple[Floats, ...] = kernels.folds(
+            Omega, A, F_0, m, zeta, *self.model.averaged(A), *self.model.harmonics(A)
+        )
+        return values
+
+    def off_resonance(self, Omega: Any, A: Any) -> Flags:
+        """Where the third harmonic is above its resonance."""
+        return np.asarray(np.abs(self.model.averaged(A)[0]) < kernels.RESONANCE * A * Omega**2)
+
+    def is_small(self, Omega: Any, A: Any) -> Flags:
+        """Where the harmonics are a correction: the force's, and friction's, which take u_max below A."""
+        at = self.response(Omega, A, 1.0)
+        small = (np.abs(at.A_1 / A - 1.0) < HARMONICS) & (np.abs(at.u_max / A - 1.0) < SMALL)
+        return np.asarray(self.off_resonance(Omega, A) & small)
