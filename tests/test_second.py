@@ -237,6 +237,17 @@ def test_what_is_not_there_is_told_in_words():
     assert words(linear.saddle_nodes(0.04).message)
 
 
+def test_states_in_which_the_mass_stops_are_named():
+    """By what was measured; the exact motion has stops where friction is largest beside inertia, none where least."""
+    iso, F_0 = isolator(), 0.018
+    curve = iso.second_approximation.frequency_response(F_0, Omega=(0.5, 1.3))
+    rest = iso.mu / (curve.A * curve.Omega**2)
+    assert f"in {np.count_nonzero(rest >= 1)} of {curve.A.size} states the mass stops" in curve.message
+    least, most = curve.Omega[[rest.argmin(), rest.argmax()]]
+    assert iso.steady_state(least, F_0).stops == 0 and iso.steady_state(most, F_0).stops > 0
+    assert "stops" not in iso.second_approximation.frequency_response(0.05, Omega=(0.5, 1.3)).message
+
+
 def test_a_breakpoint_that_is_too_large_is_refused():
     """Only for the untruncated force, whose harmonics are quadratures."""
     design = {"lam": 1, "r": 0.5, "delta_h": 0.4, "mu": 0.01, "zeta": 0.02}
