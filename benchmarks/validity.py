@@ -470,7 +470,7 @@ def table(numbers: dict[str, Any]) -> str:
             "# the same whatever mu/(A Omega^2)",
             line("BY_RATIO", by_ratio),
             "# the same whatever mu/F_0, in the second approximation",
-            line("SECOND_BY_REST", [cell["q95"] for cell in pool["second by rest"]]),
+            line("SECOND_BY_REST", [_known(pool["second by rest"], j) for j in range(len(RESTS))]),
             "# mu/F_0 from which on every answer is remarked on; mu/(A Omega^2) from which on stops were found",
             f"NEAR = {validity_page.remarked_from(pool):g}",
             f"STOPS_FROM = {math.floor(10 * pool['least rest with stops']) / 10:g}",
@@ -482,6 +482,11 @@ def table(numbers: dict[str, Any]) -> str:
             "",
         ]
     )
+
+
+def _known(row: list[dict[str, Any]], column: int) -> float:
+    """A bin's error, or where it has few points that of the last bin before it that has not."""
+    return float(next(cell["q95"] for cell in row[column::-1] if cell["q95"] is not None))
 
 
 def _filled(row: list[dict[str, Any]], column: int, whole: dict[str, Any], name: str) -> float:

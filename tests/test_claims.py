@@ -26,8 +26,8 @@ def isolator(row):
 
 
 def state(averaged, Omega, F_0, A=None):
-    """The exact motion, untruncated force, beside the averaged state nearest to A."""
-    guess = questions._guess(averaged, Omega, F_0, A)
+    """The exact motion, untruncated force, beside the averaged state nearest to A; without A from rest."""
+    guess = None if A is None else questions._guess(averaged, Omega, F_0, A)
     return steady_state(questions.oscillator(averaged, "exact"), Omega, F_0, guess, integrator=SCIPY)
 
 
@@ -59,7 +59,7 @@ def test_the_averaged_side_is_the_runtimes(row):
 def test_the_worst_points_of_figure_2a(ratio, part):
     spot = LINEAR[ratio][part]
     # not released from rest: the motion is neutral at Omega = 1/2
-    guess = questions._guess(Isolator(lam=3, r=2, delta_h=0, mu=ratio, zeta=0), spot["Omega"], 1.0, None)
+    guess = questions._guess(Isolator(lam=3, r=2, delta_h=0, mu=ratio, zeta=0), spot["Omega"], 1.0, spot["A"])
     exact = steady_state(Oscillator(linear(), ratio, 0.0), spot["Omega"], 1.0, guess, integrator=SCIPY)
     assert exact.A == pytest.approx(spot["A"], rel=1e-4)
     assert (exact.stops > 0) == (part == "stopping") or part == "averaged"

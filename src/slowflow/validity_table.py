@@ -34,7 +34,7 @@ ERROR = (
 # the same whatever mu/(A Omega^2)
 BY_RATIO = (0.00988, 0.0171, 0.0502, 0.156, 0.257, 0.386, 0.565, 0.785, 3.77)
 # the same whatever mu/F_0, in the second approximation
-SECOND_BY_REST = (0.000765, 0.000787, 0.000814, 0.000776, 0.00144, 0.00686, 0.00357, 0.0562, 1.82, 15)
+SECOND_BY_REST = (0.000761, 0.000793, 0.000817, 0.000779, 0.00152, 0.00608, 0.0093, 0.0549, 1.24, 1.24)
 # mu/F_0 from which on every answer is remarked on; mu/(A Omega^2) from which on stops were found
 NEAR = 0.575
 STOPS_FROM = 0.7
