@@ -84,7 +84,7 @@ class Locus:
 
 
 def fold_locus(model: Model) -> Locus:
-    """F_A = 0. Its level has extrema at cusps (F_AA = 0) and at isola points (F_Omega = 0)."""
+    """F_A = 0. Its level has extrema at cusps (F_AA = 0) and, with viscous damping, at isola points (F_Omega = 0)."""
     flow, m, zeta = model.flow, model.m, model.zeta
 
     def roots(A: Floats) -> tuple[Floats, Ints]:
@@ -98,7 +98,8 @@ def fold_locus(model: Model) -> Locus:
     def F_Omega(A: Floats, Omega: Floats) -> Floats:
         return np.asarray(flow.F_Omega(Omega, A, m, zeta, model.averaged(A)[0]))
 
-    return Locus(model, roots, {"cusp": F_AA, "isola": F_Omega})
+    # for zeta = 0 both F_A and F_Omega vanish all along the backbone R = 0, which is no point
+    return Locus(model, roots, {"cusp": F_AA, "isola": F_Omega} if zeta > 0 else {"cusp": F_AA})
 
 
 def peak_locus(model: Model) -> Locus:
