@@ -80,7 +80,7 @@ class Locus:
         """The forcing F_0 for which (Omega, A) is a steady state."""
         model, flow = self.model, self.model.flow
         h = model.averaged(A)[0]
-        return np.asarray(np.hypot(flow.R(Omega, A, h), flow.I(Omega, A, model.m, model.zeta)))
+        return np.asarray(flow.level(Omega, A, model.m, model.zeta, h))
 
 
 def fold_locus(model: Model) -> Locus:
@@ -117,16 +117,16 @@ def peak_locus(model: Model) -> Locus:
 
 
 def static_locus(model: Model) -> Locus:
-    """Omega = 0. Its level is sqrt(h^2 + m^2)."""
+    """Omega = 0. Its level has extrema where F_A = 0."""
 
     def roots(A: Floats) -> tuple[Floats, Ints]:
         return np.zeros((*A.shape, 1)), np.ones(A.shape, dtype=np.intp)
 
-    def slope(A: Floats, Omega: Floats) -> Floats:
+    def F_A(A: Floats, Omega: Floats) -> Floats:
         h, h_A, _, _ = model.averaged(A)
-        return np.asarray(h * h_A)
+        return np.asarray(model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A))
 
-    return Locus(model, roots, {"static": slope})
+    return Locus(model, roots, {"static": F_A})
 
 
 @dataclass(frozen=True)
