@@ -26,7 +26,7 @@ Let = tuple[sp.Symbol, sp.Expr]
 
 #: the linear and the constant coefficient of a depressed cubic with leading coefficient A, and the former's slope
 p, q, p_A = sp.symbols("p q p_A", real=True)
-#: (F_AA/2)/(dX) at a root X = Omega^2: plus or minus the root of a quarter of the discriminant
+#: X + c_1/2 at a root X = Omega^2 of F_AA/2 = X^2 + c_1 X + c_0, with its sign
 root = sp.Symbol("root", real=True)
 
 _w, _bracket, _bracket_A = sp.symbols("w bracket bracket_A", real=True)
@@ -168,7 +168,7 @@ def _cusps(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Exp
     square = sp.expand((h_A + _e / 2) ** 2 - c_0)
     if square.has(h_A**2):
         raise ArithmeticError(f"the square of h_A is left in the discriminant of F_AA/2: {square}")
-    # e stays whole in its square; with its value put in elsewhere, the factor of h_AA is the growth of A h_A - h
+    # e stays whole in its square; elsewhere its value is put in, and what multiplies h_AA is gathered
     rest = sp.collect(sp.expand((square - square.coeff(_e, 2) * _e**2).subs(_e, e)), h_AA, evaluate=False)
     square = square.coeff(_e, 2) * _e**2 + h_AA * _along + rest[sp.S.One]
     values = {_along: rest[h_AA], _e: e}
