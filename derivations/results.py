@@ -14,6 +14,7 @@ from derivations import elliptic, resultants
 from derivations.averaging import Averaged, averaged
 from derivations.den_hartog import DenHartog, den_hartog
 from derivations.harmonics import Harmonics, harmonics
+from derivations.loci import Along, along
 from derivations.mechanisms import Mechanism, all_mechanisms
 from derivations.oscillator import Oscillator, oscillator
 from derivations.restoring import Restoring, restoring
@@ -52,6 +53,7 @@ class Results:
 
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
+    loci       -- what vanishes along the amplitude, by scene
     detachment -- (34), by scene
     second     -- the second approximation
     den_hartog -- (35)-(37)
@@ -60,6 +62,7 @@ class Results:
 
     averaged: Averaged
     flows: dict[str, SlowFlow]
+    loci: dict[str, Along]
     detachment: dict[str, Elimination]
     second: SecondApproximation
     den_hartog: DenHartog
@@ -88,6 +91,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     return Results(
         equations,
         flows,
+        {scene: along(flow) for scene, flow in flows.items()},
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         den_hartog(),

@@ -36,7 +36,7 @@ class SlowFlow:
     m             -- (23): friction's share of I, in mu; everything else is in the symbol m
     R, I          -- (23): -F_0 cos phi, -F_0 sin phi at a fixed point
     F             -- (24): response, R^2 + (I - F_0)(I + F_0), in R and I
-    F_A, F_AA, F_AAA, F_Omega, F_AOmega -- its derivatives, in R, I, h and the derivatives of h
+    F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_AAOmega, F_OmegaOmega -- its derivatives, in R, I, h and the derivatives of h
     phase         -- (25): phi, in R and I, in its quadrant
     backbone      -- (26): Omega on the backbone
     limit_envelope -- (27): A_L
@@ -57,6 +57,8 @@ class SlowFlow:
     F_AAA: sp.Expr
     F_Omega: sp.Expr
     F_AOmega: sp.Expr
+    F_AAOmega: sp.Expr
+    F_OmegaOmega: sp.Expr
     phase: sp.Expr
     backbone: sp.Expr
     limit_envelope: sp.Expr
@@ -69,10 +71,10 @@ class SlowFlow:
     peak_cubic: tuple[sp.Expr, ...]
 
 
-def _slope(expression: sp.Expr, R_A: sp.Expr, I_A: sp.Expr) -> sp.Expr:
-    """d/dA along R, I and the derivatives of h."""
-    chain = {R: R_A, I: I_A, h: h_A, h_A: h_AA, h_AA: h_AAA}
-    return sp.diff(expression, A) + sum(sp.diff(expression, symbol) * slope for symbol, slope in chain.items())
+def slope(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -> sp.Expr:
+    """d/dA along h, its derivatives and the symbols whose slopes are given."""
+    chain = {**(slopes or {}), h: h_A, h_A: h_AA, h_AA: h_AAA}
+    return sp.diff(expression, A) + sum(sp.diff(expression, symbol) * value for symbol, value in chain.items())
 
 
 def _coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
@@ -103,11 +105,15 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
     F = R**2 + (I - F_0) * (I + F_0)
     R_A, I_A = sp.diff(R_value, A) + sp.diff(R_value, h) * h_A, sp.diff(I_value, A)
     R_Omega, I_Omega = sp.diff(R_value, Omega), sp.diff(I_value, Omega)
-    F_A = _slope(F, R_A, I_A)
-    F_AA = _slope(F_A, R_A, I_A)
-    F_AAA = _slope(F_AA, R_A, I_A)
-    F_Omega = sp.diff(F, R) * R_Omega + sp.diff(F, I) * I_Omega
-    F_AOmega = sp.diff(F_A, Omega) + sp.diff(F_A, R) * R_Omega + sp.diff(F_A, I) * I_Omega
+    along_A = {R: R_A, I: I_A}
+    F_A = slope(F, along_A)
+    F_AA = slope(F_A, along_A)
+    F_AAA = slope(F_AA, along_A)
+
+    def by_Omega(expression: sp.Expr) -> sp.Expr:
+        return sp.diff(expression, Omega) + sp.diff(expression, R) * R_Omega + sp.diff(expression, I) * I_Omega
+
+    F_Omega = by_Omega(F)
 
     whole = {R: R_value, I: I_value}
     jacobian = sp.Matrix([A_rate, phi_rate]).jacobian([A, phi])
@@ -136,7 +142,9 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
         F_AA=sp.factor_terms(F_AA),
         F_AAA=sp.factor_terms(F_AAA),
         F_Omega=sp.factor_terms(F_Omega),
-        F_AOmega=sp.factor_terms(F_AOmega),
+        F_AOmega=sp.factor_terms(by_Omega(F_A)),
+        F_AAOmega=sp.factor_terms(by_Omega(F_AA)),
+        F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
         phase=sp.atan2(-I, -R),
         backbone=backbone,
         limit_envelope=envelope[0] if envelope else sp.oo,

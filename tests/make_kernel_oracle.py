@@ -213,6 +213,141 @@ SLOW_FLOW: dict[str, tuple[str, Function]] = {
 }
 
 
+# --- where curves change along the amplitude -------------------------------------------------------------------------
+
+
+def level(Omega, A, m, zeta, h):
+    """The forcing at which the response vanishes, found as a root."""
+    R, I = balances(Omega, A, m, zeta, h)
+    return mp.findroot(lambda F_0: response(Omega, A, F_0, m, zeta, h), abs(R) + I)
+
+
+def rest(F_0, m, h, h_A):
+    c = mp.findroot(lambda x: response(0, 1, F_0, m, 0, x), F_0)
+    return [h - c, h + c, mp.diff(lambda a: near(mpf(1), (h, h_A))(a) + c, 1)]
+
+
+def isola_frequency(h_A):
+    """Of a state with F_A = F_Omega = 0 at A = 1, found together with h; the damping is arbitrary."""
+    m, zeta = mpf(1) / 100, mpf(1) / 20
+
+    def both(w, h):
+        F_Omega = mp.diff(lambda v: response(v, 1, 0, m, zeta, h), w)
+        return [slope_of_response(1, w, mpf(1), m, zeta, h, h_A), F_Omega]
+
+    return mp.findroot(both, (1.01 * mp.sqrt(h_A), -1.01 * h_A))[0]
+
+
+def isola(A, m, zeta, *values):
+    """F_Omega/(4 A) where Omega^2 = h_A, and its slope; without the common factor Omega if there is no friction."""
+    h, h_A = near(A, values), near(A, values[1:])
+
+    def along(a):
+        w = mp.sqrt(h_A(a))
+        value = mp.diff(lambda v: response(v, a, 0, m, zeta, h(a)), w) / (4 * a)
+        return value if m else value / w
+
+    return [along(A), mp.diff(along, A)]
+
+
+def cusps(A, zeta, *values):
+    """F_AA/2 = X^2 + c_1 X + c_0 in X = Omega^2, from its values at X = 0 and 1."""
+    h = near(A, values)
+
+    def half_F_AA(w, a):
+        return mp.diff(lambda s: response(w, s, 0, 0, zeta, h(s)), a, 2) / 2
+
+    def c_0(a):
+        return half_F_AA(0, a)
+
+    def c_1(a):
+        return half_F_AA(1, a) - c_0(a) - 1
+
+    def square(a):
+        return c_1(a) ** 2 / 4 - c_0(a)
+
+    return [-c_1(A) / 2, c_0(A), square(A), mp.diff(c_0, A), mp.diff(square, A)]
+
+
+def bend_at_cusp(Omega, root):
+    """d/dOmega of F_AA = 2 (X - X_1)(X - X_2) at X_1 = Omega^2, root = (X_1 - X_2)/2."""
+    X_1, X_2 = Omega**2, Omega**2 - 2 * root
+    return mp.diff(lambda w: 2 * (w**2 - X_1) * (w**2 - X_2), Omega)
+
+
+def critical(A, p, q, p_A):
+    """A w^3 + p w + q has positive roots where -p is above the least of A w^2 + q/w."""
+
+    def margin(a):
+        def steepness(w):
+            return a * w**2 + q / w
+
+        return -p - p_A * (a - A) - steepness(mp.findroot(lambda w: mp.diff(steepness, w), mp.cbrt(q / a)))
+
+    return [margin(A), mp.diff(margin, A)]
+
+
+def undamped_frequency(h_A):
+    """Of a fold off the backbone; A and h are arbitrary."""
+    return mp.findroot(lambda w: slope_of_response(1, w, mpf(1), 0, 0, mpf(1), h_A), 1.01 * mp.sqrt(-h_A))
+
+
+def undamped(A, *values):
+    """F_AA/(2 R) and R at the undamped folds, each with its slope."""
+    h, h_A = near(A, values), near(A, values[1:])
+
+    def R(a):
+        return balances(mp.sqrt(-h_A(a)), a, 0, 0, h(a))[0]
+
+    def other(a):
+        w = mp.sqrt(-h_A(a))
+        return mp.diff(lambda s: response(w, s, 0, 0, 0, h(s)), a, 2) / (2 * R(a))
+
+    return [other(A), mp.diff(other, A), R(A), mp.diff(R, A)]
+
+
+#: names, function, sign of h_A where a root of it is taken
+LOCI: dict[str, tuple[str, Function, int]] = {
+    "F_AAOmega": (
+        "Omega A zeta h_A h_AA",
+        lambda w, A, zeta, *x: [
+            mp.diff(lambda a, v: response(v, a, 0, 0, zeta, near(A, (0, *x))(a)), (A, w), (2, 1)),
+        ],
+        0,
+    ),
+    "F_OmegaOmega": ("Omega A zeta h", lambda w, A, z, h: [mp.diff(lambda v: response(v, A, 0, 0, z, h), w, 2)], 0),
+    "level": ("Omega A m zeta h", lambda *x: [level(*x)], 0),
+    "rest": ("F_0 m h h_A", rest, 0),
+}
+DAMPED: dict[str, tuple[str, Function, int]] = {
+    "isola_Omega": ("h_A", lambda h_A: [isola_frequency(h_A)], 1),
+    "isola": ("A m zeta h h_A h_AA", isola, 1),
+    "cusps": ("A zeta h h_A h_AA h_AAA", cusps, 0),
+    "cusp_F_AAOmega": ("Omega root", lambda *x: [bend_at_cusp(*x)], 0),
+    "turn_p_A": (
+        "A zeta h_A h_AA",
+        lambda A, zeta, *x: [
+            mp.diff(lambda a, w: response(w, a, 0, 0, zeta, near(A, (0, *x))(a)), (A, mpf(0)), (2, 2)) / 8,
+        ],
+        0,
+    ),
+    "peak_p_A": (
+        "zeta h_A",
+        lambda z, h_A: [
+            mp.diff(
+                lambda a: mp.diff(lambda w: response(w, a, 0, 0, z, near(1, (0, h_A))(a)), mpf(0), 2) / (4 * a), mpf(1)
+            )
+        ],
+        0,
+    ),
+    "critical": ("A p q p_A", critical, 0),
+}
+UNDAMPED: dict[str, tuple[str, Function, int]] = {
+    "undamped_Omega": ("h_A", lambda h_A: [undamped_frequency(h_A)], -1),
+    "undamped": ("A h h_A h_AA h_AAA", undamped, -1),
+}
+
+
 # --- resultants: Sylvester determinants over the rationals -----------------------------------------------------------
 
 
@@ -610,6 +745,10 @@ RANGES = {
         for order, size in (("", 0.02), ("_A", 0.2), ("_AA", 2.0), ("_AAA", 20.0))
     },
     "S": (0.5, 2.0),
+    "root": (-1.0, 1.0),
+    "p": (-1.0, 0.1),
+    "q": (0.0001, 0.003),
+    "p_A": (-3.0, 3.0),
 }
 
 TABLE_1 = (3.0, 3747 / 1848, 1848 / (6 * 3747))
@@ -683,6 +822,13 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
     table["detachment"] = [
         entry(zeroed(detachment, names.split(), scene), x, exact=True) for x in points(rng, names, 6)
     ]
+    for name, (names, f, sign) in (LOCI | (UNDAMPED if "zeta" in SCENES[scene] else DAMPED)).items():
+        chosen = points(rng, names, 6)
+        if sign:
+            h_A = names.split().index("h_A")
+            for x in chosen:
+                x[h_A] = sign * abs(x[h_A])
+        table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
     return table
 
 

@@ -118,6 +118,13 @@ def test_without_viscous_damping_the_response_is_cut_and_says_so():
     assert curve.A.max() == 1 and "unbounded" in curve.message and "vertical" in curve.message
 
 
+@pytest.mark.parametrize("mu", [0.0, 0.012])
+def test_without_viscous_damping_there_is_no_isola_point(mu):
+    """F_A = F_Omega = 0 leaves R = 0 there, the whole backbone, and no point of it is one."""
+    answer = isolator(mu=mu, zeta=0).isola_points(0.9)
+    assert len(answer) == 0 and "no isola" in answer.message
+
+
 def test_a_rod_past_vertical_is_said():
     assert "push-rod stands vertical" in isolator().frequency_response(0.2).message
     assert not isolator().frequency_response(0.04).message

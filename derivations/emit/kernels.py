@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import sympy as sp
 
 from derivations import den_hartog as dh
 from derivations.elliptic import evaluable
+from derivations.loci import Along, Damped, Undamped, p, p_A, q, root
 from derivations.mechanisms import Mechanism
 from derivations.oscillator import without_cancellation
 from derivations.restoring import FAR, Regime, Restoring
@@ -142,23 +144,27 @@ def plain(
 def slow_flow_module(results: Results, scene: str) -> Module:
     """The mechanism-free functions in one scene."""
     flow = results.flows[scene]
-    kernels = tuple(slow_flow_kernels(flow, results.detachment[scene]))
+    kernels = (*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene]))
     return Module(
         name="slow_flow" + suffix(scene),
         title="Slow flow of any mechanism, in h = H - A and its derivatives" + in_words(scene),
-        inputs=("averaging.py", "slow_flow.py", "resultants.py"),
+        inputs=("averaging.py", "slow_flow.py", "loci.py", "resultants.py"),
         kernels=kernels,
     )
 
 
-def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
-    """Every function of the slow flow. R and I are lets unless they are numbers."""
+def of_R_and_I(
+    flow: SlowFlow, name: str, arguments: Sequence[sp.Symbol], value: sp.Expr, doc: str, *texts: str
+) -> Kernel:
+    """A kernel of an expression in R and I. They are lets unless they are numbers."""
     named = [(symbol, value) for symbol, value in ((R, flow.R), (I, flow.I)) if not value.is_number]
     numbers = {symbol: value for symbol, value in ((R, flow.R), (I, flow.I)) if value.is_number}
+    return plain(name, arguments, value.subs(numbers), doc, *texts, lets=named)
 
-    def of_flow(name: str, arguments: Sequence[sp.Symbol], value: sp.Expr, *texts: str) -> Kernel:
-        return plain(name, arguments, value.subs(numbers), *texts, lets=named)
 
+def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
+    """Every function of the slow flow."""
+    of_flow = partial(of_R_and_I, flow)
     amplitude = "A > 0"
     quartic = flow.response_quartic
     fold, peak = flow.fold_quartic, flow.peak_cubic
@@ -252,6 +258,107 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "(34)",
             amplitude,
             returns="stack",
+        ),
+    ]
+
+
+def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
+    """What the solvers along the amplitude ask: second derivatives, and what vanishes where a curve changes."""
+    of_flow = partial(of_R_and_I, flow)
+    common = [
+        of_flow("F_AAOmega", (Omega, A, zeta, h_A, h_AA), flow.F_AAOmega, "d3F/dA2 dOmega.", "(24)"),
+        of_flow("F_OmegaOmega", (Omega, A, zeta, h), flow.F_OmegaOmega, "d2F/dOmega2.", "(24)"),
+        of_flow(
+            "level",
+            (Omega, A, m, zeta, h),
+            loci.level,
+            "The forcing F_0 for which (Omega, A) is a steady state.",
+            "(24)",
+            "Omega >= 0, A > 0",
+        ),
+        plain(
+            "rest",
+            (F_0, m, h, h_A),
+            loci.rest,
+            "F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.",
+            "from (24)",
+            "F_0 >= m",
+            lets=loci.rest_lets,
+        ),
+    ]
+    damped = damped_kernels(loci.damped) if loci.damped else []
+    return [*common, *damped, *(undamped_kernels(loci.undamped) if loci.undamped else [])]
+
+
+def damped_kernels(loci: Damped) -> list[Kernel]:
+    """Cusps, isola points and extrema over Omega for zeta > 0."""
+    return [
+        plain("isola_Omega", (h_A,), loci.isola_Omega, "Omega at an isola point.", "from (30), (34)", "h_A >= 0"),
+        plain(
+            "isola",
+            (A, m, zeta, h, h_A, h_AA),
+            loci.isola,
+            "Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.",
+            "from (30), (34)",
+            "A > 0, h_A > 0; for m = 0 any h_A",
+            lets=loci.isola_lets,
+        ),
+        plain(
+            "cusps",
+            (A, zeta, h, h_A, h_AA, h_AAA),
+            loci.cusps,
+            "F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.",
+            "from (33)",
+            "A > 0",
+            lets=loci.cusps_lets,
+        ),
+        plain(
+            "cusp_F_AAOmega",
+            (Omega, root),
+            loci.cusp_F_AAOmega,
+            "d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).",
+            "from (33)",
+            "Omega > 0",
+        ),
+        plain(
+            "turn_p_A",
+            (A, zeta, h_A, h_AA),
+            loci.turn_p_A,
+            "Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.",
+            "from (30)",
+            "A > 0",
+        ),
+        plain(
+            "peak_p_A",
+            (zeta, h_A),
+            loci.peak_p_A,
+            "Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.",
+            "from (34)",
+            "any h_A",
+        ),
+        plain(
+            "critical",
+            (A, p, q, p_A),
+            loci.critical,
+            "Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.",
+            "from (30), (34)",
+            "A > 0, q >= 0",
+            lets=loci.critical_lets,
+        ),
+    ]
+
+
+def undamped_kernels(loci: Undamped) -> list[Kernel]:
+    """The fold locus for zeta = 0."""
+    return [
+        plain("undamped_Omega", (h_A,), loci.Omega, "Omega of the folds.", "from (30)", "h_A <= 0"),
+        plain(
+            "undamped",
+            (A, h, h_A, h_AA, h_AAA),
+            loci.factors,
+            "The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.",
+            "from (30), (33)",
+            "A > 0",
         ),
     ]
 

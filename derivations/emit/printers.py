@@ -98,6 +98,8 @@ class _Rules:
         base, exponent = expr.args
         if exponent == sp.Rational(1, 2):
             return f"{self.functions[sp.sqrt]}({self._print(base)})"
+        if exponent == sp.Rational(1, 3):
+            return f"{self.functions[sp.cbrt]}({self._print(base)})"
         if exponent == 2 and base.is_Symbol:
             return f"{self._print(base)} * {self._print(base)}"
         if exponent in (-1, -2, sp.Rational(-1, 2)):
@@ -150,6 +152,7 @@ class CPrinter(_Rules, C99CodePrinter):
     infinity = "INFINITY"
     functions: ClassVar = {
         sp.sqrt: "sqrt",
+        sp.cbrt: "cbrt",
         sp.Abs: "fabs",
         sp.sin: "sin",
         sp.cos: "cos",
@@ -175,6 +178,7 @@ class NumpyPrinter(_Rules, NumPyPrinter):
     infinity = "np.inf"
     functions: ClassVar = {
         sp.sqrt: "np.sqrt",
+        sp.cbrt: "np.cbrt",
         sp.Abs: "np.abs",
         sp.sin: "np.sin",
         sp.cos: "np.cos",

@@ -1,7 +1,7 @@
 /* Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/resultants.py
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/loci.py, derivations/resultants.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
@@ -259,6 +259,73 @@ static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, d
     out[0] = m2 * t0 + m4;
     out[1] = -2.0 * m2 - t0;
     out[2] = 1.0;
+}
+
+/* d3F/dA2 dOmega.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 8 structured, 8 common subexpressions, 8 power chains
+ */
+static inline double slow_flow_zeta0_F_AAOmega(double Omega, double A, double zeta, double h_A, double h_AA)
+{
+    (void)(zeta);
+    return 4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A);
+}
+
+/* d2F/dOmega2.
+   Equation (24). Domain: Omega > 0, A > 0.
+   Operations: 9 structured, 7 common subexpressions, 7 power chains
+ */
+static inline double slow_flow_zeta0_F_OmegaOmega(double Omega, double A, double zeta, double h)
+{
+    (void)(zeta);
+    const double t0 = A * Omega * Omega;
+    const double R = h + t0;
+    return 4.0 * A * (R + 2.0 * t0);
+}
+
+/* The forcing F_0 for which (Omega, A) is a steady state.
+   Equation (24). Domain: Omega >= 0, A > 0.
+   Operations: 7 structured, 7 common subexpressions, 7 power chains
+ */
+static inline double slow_flow_zeta0_level(double Omega, double A, double m, double zeta, double h)
+{
+    (void)(zeta);
+    const double R = A * Omega * Omega + h;
+    return sqrt(R * R + m * m);
+}
+
+/* F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
+   Equation from (24). Domain: F_0 >= m.
+   Operations: 6 structured, 6 common subexpressions, 6 power chains
+ */
+static inline void slow_flow_zeta0_rest(double F_0, double m, double h, double h_A, double *out)
+{
+    const double product = -(-F_0 + m) * (F_0 + m);
+    const double c = sqrt(product);
+    out[0] = -c + h;
+    out[1] = c + h;
+    out[2] = h_A;
+}
+
+/* Omega of the folds.
+   Equation from (30). Domain: h_A <= 0.
+   Operations: 1 structured, 1 common subexpressions, 1 power chains
+ */
+static inline double slow_flow_zeta0_undamped_Omega(double h_A)
+{
+    return sqrt(-h_A);
+}
+
+/* The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
+   Equation from (30), (33). Domain: A > 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline void slow_flow_zeta0_undamped(double A, double h, double h_A, double h_AA, double h_AAA, double *out)
+{
+    out[0] = h_AA;
+    out[1] = h_AAA;
+    out[2] = -A * h_A + h;
+    out[3] = -A * h_AA;
 }
 
 #endif

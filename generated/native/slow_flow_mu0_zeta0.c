@@ -399,6 +399,122 @@ static const sf_loop slow_flow_mu0_zeta0_detachment_loops[] = {
     slow_flow_mu0_zeta0_detachment_loop,
 };
 
+SF_WIDE void slow_flow_mu0_zeta0_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict zeta = in[2];
+    const double *restrict h_A = in[3];
+    const double *restrict h_AA = in[4];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_mu0_zeta0_F_AAOmega(Omega[i], A[i], zeta[i], h_A[i], h_AA[i]);
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_F_AAOmega_loops[] = {
+    slow_flow_mu0_zeta0_F_AAOmega_loop,
+};
+
+SF_WIDE void slow_flow_mu0_zeta0_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict zeta = in[2];
+    const double *restrict h = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_mu0_zeta0_F_OmegaOmega(Omega[i], A[i], zeta[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_F_OmegaOmega_loops[] = {
+    slow_flow_mu0_zeta0_F_OmegaOmega_loop,
+};
+
+SF_WIDE void slow_flow_mu0_zeta0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_mu0_zeta0_level(Omega[i], A[i], m[i], zeta[i], h[i]);
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_level_loops[] = {
+    slow_flow_mu0_zeta0_level_loop,
+};
+
+SF_WIDE void slow_flow_mu0_zeta0_rest_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict F_0 = in[0];
+    const double *restrict m = in[1];
+    const double *restrict h = in[2];
+    const double *restrict h_A = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[3];
+        slow_flow_mu0_zeta0_rest(F_0[i], m[i], h[i], h_A[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_rest_loops[] = {
+    slow_flow_mu0_zeta0_rest_loop,
+};
+
+SF_WIDE void slow_flow_mu0_zeta0_undamped_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict h_A = in[0];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_mu0_zeta0_undamped_Omega(h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_undamped_Omega_loops[] = {
+    slow_flow_mu0_zeta0_undamped_Omega_loop,
+};
+
+SF_WIDE void slow_flow_mu0_zeta0_undamped_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict h = in[1];
+    const double *restrict h_A = in[2];
+    const double *restrict h_AA = in[3];
+    const double *restrict h_AAA = in[4];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[4];
+        slow_flow_mu0_zeta0_undamped(A[i], h[i], h_A[i], h_AA[i], h_AAA[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_undamped_loops[] = {
+    slow_flow_mu0_zeta0_undamped_loop,
+};
+
 static const sf_kernel kernels[] = {
     {"friction",
      "Dry friction's share of I. Equation (23). Domain: mu >= 0.",
@@ -466,6 +582,26 @@ static const sf_kernel kernels[] = {
      "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr. "
      "Equation (34). Domain: A > 0.",
      4, 2, 1, 'c', NULL, slow_flow_mu0_zeta0_detachment_loops},
+    {"F_AAOmega",
+     "d3F/dA2 dOmega. Equation (24). Domain: Omega > 0, A > 0.",
+     5, 1, 1, 's', NULL, slow_flow_mu0_zeta0_F_AAOmega_loops},
+    {"F_OmegaOmega",
+     "d2F/dOmega2. Equation (24). Domain: Omega > 0, A > 0.",
+     4, 1, 1, 's', NULL, slow_flow_mu0_zeta0_F_OmegaOmega_loops},
+    {"level",
+     "The forcing F_0 for which (Omega, A) is a steady state. Equation (24). Domain: Omega >= 0, A > 0.",
+     5, 1, 1, 's', NULL, slow_flow_mu0_zeta0_level_loops},
+    {"rest",
+     "F at Omega = 0 as a product: h - c, h + c, and the slope of both along A. Equation from (24). Domain: F_0 >= "
+     "m.",
+     4, 3, 1, 't', NULL, slow_flow_mu0_zeta0_rest_loops},
+    {"undamped_Omega",
+     "Omega of the folds. Equation from (30). Domain: h_A <= 0.",
+     1, 1, 1, 's', NULL, slow_flow_mu0_zeta0_undamped_Omega_loops},
+    {"undamped",
+     "The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R. Equation from (30), (33). Domain: A "
+     "> 0.",
+     5, 4, 1, 't', NULL, slow_flow_mu0_zeta0_undamped_loops},
 };
 
 const sf_module sf_module_slow_flow_mu0_zeta0 = {"slow_flow_mu0_zeta0", kernels, sizeof kernels / sizeof kernels[0]};

@@ -1,7 +1,7 @@
 """Slow flow of any mechanism, in h = H - A and its derivatives.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/resultants.py
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/loci.py, derivations/resultants.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -21,22 +21,33 @@ __all__ = [
     "F_AA",
     "F_AAA",
     "F",
+    "F_AAOmega",
     "F_AOmega",
     "F_Omega",
+    "F_OmegaOmega",
     "I",
     "R",
     "backbone",
+    "critical",
+    "cusp_F_AAOmega",
+    "cusps",
     "detachment",
     "equivalent_damping",
     "fold_quartic",
     "friction",
+    "isola",
+    "isola_Omega",
     "jacobian",
+    "level",
     "limit_envelope",
     "peak_cubic",
+    "peak_p_A",
     "phase",
     "response_quartic",
+    "rest",
     "stability",
     "transmissibility",
+    "turn_p_A",
 ]
 
 
@@ -323,6 +334,154 @@ def detachment(A, m, zeta, h):
             1.0,
         ),
         (A, m, zeta, h),
+    )
+
+
+def F_AAOmega(Omega, A, zeta, h_A, h_AA):
+    """d3F/dA2 dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 11 structured, 11 common subexpressions, 11 power chains.
+    """
+    Omega, A, zeta, h_A, h_AA = floats(Omega, A, zeta, h_A, h_AA)
+    return 4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A + 4.0 * zeta * zeta)
+
+
+def F_OmegaOmega(Omega, A, zeta, h):
+    """d2F/dOmega2.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 13 structured, 11 common subexpressions, 11 power chains.
+    """
+    Omega, A, zeta, h = floats(Omega, A, zeta, h)
+    t0 = A * Omega * Omega
+    R = h + t0
+    return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0)
+
+
+def level(Omega, A, m, zeta, h):
+    """The forcing F_0 for which (Omega, A) is a steady state.
+
+    Equation (24). Domain: Omega >= 0, A > 0.
+    Operations: 11 structured, 11 common subexpressions, 11 power chains.
+    """
+    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
+    R = A * Omega * Omega + h
+    I = 2.0 * A * Omega * zeta + m
+    return np.sqrt(I * I + R * R)
+
+
+def rest(F_0, m, h, h_A):
+    """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
+
+    Equation from (24). Domain: F_0 >= m.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    F_0, m, h, h_A = floats(F_0, m, h, h_A)
+    product = -(-F_0 + m) * (F_0 + m)
+    c = np.sqrt(product)
+    arguments = (F_0, m, h, h_A)
+    return (
+        full(-c + h, arguments),
+        full(c + h, arguments),
+        full(h_A, arguments),
+    )
+
+
+def isola_Omega(h_A):
+    """Omega at an isola point.
+
+    Equation from (30), (34). Domain: h_A >= 0.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    (h_A,) = floats(h_A)
+    return np.sqrt(h_A)
+
+
+def isola(A, m, zeta, h, h_A, h_AA):
+    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
+
+    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
+    Operations: 20 structured, 18 common subexpressions, 18 power chains.
+    """
+    A, m, zeta, h, h_A, h_AA = floats(A, m, zeta, h, h_A, h_AA)
+    w = np.sqrt(h_A)
+    t0 = 2.0 * zeta * zeta
+    bracket = A * (h_A + t0) + h
+    bracket_A = A * h_AA + 2.0 * h_A + t0
+    arguments = (A, m, zeta, h, h_A, h_AA)
+    return (
+        full(bracket * w + m * zeta, arguments),
+        full(0.5 * bracket * h_AA / w + bracket_A * w, arguments),
+    )
+
+
+def cusps(A, zeta, h, h_A, h_AA, h_AAA):
+    """F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.
+
+    Equation from (33). Domain: A > 0.
+    Operations: 36 structured, 30 common subexpressions, 30 power chains.
+    """
+    A, zeta, h, h_A, h_AA, h_AAA = floats(A, zeta, h, h_A, h_AA, h_AAA)
+    along = A * h_A - h
+    t0 = A * h_AA
+    t1 = 4.0 * zeta * zeta
+    e = t0 + t1
+    e_A = A * h_AAA + h_AA
+    t2 = 0.5 * e
+    arguments = (A, zeta, h, h_A, h_AA, h_AAA)
+    return (
+        full(-h_A - t2, arguments),
+        full(h * h_AA + h_A * h_A, arguments),
+        full(along * h_AA + 0.25 * e * e + h_A * t1, arguments),
+        full(h * h_AAA + 3.0 * h_A * h_AA, arguments),
+        along * h_AAA + e_A * t2 + h_AA * t0 + h_AA * t1,
+    )
+
+
+def cusp_F_AAOmega(Omega, root):
+    """d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).
+
+    Equation from (33). Domain: Omega > 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    Omega, root = floats(Omega, root)
+    return 8.0 * Omega * root
+
+
+def turn_p_A(A, zeta, h_A, h_AA):
+    """Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.
+
+    Equation from (30). Domain: A > 0.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    A, zeta, h_A, h_AA = floats(A, zeta, h_A, h_AA)
+    return 0.5 * A * h_AA + h_A + 2.0 * zeta * zeta
+
+
+def peak_p_A(zeta, h_A):
+    """Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.
+
+    Equation from (34). Domain: any h_A.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    zeta, h_A = floats(zeta, h_A)
+    return h_A + 2.0 * zeta * zeta
+
+
+def critical(A, p, q, p_A):
+    """Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.
+
+    Equation from (30), (34). Domain: A > 0, q >= 0.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    """
+    A, p, q, p_A = floats(A, p, q, p_A)
+    cube = 6.75 * A * q * q
+    c = np.cbrt(cube)
+    arguments = (A, p, q, p_A)
+    return (
+        full(-c - p, arguments),
+        full(-p_A - 0.33333333333333331 * c / A, arguments),
     )
 
 

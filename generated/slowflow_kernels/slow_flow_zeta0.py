@@ -1,7 +1,7 @@
 """Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/resultants.py
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/loci.py, derivations/resultants.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -21,8 +21,10 @@ __all__ = [
     "F_AA",
     "F_AAA",
     "F",
+    "F_AAOmega",
     "F_AOmega",
     "F_Omega",
+    "F_OmegaOmega",
     "I",
     "R",
     "backbone",
@@ -31,12 +33,16 @@ __all__ = [
     "fold_quartic",
     "friction",
     "jacobian",
+    "level",
     "limit_envelope",
     "peak_cubic",
     "phase",
     "response_quartic",
+    "rest",
     "stability",
     "transmissibility",
+    "undamped",
+    "undamped_Omega",
 ]
 
 
@@ -287,6 +293,82 @@ def detachment(A, m, zeta, h):
             1.0,
         ),
         (A, m, zeta, h),
+    )
+
+
+def F_AAOmega(Omega, A, zeta, h_A, h_AA):
+    """d3F/dA2 dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    """
+    Omega, A, zeta, h_A, h_AA = floats(Omega, A, zeta, h_A, h_AA)
+    return full(4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A), (Omega, A, zeta, h_A, h_AA))
+
+
+def F_OmegaOmega(Omega, A, zeta, h):
+    """d2F/dOmega2.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 9 structured, 7 common subexpressions, 7 power chains.
+    """
+    Omega, A, zeta, h = floats(Omega, A, zeta, h)
+    t0 = A * Omega * Omega
+    R = h + t0
+    return full(4.0 * A * (R + 2.0 * t0), (Omega, A, zeta, h))
+
+
+def level(Omega, A, m, zeta, h):
+    """The forcing F_0 for which (Omega, A) is a steady state.
+
+    Equation (24). Domain: Omega >= 0, A > 0.
+    Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    """
+    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
+    R = A * Omega * Omega + h
+    return full(np.sqrt(R * R + m * m), (Omega, A, m, zeta, h))
+
+
+def rest(F_0, m, h, h_A):
+    """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
+
+    Equation from (24). Domain: F_0 >= m.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    F_0, m, h, h_A = floats(F_0, m, h, h_A)
+    product = -(-F_0 + m) * (F_0 + m)
+    c = np.sqrt(product)
+    arguments = (F_0, m, h, h_A)
+    return (
+        full(-c + h, arguments),
+        full(c + h, arguments),
+        full(h_A, arguments),
+    )
+
+
+def undamped_Omega(h_A):
+    """Omega of the folds.
+
+    Equation from (30). Domain: h_A <= 0.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    (h_A,) = floats(h_A)
+    return np.sqrt(-h_A)
+
+
+def undamped(A, h, h_A, h_AA, h_AAA):
+    """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
+
+    Equation from (30), (33). Domain: A > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
+    arguments = (A, h, h_A, h_AA, h_AAA)
+    return (
+        full(h_AA, arguments),
+        full(h_AAA, arguments),
+        full(-A * h_A + h, arguments),
+        full(-A * h_AA, arguments),
     )
 
 

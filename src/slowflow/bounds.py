@@ -18,6 +18,7 @@ def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
     h = model.averaged(A)[0]
     flow = model.flow
     Omega = np.concatenate([np.zeros((*A.shape, 1)), peak_roots(A, h, model.m, model.zeta)[0]], axis=-1)
+    # not the kernel `level`: on the ladder of `amplitude_bound` the squares overflow
     level = np.hypot(
         flow.R(Omega, A[..., np.newaxis], h[..., np.newaxis]),
         flow.I(Omega, A[..., np.newaxis], model.m, model.zeta) + 0 * Omega,

@@ -142,7 +142,7 @@ def _joints(model: Model, b: float) -> list[tuple[float, float]]:
     h, h_A, _, _ = model.averaged(A)
     roots, count = fold_roots(A, h, h_A, model.m, model.zeta)
     Omega = roots[0, : count[0]]
-    level = np.hypot(model.flow.R(Omega, b, h), model.flow.I(Omega, b, model.m, model.zeta))
+    level = model.flow.level(Omega, b, model.m, model.zeta, h)
     return list(zip(level.tolist(), Omega.tolist(), strict=True))
 
 
@@ -162,7 +162,7 @@ def _corner_candidates(model: Model, b: float, located: Spans) -> list[tuple[flo
     below, above = (F_A(model, at, np.full_like(at, side)) for side in (b, float(np.nextafter(b, np.inf))))
     Omegas += at[(below > 0) != (above > 0)].tolist()
     Omega = np.array(Omegas)
-    level = np.hypot(flow.R(Omega, b, h), flow.I(Omega, b, model.m, model.zeta))
+    level = flow.level(Omega, b, model.m, model.zeta, h)
     return list(zip(level.tolist(), Omegas, strict=True))
 
 

@@ -80,11 +80,11 @@ class Locus:
         """The forcing F_0 for which (Omega, A) is a steady state."""
         model, flow = self.model, self.model.flow
         h = model.averaged(A)[0]
-        return np.asarray(np.hypot(flow.R(Omega, A, h), flow.I(Omega, A, model.m, model.zeta)))
+        return np.asarray(flow.level(Omega, A, model.m, model.zeta, h))
 
 
 def fold_locus(model: Model) -> Locus:
-    """F_A = 0. Its level has extrema at cusps (F_AA = 0) and at isola points (F_Omega = 0)."""
+    """F_A = 0. Its level has extrema at cusps (F_AA = 0) and, with viscous damping, at isola points (F_Omega = 0)."""
     flow, m, zeta = model.flow, model.m, model.zeta
 
     def roots(A: Floats) -> tuple[Floats, Ints]:
@@ -98,7 +98,8 @@ def fold_locus(model: Model) -> Locus:
     def F_Omega(A: Floats, Omega: Floats) -> Floats:
         return np.asarray(flow.F_Omega(Omega, A, m, zeta, model.averaged(A)[0]))
 
-    return Locus(model, roots, {"cusp": F_AA, "isola": F_Omega})
+    # for zeta = 0 both F_A and F_Omega vanish all along the backbone R = 0, which is no point
+    return Locus(model, roots, {"cusp": F_AA, "isola": F_Omega} if zeta > 0 else {"cusp": F_AA})
 
 
 def peak_locus(model: Model) -> Locus:
@@ -116,16 +117,16 @@ def peak_locus(model: Model) -> Locus:
 
 
 def static_locus(model: Model) -> Locus:
-    """Omega = 0. Its level is sqrt(h^2 + m^2)."""
+    """Omega = 0. Its level has extrema where F_A = 0."""
 
     def roots(A: Floats) -> tuple[Floats, Ints]:
         return np.zeros((*A.shape, 1)), np.ones(A.shape, dtype=np.intp)
 
-    def slope(A: Floats, Omega: Floats) -> Floats:
+    def F_A(A: Floats, Omega: Floats) -> Floats:
         h, h_A, _, _ = model.averaged(A)
-        return np.asarray(h * h_A)
+        return np.asarray(model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A))
 
-    return Locus(model, roots, {"static": slope})
+    return Locus(model, roots, {"static": F_A})
 
 
 @dataclass(frozen=True)

@@ -66,19 +66,18 @@ def _points(located: Spans, rows: Ints) -> tuple[Floats, Floats, Floats]:
 def _sharpened(model: Model, A: Floats) -> tuple[Floats, Floats]:
     """Omega and A of isola points, from amplitudes that are nearly theirs.
 
-    Where F_Omega vanishes, F_A/2 = R (h_A - Omega^2). So F_A = 0 leaves Omega = sqrt(h_A), and F_Omega a function of A
-    alone, whose Newton steps are better conditioned than those on both equations.
+    F_A = 0 and F_Omega = 0 leave a function of A alone, whose Newton steps are better conditioned than those on both.
     """
     flow, m, zeta = model.flow, model.m, model.zeta
+    if not A.size:
+        return A, A
     for _ in range(NEWTON_STEPS):
         h, h_A, h_AA, _ = model.averaged(A)
-        Omega = np.sqrt(np.maximum(h_A, 0.0))
-        _, F_AOmega, F_OmegaOmega = _hessian(model, Omega, A)
         with np.errstate(divide="ignore", invalid="ignore"):
-            slope = F_AOmega + F_OmegaOmega * h_AA / (2 * Omega)
-            step = flow.F_Omega(Omega, A, m, zeta, h) / slope
+            value, slope = flow.isola(A, m, zeta, h, h_A, h_AA)
+            step = value / slope
         A = A - np.where(np.abs(step) < NEAR * A, step, 0.0)
-    return np.sqrt(np.maximum(model.averaged(A)[1], 0.0)), A
+    return flow.isola_Omega(np.maximum(model.averaged(A)[1], 0.0)), A
 
 
 def _hessian(model: Model, Omega: Floats, A: Floats) -> tuple[Floats, Floats, Floats]:
@@ -86,9 +85,7 @@ def _hessian(model: Model, Omega: Floats, A: Floats) -> tuple[Floats, Floats, Fl
     flow, m, zeta = model.flow, model.m, model.zeta
     h, h_A, h_AA, _ = model.averaged(A)
     F_AA, F_AOmega = flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA), flow.F_AOmega(Omega, A, m, zeta, h, h_A)
-    # the derivative of F_Omega = 4 A (Omega R + zeta I)
-    F_OmegaOmega = 4 * A * (flow.R(Omega, A, h) + 2 * A * Omega**2 + 2 * zeta**2 * A)
-    return F_AA, F_AOmega, F_OmegaOmega
+    return F_AA, F_AOmega, flow.F_OmegaOmega(Omega, A, zeta, h)
 
 
 def _is_minimum(located: Spans, rows: Ints) -> npt.NDArray[np.bool_]:

@@ -138,7 +138,7 @@ def _stationary(model: Model, A: float, F_0: float) -> float:
     at = np.array([A])
     h = model.averaged(at)[0]
     Omega = peak_roots(at, h, model.m, model.zeta)[0][0]
-    level = np.hypot(model.flow.R(Omega, A, h), model.flow.I(Omega, A, model.m, model.zeta))
+    level = model.flow.level(Omega, A, model.m, model.zeta, h)
     return float(Omega[np.nanargmin(np.abs(level - F_0))])
 
 

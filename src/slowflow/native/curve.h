@@ -180,7 +180,7 @@ static double SF_M(amplitude_on)(const sf_model *model, double F_0, const sf_pie
             lo = A;
         else
             hi = A;
-        slope = -sf_half_F_A(model, &at, w) / (2 * A * sf_F_Omega_4A(model, &at, w));
+        slope = -2 * sf_half_F_A(model, &at, w) / sf_F_Omega(model, &at, w);
         next = A - (w - Omega) / slope;
         moved = fabs(next - A);
         if (moved <= 0x1p-50 * A || !(lo < hi))

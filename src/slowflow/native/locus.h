@@ -24,7 +24,7 @@ static double SF_M(least_forcing)(const sf_model *model, const sf_sample *at, do
  * restoring force that R <= F_0 leaves: |h| <= F_0 + (A Omega)^2/A. That has to fail on every rung of a ladder of
  * amplitudes from the bound on, and h has to keep its sign there: where it changes, |h| is small on the way. */
 static sf_status SF_M(amplitude_bound)(const sf_model *model, double F_0, double *A_max) {
-    const double c = 0.5 * (F_0 - model->m) / model->zeta;
+    const double c = slow_flow_limit_envelope(1, F_0, model->m, model->zeta);
     double A = fmax(1e-6, F_0), h[2];
     int i, holds = 0, was_positive = 0;
     for (i = 0; i < model->breaks; i++)
@@ -70,7 +70,7 @@ static int SF_M(fold_count)(const sf_model *model, const sf_sample *at) {
 static double SF_M(fold_branch)(const sf_model *model, const sf_sample *at, int count, int index) {
     sf_isolated q;
     if (model->zeta == 0)
-        return sqrt(fmax(-at->h_A, 0));
+        return slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
     sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
     return sf_wanted_root(&q, count, index);
 }
@@ -296,7 +296,7 @@ static int SF_M(polish_fold)(const sf_model *model, double F_0, const double A_r
         s.kind = SF_FOLD;
         F_A = 2 * sf_value_dd(&s, *w, 0, &size);
         F_AA = 2 * sf_half_F_AA(model, &at, *w);
-        F_Omega = 4 * *A * sf_F_Omega_4A(model, &at, *w);
+        F_Omega = sf_F_Omega(model, &at, *w);
         F_AOmega = 4 * sf_quarter_F_AOmega(model, &at, *w);
         determinant = F_A * F_AOmega - F_Omega * F_AA;
         step_A = (F_Omega * F_A - F_AOmega * F) / determinant;
@@ -367,7 +367,7 @@ static sf_point SF_M(crossing)(const sf_model *model, double F_0, const sf_arc *
             lo = A, w_lo = w;
         else
             hi = A, w_hi = w;
-        slope = -4 * A * sf_F_Omega_4A(model, &at, w) * sf_half_F_AA(model, &at, w) /
+        slope = -sf_F_Omega(model, &at, w) * sf_half_F_AA(model, &at, w) /
                 (4 * sf_quarter_F_AOmega(model, &at, w) * (y + F_0));
         next = A - y / slope;
         moved = fabs(next - A);
@@ -488,7 +488,7 @@ static double SF_M(hessian)(const sf_model *model, const sf_sample *at, double w
 /* Whether the level has a minimum along the fold locus at a cusp or an isola point, from its second derivative. */
 static int SF_M(is_minimum)(const sf_model *model, sf_question question, const sf_sample *at, double w) {
     if (question != SF_ISOLA)
-        return sf_F_Omega_4A(model, at, w) * sf_half_F_AAA(at, w) * sf_quarter_F_AOmega(model, at, w) < 0;
+        return sf_F_Omega(model, at, w) / at->A * sf_half_F_AAA(at, w) * sf_quarter_F_AOmega(model, at, w) < 0;
     return sf_half_F_AA(model, at, w) * SF_M(hessian)(model, at, w) > 0;
 }
 

@@ -12,6 +12,8 @@
 
 #include "isolate.h"
 #include "slow_flow.h"
+#include "slow_flow_mu0.h"
+#include "slow_flow_zeta0.h"
 
 /* the words are in slowflow.many.STATUS */
 typedef enum {
@@ -47,12 +49,7 @@ typedef struct {
     double Omega, A;
 } sf_point;
 
-/* R, I and F's derivatives at a sample: the generated slow flow, scaled by powers of two: F_A/2, F_AA/2, F_AAA/2, F_AOmega/4.
- * Those that follow, F_Omega/(4 A), F_AAOmega/2 and F_OmegaOmega/4, are put together from R, I and T = w^2 + h_A. */
-static inline double sf_R(const sf_sample *at, double w) { return slow_flow_R(w, at->A, at->h); }
-static inline double sf_I(const sf_model *model, const sf_sample *at, double w) {
-    return slow_flow_I(w, at->A, model->m, model->zeta);
-}
+/* F's derivatives at a sample: the generated slow flow, scaled by powers of two. */
 static inline double sf_half_F_A(const sf_model *model, const sf_sample *at, double w) {
     return 0.5 * slow_flow_F_A(w, at->A, model->m, model->zeta, at->h, at->h_A);
 }
@@ -66,19 +63,18 @@ static inline double sf_quarter_F_AOmega(const sf_model *model, const sf_sample 
     return 0.25 * slow_flow_F_AOmega(w, at->A, model->m, model->zeta, at->h, at->h_A);
 }
 static inline double sf_half_F_AAOmega(const sf_model *model, const sf_sample *at, double w) {
-    return 2 * w * (2 * (w * w + at->h_A) + at->A * at->h_AA + 4 * model->zeta * model->zeta);
+    return 0.5 * slow_flow_F_AAOmega(w, at->A, model->zeta, at->h_A, at->h_AA);
 }
-static inline double sf_F_Omega_4A(const sf_model *model, const sf_sample *at, double w) {
-    return w * sf_R(at, w) + model->zeta * sf_I(model, at, w);
+static inline double sf_F_Omega(const sf_model *model, const sf_sample *at, double w) {
+    return slow_flow_F_Omega(w, at->A, model->m, model->zeta, at->h);
 }
 static inline double sf_quarter_F_OmegaOmega(const sf_model *model, const sf_sample *at, double w) {
-    return at->A * (sf_R(at, w) + 2 * at->A * w * w + 2 * model->zeta * model->zeta * at->A);
+    return 0.25 * slow_flow_F_OmegaOmega(w, at->A, model->zeta, at->h);
 }
 
 /* The forcing for which (Omega, A) is a steady state. */
 static inline double sf_level(const sf_model *model, const sf_sample *at, double w) {
-    const double R = sf_R(at, w), I = sf_I(model, at, w);
-    return sqrt(R * R + I * I);
+    return slow_flow_level(w, at->A, model->m, model->zeta, at->h);
 }
 
 static inline int sf_opposite(double a, double b) { return (a < 0) != (b < 0); }

@@ -3,14 +3,14 @@
  * Everything that can change along a locus changes at a zero of a function that is explicit in A:
  *
  *   SF_STIFFNESS  h and h_A                      the static state and its fold at Omega = 0
- *   SF_ISOLA      F_A = F_Omega = 0              there F_A/2 = R (h_A - Omega^2), so Omega = sqrt(h_A), put into F_Omega
+ *   SF_ISOLA      F_A = F_Omega = 0              Omega from both, put into F_Omega
  *   SF_CUSP       F_A = F_AA = 0                 F_AA is biquadratic in Omega: both roots in closed form, put into F_A
  *   SF_TURN       F_A = F_AOmega = 0             F_A at its two critical points in Omega
- *   SF_UNDAMPED   the same for zeta = 0          F_A = 2 R (Omega^2 + h_A): h_AA = 0 are cusps, h = A h_A touches R = 0
+ *   SF_UNDAMPED   cusps for zeta = 0             h_AA = 0, or the locus touches the backbone R = 0
  *   SF_PEAK       F = F_Omega = 0                F at its two critical points in Omega
  *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
  *
- * With the slopes beside them, two zeros between neighbouring samples are not missed.
+ * The functions are generated: derivations/loci.py eliminates Omega. With the slopes beside them, two zeros between neighbouring samples are not missed.
  */
 #ifndef SF_QUESTIONS_H
 #define SF_QUESTIONS_H
@@ -35,36 +35,30 @@ static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
 }
 
 static inline void sf_ask_isola(const sf_model *model, const sf_sample *at, sf_answer *out) {
-    const double zeta = model->zeta, q = zeta * model->m;
-    const double bracket = at->A * at->h_A + at->h + 2 * zeta * zeta * at->A;
-    const double slope = 2 * at->h_A + at->A * at->h_AA + 2 * zeta * zeta;
-    const double w = sqrt(fmax(at->h_A, 0));
-    out->Omega[0] = w;
-    out->edge = at->h_A, out->d_edge = at->h_AA, out->merge = q;
-    if (q == 0) { /* the factor sqrt(h_A) is left out; a zero with h_A <= 0 is dropped later */
-        out->exists[0] = 1;
-        out->y[0] = bracket, out->dy[0] = slope;
+    double isola[2];
+    out->Omega[0] = slow_flow_isola_Omega(fmax(at->h_A, 0));
+    out->edge = at->h_A, out->d_edge = at->h_AA;
+    if (model->m == 0) { /* without the factor Omega there is a zero with h_A <= 0, which is dropped later */
+        slow_flow_mu0_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
+    } else if (at->h_A > 0) {
+        slow_flow_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
+    } else {
         return;
     }
-    out->exists[0] = at->h_A > 0;
-    out->y[0] = w * bracket + q;
-    out->dy[0] = w * slope + bracket * at->h_AA / (2 * w);
+    out->exists[0] = 1;
+    out->y[0] = isola[0], out->dy[0] = isola[1];
 }
 
-/* Omega^2 solves X^2 + c_1 X + c_0 = 0; channel 0 is the larger root. */
+/* Omega^2 solves X^2 + c_1 X + c_0 = 0; channel 0 is the larger root. A channel ends at Omega = 0 with F_A/2 there. */
 static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_answer *out) {
-    const double zz = 4 * model->zeta * model->zeta, e = at->A * at->h_AA + zz;
-    const double c_0 = at->h_A * at->h_A + at->h * at->h_AA, minus_half_c_1 = -at->h_A - 0.5 * e;
-    const double along = at->A * at->h_A - at->h;
-    /* (c_1/2)^2 - c_0 with what cancels left out */
-    const double square = 0.25 * e * e + at->h_AA * along + zz * at->h_A;
-    double root, X[2];
+    double cusps[5], at_end[4], minus_half_c_1, c_0, square, root, X[2];
     int i;
-    out->edge = square;
-    out->d_edge = 0.5 * e * (at->h_AA + at->A * at->h_AAA) + at->h_AAA * along + at->h_AA * at->A * at->h_AA +
-                  zz * at->h_AA;
-    out->floor = c_0, out->d_floor = 3 * at->h_A * at->h_AA + at->h * at->h_AAA;
-    out->merge = at->h * at->h_A;
+    slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->h_AAA, cusps);
+    minus_half_c_1 = cusps[0], c_0 = cusps[1], square = cusps[2]; /* the last is (c_1/2)^2 - c_0 */
+    out->edge = square, out->d_edge = cusps[4];
+    out->floor = c_0, out->d_floor = cusps[3];
+    slow_flow_fold_quartic(at->A, model->m, model->zeta, at->h, at->h_A, at_end);
+    out->merge = at_end[0];
     if (!(square >= 0) || (minus_half_c_1 <= 0 && c_0 >= 0))
         return;
     root = sqrt(square);
@@ -80,7 +74,7 @@ static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_an
         if (!(X[i] > 0))
             continue;
         w = sqrt(X[i]);
-        slope = (i == 0 ? 4 : -4) * root * w; /* F_AAOmega/2 */
+        slope = 0.5 * slow_flow_cusp_F_AAOmega(w, i == 0 ? root : -root);
         out->exists[i] = 1;
         out->Omega[i] = w;
         out->y[i] = sf_half_F_A(model, at, w);
@@ -89,24 +83,23 @@ static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_an
 }
 
 /* Critical values of a quartic. With q = 0 the lower one lies at Omega = 0 and belongs to other questions. */
-static inline void sf_ask_critical(const sf_isolated *q, double d_p, sf_answer *out) {
+static inline void sf_ask_critical(const sf_isolated *q, double p_A, sf_answer *out) {
     out->exists[0] = q->exist && q->w1 > 0;
     out->exists[1] = q->exist;
     out->y[0] = q->f1, out->y[1] = q->f2;
     out->Omega[0] = q->w1, out->Omega[1] = q->w2;
     out->merge = q->f0;
-    if (!q->exist) { /* the two points exist where 4 (-p)^3 >= 27 A q^2 */
-        const double c = 3 * cbrt(0.25 * q->s.A * q->s.q.hi * q->s.q.hi);
-        out->edge = -q->s.p.hi - c;
-        out->d_edge = -d_p - c / (3 * q->s.A);
+    if (!q->exist) {
+        double critical[2];
+        slow_flow_critical(q->s.A, q->s.p.hi, q->s.q.hi, p_A, critical);
+        out->edge = critical[0], out->d_edge = critical[1];
     }
 }
 
 static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_answer *out) {
     sf_isolated q;
-    const double zeta = model->zeta;
-    sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, zeta);
-    sf_ask_critical(&q, at->h_A + 0.5 * at->A * at->h_AA + 2 * zeta * zeta, out);
+    sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
+    sf_ask_critical(&q, slow_flow_turn_p_A(at->A, model->zeta, at->h_A, at->h_AA), out);
     if (q.exist) {
         out->dy[0] = sf_half_F_AA(model, at, q.w1);
         out->dy[1] = sf_half_F_AA(model, at, q.w2);
@@ -116,7 +109,7 @@ static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_an
 static inline void sf_ask_peak(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
     sf_isolated q;
     sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
-    sf_ask_critical(&q, at->h_A + 2 * model->zeta * model->zeta, out);
+    sf_ask_critical(&q, slow_flow_peak_p_A(model->zeta, at->h_A), out);
     if (q.exist) {
         out->dy[0] = 2 * sf_half_F_A(model, at, q.w1);
         out->dy[1] = 2 * sf_half_F_A(model, at, q.w2);
@@ -124,18 +117,21 @@ static inline void sf_ask_peak(const sf_model *model, double F_0, const sf_sampl
 }
 
 static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
+    double factors[4];
+    slow_flow_zeta0_undamped(at->A, at->h, at->h_A, at->h_AA, at->h_AAA, factors);
     out->exists[0] = out->exists[1] = 1;
-    out->y[0] = at->h_AA, out->dy[0] = at->h_AAA;
-    out->y[1] = at->h - at->A * at->h_A, out->dy[1] = -at->A * at->h_AA;
-    out->Omega[0] = out->Omega[1] = sqrt(fmax(-at->h_A, 0));
+    out->y[0] = factors[0], out->dy[0] = factors[1];
+    out->y[1] = factors[2], out->dy[1] = factors[3];
+    out->Omega[0] = out->Omega[1] = slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
 }
 
 /* h^2 + m^2 = F_0^2 has two smooth halves */
 static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
-    const double c = sqrt((F_0 - model->m) * (F_0 + model->m));
+    double halves[3];
+    slow_flow_rest(F_0, model->m, at->h, at->h_A, halves);
     out->exists[0] = out->exists[1] = 1;
-    out->y[0] = at->h - c, out->y[1] = at->h + c;
-    out->dy[0] = out->dy[1] = at->h_A;
+    out->y[0] = halves[0], out->y[1] = halves[1];
+    out->dy[0] = out->dy[1] = halves[2];
 }
 
 static inline void sf_ask(sf_question question, const sf_model *model, double F_0, const sf_sample *at,
