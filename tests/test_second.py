@@ -15,8 +15,6 @@ from slowflow.second.balance import Balance
 from slowflow.second.curve import follow
 from slowflow_kernels import den_hartog, second_approximation
 
-pytestmark = pytest.mark.both_backends
-
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 FORCES = ("truncated", "exact")
 
@@ -52,6 +50,7 @@ def test_the_largest_displacement_is_one_order_closer(Omega):
         assert abs(better.A[0] / exact - 1) < 0.03 * beta * abs(averaged.A[0] / exact - 1)
 
 
+@pytest.mark.both_backends
 @pytest.mark.parametrize("ratio", [0.05, 0.2, 0.3])
 @pytest.mark.parametrize("Omega", [0.5, 0.8, 1.2, 2.0])
 def test_for_a_linear_spring_it_is_den_hartogs_solution(Omega, ratio):
@@ -120,6 +119,7 @@ def test_without_damping_any_force_reaches_the_breakpoint():
     assert 1e-3 < 1 - better.Omega_cr / averaged.Omega_cr < 1e-2
 
 
+@pytest.mark.both_backends
 @pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 def test_answers_belong_together(force, mu):
@@ -147,6 +147,7 @@ def test_answers_belong_together(force, mu):
     assert low < u_cr < high
 
 
+@pytest.mark.both_backends
 @pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize(
     "changes", [{}, {"mu": 0.0}, {"zeta": 0.005, "delta_h": 0.13, "mu": 0.0}, {"zeta": 0.1, "delta_h": 0.03}]
@@ -256,6 +257,7 @@ def test_a_breakpoint_that_is_too_large_is_refused():
     assert Isolator(**design).second_approximation.frequency_response(0.04, Omega=(0.5, 1.5)).A.size > 900
 
 
+@pytest.mark.both_backends
 def test_the_corner_of_the_truncated_force_keeps_its_pair_of_folds():
     """Just above F_cr the first approximation has a fold on the corner, and one close above it."""
     iso = isolator(zeta=0.1, delta_h=0.03)
