@@ -46,9 +46,7 @@ LINEAR = (1.0, 0.0)
 
 #: what may be averaged: (6) or (5)
 FORCES = ("truncated", "exact")
-#: frequencies shown unless others are asked for
-WINDOW = (0.0, 2.0)
-#: the same for the equation of motion, whose cycle has ever more stops as Omega tends to 0
+#: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
 EXACT_WINDOW = (0.5, 1.5)
 
 
@@ -79,7 +77,7 @@ class Oscillator:
         return self._model.breakpoints
 
     def frequency_response(
-        self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = WINDOW
+        self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> FrequencyResponse:
         """The response curve at F_0, every branch and isola, for frequencies in the window `Omega` (24), (25), (30).
 

@@ -15,6 +15,9 @@ import numpy.typing as npt
 
 from slowflow.model import Floats
 
+#: frequencies shown unless others are asked for
+WINDOW = (0.0, 2.0)
+
 
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:
     return ValueError(f"{name} = {value!r} is not allowed: {name} must be {allowed}")

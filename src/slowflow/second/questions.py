@@ -17,8 +17,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq, root
 
-from slowflow import validity
-from slowflow.isolator import WINDOW
+from slowflow import validate, validity
 from slowflow.model import Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset, SecondFolds, SecondResponse, SecondStates, words
 from slowflow.second.balance import SMALL, Balance, Flags
@@ -57,7 +56,7 @@ class SecondApproximation:
     model: Model = field(repr=False)
 
     def frequency_response(
-        self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = WINDOW
+        self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> SecondResponse:
         """The response curve, as the first approximation's points move to it."""
         first = self.first._curve(F_0, samples, Omega)
