@@ -18,8 +18,8 @@ paper: derive
 
 test: $(INSTALLED) check lint
 	$(BIN)/slowflow info
-	$(BIN)/python -m pytest
-	SLOWFLOW_BACKEND=numpy $(BIN)/python -m pytest -m both_backends
+	$(BIN)/python -m pytest -n auto --dist worksteal
+	SLOWFLOW_BACKEND=numpy $(BIN)/python -m pytest -n auto --dist worksteal -m both_backends
 
 derive: $(INSTALLED)
 	$(BIN)/python -m derivations
