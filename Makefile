@@ -39,7 +39,6 @@ bench: $(INSTALLED)
 	else echo "exact motions: not measured, heyoka is not installed (pip install -e '.[exact]')"; fi
 
 validity: $(INSTALLED)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev,exact]"
 	$(BIN)/python -m benchmarks.claims
 	$(BIN)/python -m derivations
 	$(BIN)/python -m benchmarks.validity

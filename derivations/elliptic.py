@@ -34,7 +34,7 @@ from collections.abc import Sequence
 import sympy as sp
 from flint import arb, ctx
 
-from derivations.restoring import ORDERS, Case, Regime, Restoring
+from derivations.restoring import ORDERS, Case, Regime, Restoring, slope
 from derivations.symbols import A, u
 
 Let = tuple[sp.Symbol, sp.Expr]
@@ -370,9 +370,6 @@ def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
         numerator = sp.factor(sp.rem(sp.Poly(jump, c), sp.Poly(c**2 + end**2 - 1, c)).as_expr())
         return -numerator * end ** (order + 2) / (c**power * A ** (order + 2) * root)
 
-    def slope(expression: sp.Expr) -> sp.Expr:
-        return sp.diff(expression, A) + sp.diff(expression, root) * A / root
-
     if boundary(0) != 0:
         raise ArithmeticError("the force jumps at the breakpoint")
     # f'' = 3 u/Delta^5 and f''' = 3 (1 + 4 u^2)/Delta^7, times sin^3 and sin^4
@@ -383,7 +380,7 @@ def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
         -A * W,
         -(W - A**2 * V3),
         3 * A * V5 + boundary(1),
-        3 * V7 + boundary(2) + slope(boundary(1)),
+        3 * V7 + boundary(2) + slope(boundary(1), root),
     )
     rest = [a * A, a, 0, 0]
     derivatives = tuple(-(r + 4 / sp.pi * b * form) for r, form in zip(rest, forms, strict=True))

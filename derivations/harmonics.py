@@ -31,10 +31,10 @@ import sympy as sp
 from flint import arb, ctx, fmpq
 
 from derivations.elliptic import DIGITS, MODERATE, Let, digits, gauss, parts
-from derivations.restoring import FAR, ORDERS, Case, End, Regime, at_breakpoint, moment_parts
+from derivations.restoring import ORDERS, Case, End, Regime, at_breakpoint, forms, moment_parts, slope
 from derivations.symbols import A, u
 
-#: the harmonics of the spring that are kept: the seventh no longer moves a jump, docs/validity.md
+#: the harmonics of the spring that are kept: with the next two as well the largest errors of jumps stayed the same
 HARMONICS = (3, 5)
 #: points of the midpoint rule on a quarter cycle; the worst point is A = u_cr = MODERATE
 MIDPOINTS = 20
@@ -46,14 +46,11 @@ NODES = 21
 class Harmonics:
     """The higher harmonics of a force.
 
-    pieces, breakpoints -- of the force
     cases  -- forms to evaluate; `derivatives` of a regime list h_3, its derivatives to order `ORDERS`, then h_5, ...
     domain -- where they hold, in words
     most   -- largest breakpoint for which they do
     """
 
-    pieces: tuple[sp.Expr, ...]
-    breakpoints: tuple[sp.Symbol, ...]
     cases: tuple[Case, ...]
     domain: str
     most: sp.Expr
@@ -84,10 +81,6 @@ def _boundary(jump: sp.Expr, n: int, order: int, b: sp.Symbol, root: sp.Symbol) 
     return -jump * (b / A) ** order * chebyshev(n, b / A) * b / (A * root)
 
 
-def _slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
-    return sp.diff(expression, A) + sp.diff(expression, root) * A / root
-
-
 def _derivatives(
     under: Sequence[sp.Expr], boundaries: Sequence[tuple[sp.Symbol, Sequence[sp.Expr]]]
 ) -> tuple[sp.Expr, ...]:
@@ -99,7 +92,7 @@ def _derivatives(
             for lower in range(order):
                 term = terms[lower]
                 for _ in range(order - 1 - lower):
-                    term = _slope(term, root)
+                    term = slope(term, root)
                 total += term
         result.append(-4 * total / sp.pi)
     return tuple(result)
@@ -163,14 +156,11 @@ def _moment_value(end: End, n: int, degree: int) -> sp.Expr:
 
 def of_polynomials(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Harmonics:
     """The harmonics of a piecewise odd polynomial."""
-    cases = []
-    for count in range(len(pieces)):
-        below = [(A, b) for b in breakpoints[count : count + 1]]
-        for far in range(count + 1):
-            near = [(A, FAR * b) for b in breakpoints[far:count][:1]]
-            name = f"passed_{count}" + (f"_far_{far}" if far else "")
-            cases.append(Case(name, (*below, *near), polynomial_regime(pieces, breakpoints, count, far)))
-    return Harmonics(tuple(pieces), tuple(breakpoints), tuple(cases), "A >= 0", sp.oo)
+    cases = tuple(
+        Case(name, guards, polynomial_regime(pieces, breakpoints, count, far))
+        for name, guards, count, far in forms(breakpoints)
+    )
+    return Harmonics(cases, "A >= 0", sp.oo)
 
 
 # --- the untruncated force ---
@@ -286,7 +276,7 @@ def of_untruncated(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) 
         Case("passed_0", ((A, end),), untruncated_attached(b)),
         Case("passed_1", (), untruncated_detached(b, end)),
     )
-    return Harmonics(tuple(pieces), (end,), cases, f"A >= 0, {end} <= {MODERATE}", MODERATE)
+    return Harmonics(cases, f"A >= 0, {end} <= {MODERATE}", MODERATE)
 
 
 def harmonics(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Harmonics:

@@ -24,7 +24,7 @@ for the lower ones: positive terms only.
 from __future__ import annotations
 
 import functools
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -133,6 +133,20 @@ def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
     return sp.horner(force, u).subs(u, breakpoint_)
 
 
+def slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
+    """d/dA of an expression in A and root = sqrt(A^2 - b^2)."""
+    return sp.diff(expression, A) + sp.diff(expression, root) * A / root
+
+
+def forms(breakpoints: Sequence[sp.Symbol]) -> Iterator[tuple[str, tuple[tuple[sp.Expr, sp.Expr], ...], int, int]]:
+    """The forms to evaluate, in order: name, guards, numbers of breakpoints passed and passed by far."""
+    for count in range(len(breakpoints) + 1):
+        below = [(A, b) for b in breakpoints[count : count + 1]]
+        for far in range(count + 1):
+            near = [(A, FAR * b) for b in breakpoints[far:count][:1]]
+            yield f"passed_{count}" + (f"_far_{far}" if far else ""), (*below, *near), count, far
+
+
 @dataclass(frozen=True)
 class End:
     """An interval's end |u| = b on the quarter cycle: theta = asin(b/A) and its complement psi_0."""
@@ -186,10 +200,6 @@ class End:
             return secular * sp.pi / 2 - self.from_zero(power)
         x, y = self.symbol("x"), self.symbol("y")
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
-
-    def slope(self, expression: sp.Expr) -> sp.Expr:
-        """d/dA of an expression in A and root."""
-        return sp.diff(expression, A) + sp.diff(expression, self.root) * A / self.root
 
 
 def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
@@ -248,7 +258,7 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
             for lower in range(order):
                 term = boundary(lower, end, k)
                 for _ in range(order - 1 - lower):
-                    term = end.slope(term)
+                    term = slope(term, end.root)
                 total += term
         derivatives.append(
             sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)

@@ -9,7 +9,7 @@ Arguments come in one order everywhere: Omega, A, F_0, m or mu, zeta, h, h_A, h_
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import sympy as sp
@@ -19,7 +19,7 @@ from derivations.elliptic import evaluable
 from derivations.loci import Along, Damped, Undamped, p, p_A, q, root
 from derivations.mechanisms import Mechanism
 from derivations.oscillator import without_cancellation
-from derivations.restoring import FAR, Regime, Restoring
+from derivations.restoring import Case, Restoring, forms
 from derivations.resultants import Elimination
 from derivations.results import OfMechanism, Results
 from derivations.second_approximation import OF_HARMONIC, RESONANCE
@@ -504,26 +504,15 @@ def den_hartog_module(results: Results) -> Module:
 
 def regime_branches(restoring: Restoring, orders: Sequence[int], attached_only: bool) -> tuple[Branch, ...]:
     """The regimes of an average as branches; at a breakpoint the lower regime holds."""
-
-    def branch(regime: Regime, guards: Sequence[tuple[sp.Expr, sp.Expr]]) -> Branch:
-        passed, far = len(regime.passed), len(regime.far)
-        name = f"passed_{passed}" + (f"_far_{far}" if far else "")
-        return Branch(name, tuple(guards), regime.lets, tuple(regime.derivatives[order] for order in orders))
-
-    if restoring.cases:
-        return tuple(
-            Branch(c.name, c.guards, c.regime.lets, tuple(c.regime.derivatives[order] for order in orders))
-            for c in restoring.cases
-        )
+    cases = restoring.cases or tuple(
+        Case(name, guards, restoring.far_regimes[count, far] if far else restoring.regimes[count])
+        for name, guards, count, far in forms(restoring.breakpoints)
+    )
     if attached_only:
-        return (branch(restoring.regimes[0], ()),)
-    branches = []
-    for count, regime in enumerate(restoring.regimes):
-        below = [(A, b) for b in restoring.breakpoints[count : count + 1]]
-        for far in range(count + 1):
-            near = [(A, FAR * b) for b in restoring.breakpoints[far:count][:1]]
-            branches.append(branch(restoring.far_regimes[count, far] if far else regime, (*below, *near)))
-    return tuple(branches)
+        cases = (replace(cases[0], guards=()),)
+    return tuple(
+        Branch(c.name, c.guards, c.regime.lets, tuple(c.regime.derivatives[order] for order in orders)) for c in cases
+    )
 
 
 NAMES = ("", "_A", "_AA", "_AAA")

@@ -281,7 +281,7 @@ class Oscillator:
                     f"u_cr = {u_cr:g} is not allowed here: the harmonics of this force are derived for "
                     f"u_cr <= {kernels.HARMONICS_UP_TO:g}"
                 )
-        return SecondApproximation(self, self._model)
+        return SecondApproximation(self)
 
     def _restoring_force(self, which: str | None) -> Force:
         """The force for the equation of motion, `which` as in `steady_state`."""

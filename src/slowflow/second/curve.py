@@ -6,6 +6,7 @@ Points follow by Newton's iteration on the balance; those whose harmonics are no
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -68,12 +69,8 @@ def _across(
     amplitudes = np.where(rising[:, np.newaxis], b * BESIDE, b * BESIDE[::-1])
     share = (b - A[passing]) / (A[passing + 1] - A[passing])
     at = np.repeat((Omega[passing] + share * (Omega[passing + 1] - Omega[passing]))[:, np.newaxis], BESIDE.size, 1)
-    step = np.full_like(at, np.inf)
     with np.errstate(all="ignore"):
-        for _ in range(STEPS):
-            there = balance.response(at, amplitudes, F_0)
-            step = np.clip(there.F / (there.F_Omega * at), -LONGEST, LONGEST)
-            at = at * np.exp(-step)
+        at, step = on_curve(balance, at, amplitudes, F_0)
     # inserted where the points on both sides do not lie nearer
     ends = np.sort(np.column_stack((A[passing], A[passing + 1])), axis=1)[:, :, np.newaxis]
     good = (np.abs(step) <= DONE) & (amplitudes > ends[:, 0]) & (amplitudes < ends[:, 1])
@@ -123,6 +120,19 @@ def _moved(balance: Balance, Omega_1: Floats, A_1: Floats, F_0: float) -> tuple[
 def _done(Omega: Floats, A: Floats, F_0: float) -> Floats:
     """The step that ends Newton's iteration: on a peak as sharp as a needle R/F_0 is known to no more."""
     return DONE + ROUNDING * A * Omega**2 / F_0
+
+
+def on_curve(balance: Balance, Omega: Any, A: Any, F_0: float) -> tuple[Floats, Floats]:
+    """The frequency near the one given at which A is a steady state, and the last step to its logarithm."""
+    averages = balance.averages(A)
+    step = np.full_like(Omega, np.inf)
+    for _ in range(STEPS):
+        there = balance.response(Omega, A, F_0, averages)
+        step = np.clip(there.F / (there.F_Omega * Omega), -LONGEST, LONGEST)
+        Omega = Omega * np.exp(-step)
+        if not (np.abs(step) > DONE).any():
+            break
+    return Omega, step
 
 
 def _at_R(balance: Balance, Omega_0: Floats, A: Floats, R: Floats, F_0: float) -> Floats:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -18,10 +18,10 @@ import numpy.typing as npt
 from scipy.optimize import brentq, root
 
 from slowflow import validate, validity
-from slowflow.model import Floats, Model
+from slowflow.model import Floats
 from slowflow.results import Detachment, SaddleNodeOnset, SecondFolds, SecondResponse, SecondStates, words
 from slowflow.second.balance import SMALL, Balance, Flags
-from slowflow.second.curve import DONE, LONGEST, STEPS, Curve, follow
+from slowflow.second.curve import DONE, STEPS, Curve, follow, on_curve
 
 if TYPE_CHECKING:
     from slowflow.isolator import Oscillator
@@ -49,11 +49,9 @@ class SecondApproximation:
     the oscillator's. Inside, as in the kernels, A is A_1 + a_3 + a_5: friction's harmonics take a little off it.
 
     first -- the oscillator, averaged
-    model -- its slow flow
     """
 
     first: Oscillator
-    model: Model = field(repr=False)
 
     def frequency_response(
         self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
@@ -129,7 +127,7 @@ class SecondApproximation:
         if found is None:
             return SaddleNodeOnset(None, None, None, "", FAR)
         Omega, A, F_SN = np.exp(found).tolist()
-        u_max = float(self._balance.response(Omega, A, F_SN)[0])
+        u_max = float(self._balance.response(Omega, A, F_SN).u_max)
         return SaddleNodeOnset(F_SN, Omega, u_max, first.kind, first.message)
 
     def detachment(self) -> Detachment:
@@ -171,7 +169,7 @@ class SecondApproximation:
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
-        return words(message, self.first._beyond_reach(A, message), validity.of_second(self.model.mu, Omega, A))
+        return words(message, self.first._beyond_reach(A, message), validity.of_second(self.first.mu, Omega, A))
 
     def _around(self, F_0: float, Omega: Floats) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""
@@ -180,7 +178,7 @@ class SecondApproximation:
 
     @cached_property
     def _balance(self) -> Balance:
-        return Balance(self.model)
+        return Balance(self.first._model)
 
     def _states(self, Omega: Floats, low: Floats, A: Floats, high: Floats, F_0: float) -> tuple[Floats, Flags]:
         """The state at each frequency between two amplitudes, from one in between; and where it was found."""
@@ -202,29 +200,22 @@ class SecondApproximation:
         rising = [k, k + 1] if curve.A[k + 1] > curve.A[k] else [k + 1, k]
         frequencies, amplitudes = curve.Omega[rising], curve.A[rising]
 
-        def on_curve(A: float) -> float:
-            Omega = float(np.interp(A, amplitudes, frequencies))
-            for _ in range(STEPS):
-                there = self._balance.response(Omega, A, F_0)
-                step = float(np.clip(there.F / (there.F_Omega * Omega), -LONGEST, LONGEST))
-                Omega *= math.exp(-step)
-                if abs(step) <= DONE:
-                    break
-            return Omega
+        def frequency(A: float) -> float:
+            return float(on_curve(self._balance, np.interp(A, amplitudes, frequencies), A, F_0)[0])
 
         def slope(A: float) -> float:
-            return float(self._balance.response(on_curve(A), A, F_0).F_A)
+            return float(self._balance.response(frequency(A), A, F_0).F_A)
 
         ends = amplitudes.tolist()
         slopes = [slope(A) for A in ends]
         if (slopes[0] > 0) == (slopes[1] > 0):
             return None
         A = float(brentq(slope, *ends, xtol=4 * np.finfo(float).tiny, rtol=4 * np.finfo(float).eps))
-        corners = [b for b in self.model.breakpoints if abs(A - b) <= 8 * np.spacing(b)]
-        # next to a tip `on_curve` may slip to its other side, and the slope with it
+        corners = [b for b in self.first.breakpoints if abs(A - b) <= 8 * np.spacing(b)]
+        # next to a tip `frequency` may slip to its other side, and the slope with it
         if not corners and abs(slope(A)) > VANISHED * max(map(abs, slopes)):
             return None
-        return on_curve(A), corners[0] if corners else A, bool(corners), slopes[0] > 0
+        return frequency(A), corners[0] if corners else A, bool(corners), slopes[0] > 0
 
     def _solved(self, balance: Callable[[Floats], Floats], start: Floats) -> Floats | None:
         """The zero near a start, in logarithms of Omega, A and what follows; None where it is no correction."""
