@@ -1,7 +1,8 @@
 """Equations of motion, one file each. A file here and a `make derive` is all that a new mechanism takes.
 
 In:  nothing.
-Out: `Mechanism`, the form in which a restoring force is stated, and `all_mechanisms()`, every one in this folder.
+Out: `Mechanism`, the form in which a restoring force is stated, `Parameter`, the form of a number that a user gives,
+     `DAMPING` and `FORCING`, those that every oscillator has, and `all_mechanisms()`, every one in this folder.
 """
 
 from __future__ import annotations
@@ -11,6 +12,42 @@ import pkgutil
 from dataclasses import dataclass
 
 import sympy as sp
+
+from derivations.symbols import F_0, mu, zeta
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A dimensionless number that a user gives, and which are allowed: finite ones within these bounds.
+
+    symbol -- its symbol, whose name is that of the argument
+    doc    -- one line: what it is
+    unit   -- what the dimensional quantity is measured in, "1" for a number
+    above, least -- it is greater than the one, or not less than the other; None where nothing bounds it from below
+    below, most  -- it is less than the one, or not greater than the other; None where nothing bounds it from above
+    """
+
+    symbol: sp.Symbol
+    doc: str
+    unit: str
+    above: sp.Expr | int | None = None
+    least: sp.Expr | int | None = None
+    below: sp.Expr | int | None = None
+    most: sp.Expr | int | None = None
+
+    def __post_init__(self) -> None:
+        for one, other in ((self.above, self.least), (self.below, self.most)):
+            if one is not None and other is not None:
+                raise ValueError(f"{self.symbol} has two bounds on one side: {one} and {other}")
+
+
+#: the damping of every oscillator here, by its dimensionless groups (4)
+DAMPING = (
+    Parameter(mu, "dry friction", "k_v L", least=0),
+    Parameter(zeta, "viscous damping ratio", "2 sqrt(k_v m)", least=0),
+)
+#: its excitation (4)
+FORCING = Parameter(F_0, "forcing amplitude", "k_v L", above=0)
 
 
 @dataclass(frozen=True)
@@ -33,6 +70,7 @@ class Mechanism:
     title        -- one line for headers
     x, k_v, length -- symbols of displacement, vertical stiffness and the length that x is measured in
     pieces       -- the force F_k(x), piece by piece, by rising |x|
+    design       -- what a user gives beside the damping: every ratio, or, where these say no more, every parameter
     ratios       -- dimensionless design parameters by their definitions, e.g. {r: k_h/k_v}
     dimensional  -- how the dimensional parameters follow from the ratios, e.g. {k_h: r*k_v}
     order        -- degree of the Taylor polynomial that stands for each piece; `sp.oo` for the force as it is
@@ -48,6 +86,7 @@ class Mechanism:
     k_v: sp.Symbol
     length: sp.Symbol
     pieces: tuple[Piece, ...]
+    design: tuple[Parameter, ...]
     ratios: dict[sp.Symbol, sp.Expr]
     dimensional: dict[sp.Symbol, sp.Expr]
     order: int | sp.Expr
@@ -55,6 +94,11 @@ class Mechanism:
     breakpoints: tuple[sp.Symbol, ...] = ()
     reach: sp.Expr = sp.oo
     reach_reason: str = ""
+
+    def __post_init__(self) -> None:
+        given = tuple(parameter.symbol for parameter in self.design)
+        if given not in (tuple(self.ratios), self.parameters):
+            raise ValueError(f"{self.name}: the design {given} must be the ratios or the parameters, in their order")
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:

@@ -6,7 +6,7 @@ Out: `MECHANISM`; its whole restoring force is alpha u + beta u^3 once made dime
 
 import sympy as sp
 
-from derivations.mechanisms import Mechanism, Piece
+from derivations.mechanisms import Mechanism, Parameter, Piece
 
 x = sp.Symbol("x", real=True)
 k_v, L = sp.symbols("k_v L", positive=True)
@@ -21,6 +21,10 @@ MECHANISM = Mechanism(
     k_v=k_v,
     length=L,
     pieces=(Piece(k_1 * x + k_3 * x**3),),
+    design=(
+        Parameter(alpha, "linear stiffness k_v + k_1; alpha <= 0 is allowed", "k_v"),
+        Parameter(beta, "cubic stiffness k_3; beta < 0 softens", "k_v/L^2"),
+    ),
     ratios={kappa_1: k_1 / k_v, kappa_3: k_3 * L**2 / k_v},
     dimensional={k_1: kappa_1 * k_v, k_3: kappa_3 * k_v / L**2},
     order=3,

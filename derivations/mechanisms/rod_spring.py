@@ -6,7 +6,7 @@ Out: `MECHANISM`, the force as the geometry gives it; the Taylor coefficients an
 
 import sympy as sp
 
-from derivations.mechanisms import Mechanism, Piece
+from derivations.mechanisms import Mechanism, Parameter, Piece
 
 x = sp.Symbol("x", real=True)
 k_v, k_h, L, Delta_h = sp.symbols("k_v k_h L Delta_h", positive=True)
@@ -28,6 +28,11 @@ MECHANISM = Mechanism(
     k_v=k_v,
     length=L,
     pieces=(Piece(vertical_component, until=compression), Piece(sp.Integer(0))),
+    design=(
+        Parameter(lam, "number of horizontal springs", "1", above=0),
+        Parameter(r, "stiffness k_h of one of them", "k_v", above=0),
+        Parameter(delta_h, "their preload Delta_h; 0 is a linear oscillator", "L", least=0, below=1),
+    ),
     ratios={lam: lam, r: k_h / k_v, delta_h: Delta_h / L},
     dimensional={k_h: r * k_v, Delta_h: delta_h * L},
     order=5,

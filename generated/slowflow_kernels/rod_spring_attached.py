@@ -2,7 +2,7 @@
 u_cr only.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring.py, sha256 2bda92792c3738e00594db7329cbf7be2879fc514e0bd616da28c8a792b9a483
+Input: derivations/mechanisms/rod_spring.py, sha256 276f195ec67b4829281b33afb4b0d30ecf796dd89ef7acbd9ff04557a5534031
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
