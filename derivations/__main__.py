@@ -1,10 +1,9 @@
 """The pipeline: `python -m derivations [--out DIR] [--check]`.
 
     1. derive   mechanisms/*.py                  -> Results: exact expressions           (derivations.results)
-    2. choose   Results                          -> Modules of Kernels                   (derivations.emit.kernels)
+    2. choose   Results                          -> Modules of Kernels                   (derivations.emit.catalogue)
     3. passes   a kernel's lets and outputs      -> straight-line Programs               (derivations.emit.passes)
-    4. print    Programs                         -> NumPy and C source, by template      (derivations.emit.render)
-                C functions                      -> loops for NumPy                      (derivations.emit.ufuncs)
+    4. print    Programs                         -> NumPy and C source, loops in C       (derivations.emit.targets)
     5. judge    Results, published.py            -> LEDGER.md, ledger.json               (derivations.ledger)
     6. record   Results, sources                 -> MANIFEST.json                        (derivations.emit.write)
     7. write    file name -> text                -> files in DIR; stale files go         (derivations.emit.write)
@@ -24,9 +23,8 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from derivations import ledger
-from derivations.emit.kernels import all_modules
-from derivations.emit.render import render
-from derivations.emit.ufuncs import files as native_files
+from derivations.emit.catalogue import all_modules
+from derivations.emit.targets import render
 from derivations.emit.write import MANIFEST, differences, manifest, on_disk, write
 from derivations.results import derive
 
@@ -43,7 +41,6 @@ def generate() -> dict[str, str]:
         results = derive()
         modules = all_modules(results)
         files, counts = render(modules)
-        files |= native_files(modules)
         files |= judged.result()
     return files | {MANIFEST: manifest(files, results, modules, counts)}
 

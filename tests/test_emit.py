@@ -13,9 +13,11 @@ from mpmath import mp, mpf
 
 import generated_c
 from derivations.averaging import averaged
-from derivations.emit.kernels import all_modules
+from derivations.emit.catalogue import all_modules
 from derivations.emit.passes import operations, straight_line
-from derivations.emit.printers import CPrinter, NumpyPrinter, Unprintable, literal
+from derivations.emit.targets.c.printer import CPrinter
+from derivations.emit.targets.numpy.printer import NumpyPrinter
+from derivations.emit.targets.printing import Unprintable, literal
 from derivations.results import derive
 from derivations.slow_flow import slow_flow
 from derivations.symbols import A

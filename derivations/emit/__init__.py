@@ -1,7 +1,7 @@
 """From derived expressions to files.
 
-What to print is in `kernels`, how to compute it in `passes`, how to write it in `printers`, `render`, `ufuncs` and
-`templates`, where in `write`.
+What a kernel is stands in `form`, which ones there are in `catalogue`, how to compute them in `passes`, how to write
+them in `targets`, one folder for each language, where to in `write`.
 
 In:  `derivations.results.Results`.
 Out: a dict from file name to text.

@@ -11,8 +11,8 @@ import hashlib
 import json
 from pathlib import Path
 
-from derivations.emit.kernels import Module
-from derivations.emit.render import digest, versions
+from derivations.emit.form import Module
+from derivations.emit.provenance import digest, versions
 from derivations.resultants import Elimination
 from derivations.results import Results
 

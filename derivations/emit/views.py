@@ -1,34 +1,32 @@
-"""From modules to source text: passes, printers, then a template for each output.
+"""Kernels as a template needs them: printed line by line, with what each branch and output depends on.
 
-In:  `Module`s.
-Out: a dict from file name (below `generated/`) to text, and for the manifest the operation counts of each kernel.
-
-A further output is a further `Target`: a printer, a template and a file name.
+In:  a `Kernel` or `Composition`, the straight-line `Program`s of its branches, a `Language`.
+Out: `KernelView`, or a dict for a composition.
 """
 
 from __future__ import annotations
 
-import hashlib
-import importlib.metadata
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import jinja2
 import sympy as sp
 
-from derivations.emit.kernels import AVERAGED, Branch, Composition, Kernel, Module
+from derivations.emit.form import AVERAGED, Branch, Composition, Kernel, Module
 from derivations.emit.passes import Program, straight_line
-from derivations.emit.printers import CPrinter, NumpyPrinter
+from derivations.emit.provenance import digest
 from derivations.restoring import FAR
 from derivations.slow_flow import m
 
-HERE = Path(__file__).parent
+#: the straight-line code of every branch, by kernel
+Code = dict[str, tuple[Program, ...]]
+
+DERIVATIONS = Path(__file__).parents[1]
 WIDTH = 116
 # the function that gives h and how many of its derivatives
 AVERAGE_FUNCTION = {0: "", 1: "h", 2: "averaged_2", 3: "averaged_3", 4: "averaged"}
-TOOLS = ("sympy", "python-flint", "jinja2")
 
 
 @dataclass(frozen=True)
@@ -75,40 +73,36 @@ class KernelView:
 
 
 @dataclass(frozen=True)
-class Target:
-    """One language: its printer, how it wraps, its template and file name."""
+class Language:
+    """How a language writes expressions.
 
-    name: str
+    printer     -- its printer
+    conjunction -- between two conditions
+    wrap_in_parentheses -- whether a long right-hand side may only break inside of brackets
+    names       -- what it calls the symbols whose names it takes for something else
+    """
+
     printer: sp.printing.printer.Printer
-    template: str
-    file_name: str
     conjunction: str
     wrap_in_parentheses: bool
     names: dict[str, str]
 
 
-TARGETS = (
-    Target("numpy", NumpyPrinter(), "numpy_module.py.jinja", "slowflow_kernels/{}.py", " & ", True, {}),
-    Target("c", CPrinter(), "c_header.h.jinja", "c/{}.h", " && ", False, {"I": "I_"}),
-)
+@dataclass(frozen=True)
+class Calls:
+    """How a language calls other functions within a composition.
+
+    friction -- m from mu
+    inner    -- the slow flow's function, from its name
+    averages -- what h, h_A, ... are called
+    """
+
+    friction: str
+    inner: Callable[[str], str]
+    averages: tuple[str, ...]
 
 
-def versions() -> dict[str, str]:
-    """Of the tools that shape the output."""
-    return {tool: importlib.metadata.version(tool) for tool in TOOLS}
-
-
-def tools() -> str:
-    """The same in words."""
-    return ", ".join(f"{tool} {version}" for tool, version in versions().items())
-
-
-def digest(path: Path) -> str:
-    """SHA-256 of a file."""
-    return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def programs(module: Module) -> dict[str, tuple[Program, ...]]:
+def programs(module: Module) -> Code:
     """The straight-line code of every branch, by kernel."""
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
@@ -116,50 +110,27 @@ def programs(module: Module) -> dict[str, tuple[Program, ...]]:
     }
 
 
-def templates() -> jinja2.Environment:
-    """The folder of templates; what they use and nobody defined is an error."""
-    return jinja2.Environment(
-        loader=jinja2.FileSystemLoader(HERE / "templates"),
+def templates(folder: Path) -> jinja2.Environment:
+    """The templates below `folder`, which is a target's; what they use and nobody defined is an error."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(folder / "templates"),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=False,
     )
-
-
-def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[str, object]]]:
-    """All files but the manifest, and the kernels' entries in it."""
-    environment = templates()
     environment.filters["fill"] = fill
     environment.filters["tuple"] = lambda names: f"({', '.join(names)}{',' if len(names) == 1 else ''})"
-    shared = {"tools": tools(), "AVERAGED": [symbol.name for symbol in AVERAGED], "modules": modules}
-    files = {}
-    manifest: dict[str, dict[str, object]] = {}
-    for module in modules:
-        code = programs(module)
-        manifest[module.name] = {kernel.name: operations(kernel, code[kernel.name]) for kernel in module.kernels}
-        inputs = {f"derivations/{name}": digest(HERE.parent / name) for name in module.inputs if "/" in name}
-        steps = [f"derivations/{name}" for name in module.inputs if "/" not in name]
-        for target in TARGETS:
-            views = [view(kernel, code[kernel.name], target) for kernel in module.kernels]
-            text = environment.get_template(target.template).render(
-                module=module,
-                kernels=views,
-                compositions=[composition_view(c, module, target) for c in module.compositions],
-                exported=exported(module),
-                includes=includes(module, views),
-                regimes=regimes(module),
-                imported=sorted(module.reexports[1], key=in_import),
-                inputs=inputs,
-                steps=steps,
-                constants={name: constant(value) for name, value in module.constants.items()},
-                **shared,
-            )
-            files[target.file_name.format(module.name)] = text
-    for name, template in (("__init__.py", "numpy_init.py.jinja"), ("_broadcast.py", "numpy_broadcast.py.jinja")):
-        files[f"slowflow_kernels/{name}"] = environment.get_template(template).render(**shared)
-    return files, manifest
+    return environment
+
+
+def sources(module: Module) -> dict[str, object]:
+    """For a header: the mechanism's file with its hash, or the steps of the derivation."""
+    return {
+        "inputs": {f"derivations/{name}": digest(DERIVATIONS / name) for name in module.inputs if "/" in name},
+        "steps": [f"derivations/{name}" for name in module.inputs if "/" not in name],
+    }
 
 
 def operations(kernel: Kernel, code: Sequence[Program]) -> dict[str, dict[str, int]]:
@@ -167,38 +138,11 @@ def operations(kernel: Kernel, code: Sequence[Program]) -> dict[str, dict[str, i
     return {branch.name or "all": one.counts for branch, one in zip(kernel.branches, code, strict=True)}
 
 
-def exported(module: Module) -> list[str]:
-    """Public names of a Python module, sorted as in an import."""
-    own = [*module.constants, *(kernel.name for kernel in module.kernels), *(c.name for c in module.compositions)]
-    return sorted({*module.reexports[1], *own}, key=in_import)
-
-
-def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
-    """Headers of ours that a C header needs."""
-    angles = "angles" if any(view.uses_angles for view in views) else ""
-    return [name for name in (angles, module.flow, module.reexports[0]) if name]
-
-
 def regimes(module: Module) -> str:
     """What the names of the regimes mean, where there are any."""
     if not any("far" in branch.name for kernel in module.kernels for branch in kernel.branches):
         return ""
     return f"Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them {FAR} times."
-
-
-def in_import(name: str) -> tuple[bool, bool, str]:
-    """Where a name stands in an import: constants, then what begins with a capital, then the rest."""
-    return not (name.isupper() and len(name) > 1), not name[0].isupper(), name
-
-
-def constant(value: object) -> str:
-    """A module constant as Python source."""
-    if isinstance(value, sp.Expr):
-        return 'float("inf")' if value == sp.oo else repr(float(value))
-    if isinstance(value, tuple):
-        items = ", ".join(f'"{item}"' for item in value)
-        return f"({items}{',' if len(value) == 1 else ''})"
-    return f'"{value}"'
 
 
 def fill(text: str, indent: int, first: int = 0) -> str:
@@ -213,9 +157,9 @@ def fill(text: str, indent: int, first: int = 0) -> str:
     return whole.fill(text)[first:]
 
 
-def view(kernel: Kernel, code: Sequence[Program], target: Target) -> KernelView:
-    """A kernel printed for one target."""
-    renamed = [target.names.get(argument.name, argument.name) for argument in kernel.arguments]
+def view(kernel: Kernel, code: Sequence[Program], language: Language) -> KernelView:
+    """A kernel printed for one language."""
+    renamed = [language.names.get(argument.name, argument.name) for argument in kernel.arguments]
     branches, used_anywhere, used_by_guards = [], set(), set()
     reached = [True] * kernel.width
     for branch, program in zip(kernel.branches, code, strict=True):
@@ -226,7 +170,7 @@ def view(kernel: Kernel, code: Sequence[Program], target: Target) -> KernelView:
         used_by_guards |= guard_symbols
         used_here = set().union(*used) | guard_symbols
         used_anywhere |= used_here
-        branches.append(branch_view(branch, program, kernel, set().union(*used), target))
+        branches.append(branch_view(branch, program, kernel, set().union(*used), language))
     return KernelView(
         kernel,
         tuple(renamed),
@@ -250,17 +194,20 @@ def used_arguments(program: Program, kernel: Kernel) -> list[set[sp.Symbol]]:
     return [of(output) for output in program.outputs]
 
 
-def branch_view(branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], target: Target) -> BranchView:
-    """A branch printed for one target."""
-    show = target.printer.doprint
+def branch_view(
+    branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], language: Language
+) -> BranchView:
+    """A branch printed for one language."""
+    show = language.printer.doprint
 
     def name_of(symbol: sp.Symbol) -> str:
-        return target.names.get(symbol.name, symbol.name)
+        return language.names.get(symbol.name, symbol.name)
 
     lines = tuple(
-        Line(name_of(symbol), wrapped(show(value), len(name_of(symbol)) + 3, target)) for symbol, value in program.lets
+        Line(name_of(symbol), wrapped(show(value), len(name_of(symbol)) + 3, language))
+        for symbol, value in program.lets
     )
-    guard = target.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
+    guard = language.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
     if len(branch.guards) == 1:
         guard = guard[1:-1]
     return BranchView(
@@ -273,29 +220,24 @@ def branch_view(branch: Branch, program: Program, kernel: Kernel, used: set[sp.S
     )
 
 
-def wrapped(value: str, used: int, target: Target) -> str:
+def wrapped(value: str, used: int, language: Language) -> str:
     """A long right-hand side over several lines, broken at spaces; `used` columns stand before it."""
-    if not target.wrap_in_parentheses:
+    if not language.wrap_in_parentheses:
         return fill(value, 8, used + len("    const double "))
     if len(value) + used + 8 <= WIDTH:
         return value
     return f"(\n        {fill(value, 8, 8)}\n    )"
 
 
-def composition_view(composition: Composition, module: Module, target: Target) -> dict[str, object]:
+def composition_view(composition: Composition, calls: Calls) -> dict[str, object]:
     """A composition as a template needs it: what to compute first, and the call of the inner kernel."""
     count = composition.derivatives
     plain = [argument.name for argument in composition.arguments]
     packed: list[str] = []
     if composition.parameters:
         plain, packed = plain[: -composition.parameters], plain[-composition.parameters :]
-    if target.name == "c":
-        friction, inner = f"{module.flow}_friction(mu)", f"{module.flow}_{composition.inner.name}"
-        averages = [f"average[{k}]" for k in range(4)]
-    else:
-        friction, inner = "flow.friction(mu)", f"flow.{composition.inner.name}"
-        averages = ["average" + symbol.name[1:] for symbol in AVERAGED]
-    local = {symbol.name: average for symbol, average in zip(AVERAGED, averages, strict=True)} | {m.name: friction}
+    local = {symbol.name: average for symbol, average in zip(AVERAGED, calls.averages, strict=True)}
+    local[m.name] = calls.friction
     passed = [local.get(argument.name, argument.name) for argument in composition.inner.arguments]
     return {
         "name": composition.name,
@@ -304,9 +246,9 @@ def composition_view(composition: Composition, module: Module, target: Target) -
         "domain": composition.inner.domain,
         "plain": plain,
         "packed": packed,
-        "averages": averages[:count],
+        "averages": calls.averages[:count],
         "average_function": AVERAGE_FUNCTION[count],
-        "inner": inner,
+        "inner": calls.inner(composition.inner.name),
         "passed": passed,
         "returns": composition.inner.returns,
         "unused": [argument.name for argument in composition.unused],

@@ -1,7 +1,7 @@
 """Compiled ufuncs: loops over the functions of the C headers, one for each regime of the force.
 
 In:  `Module`s.
-Out: a dict from file name (below `generated/`) to text: `native/*.c`, `c/angles.h`, and what chooses the backend.
+Out: a dict from file name (below `generated/`) to text: `native/*.c`.
 
 No formula is printed here: the loops call the headers.
 """
@@ -11,13 +11,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
-import sympy as sp
-
-from derivations.emit.arctangent import estrin, series
-from derivations.emit.kernels import AVERAGED, Composition, Kernel, Module
-from derivations.emit.printers import CPrinter, literal
-from derivations.emit.render import AVERAGE_FUNCTION, fill, templates, tools
+from derivations.emit.form import AVERAGED, Composition, Kernel, Module
+from derivations.emit.provenance import tools
+from derivations.emit.targets.c.printer import CPrinter
+from derivations.emit.views import AVERAGE_FUNCTION, templates
 from derivations.slow_flow import m
 
 # SF_MOST_OPERANDS in kernels.h
@@ -78,34 +77,21 @@ class Ufunc:
 
 def files(modules: Sequence[Module]) -> dict[str, str]:
     """Every file of this stage."""
-    environment = templates()
-    environment.filters["fill"] = fill
+    environment = templates(Path(__file__).parent)
     by_name = {module.name: module for module in modules}
-    result = {"c/angles.h": environment.get_template("c_angles.h.jinja").render(tools=tools(), **angles())}
+    result = {}
     for module in modules:
         ufuncs = [of_kernel(kernel, module) for kernel in module.kernels if kernel.width]
         ufuncs += [of_composition(c, module, by_name[module.family]) for c in module.compositions]
         for ufunc in ufuncs:
             if len(ufunc.inputs) + ufunc.outputs > MOST_OPERANDS:
                 raise ArithmeticError(f"{ufunc.prefix} has more than {MOST_OPERANDS} arguments and results")
-        text = environment.get_template("native_module.c.jinja").render(
+        text = environment.get_template("module.c.jinja").render(
             module=module, ufuncs=ufuncs, foreign=foreign_loops(ufuncs), tools=tools()
         )
         result[f"native/{module.name}.c"] = text
-    result["native/_native.c"] = environment.get_template("native_init.c.jinja").render(modules=modules)
-    result["slowflow_kernels/_backend.py"] = environment.get_template("numpy_backend.py.jinja").render()
+    result["native/_native.c"] = environment.get_template("init.c.jinja").render(modules=modules)
     return result
-
-
-def angles() -> dict[str, object]:
-    """What the arctangent's template needs."""
-    polynomial = series()
-    parts: dict[str, str] = {}
-    for name, value in (("pi", sp.pi), ("half_pi", sp.pi / 2)):
-        parts[name] = literal(value)
-        parts[name + "_low"] = literal(value - sp.Rational(float(parts[name])))
-    lines = estrin(tuple(literal(coefficient) for coefficient in polynomial.coefficients), "w")
-    return {"lines": lines, "bound": f"{float(polynomial.bound):.2g}", **parts}
 
 
 def call(function: str, plain: Sequence[str], packed: Sequence[str], outputs: int, returns: str) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
-"""SymPy expressions as C99 and as NumPy source.
+"""SymPy expressions as source text: what the printers of all languages share.
 
 In:  an expression as `passes` leaves it: exact numbers, at most squares of symbols.
-Out: source text, every number a double of 17 digits.
+Out: source text, every number a double of 17 digits, by a class that mixes in `Rules` and has the table `functions`.
 
 Whatever a printer does not know is an error (`Unprintable`): an unsupported function, a floating-point number, an
 object that was not evaluated, a power that is not a chain.
@@ -13,8 +13,6 @@ import functools
 from typing import ClassVar
 
 import sympy as sp
-from sympy.printing.c import C99CodePrinter
-from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
 from derivations.emit.passes import is_constant
@@ -39,8 +37,8 @@ def literal(number: sp.Expr) -> str:
     return text if any(mark in text for mark in ".e") else text + ".0"
 
 
-class _Rules:
-    """What both languages share; mixed in before one of SymPy's printers."""
+class Rules:
+    """Mixed in before one of SymPy's printers; `functions` says what the language calls each function."""
 
     functions: ClassVar[dict[object, str]]
     infinity: str
@@ -144,47 +142,3 @@ class _Rules:
             if not (number or built or (isinstance(node, sp.Function) and node.func in self.functions)):
                 self.emptyPrinter(node)
         return self._print(expr)
-
-
-class CPrinter(_Rules, C99CodePrinter):
-    """C99, with math.h's functions and the arctangent of `arctangent`."""
-
-    infinity = "INFINITY"
-    functions: ClassVar = {
-        sp.sqrt: "sqrt",
-        sp.cbrt: "cbrt",
-        sp.Abs: "fabs",
-        sp.sin: "sin",
-        sp.cos: "cos",
-        sp.tan: "tan",
-        sp.atan2: "angles_atan2",
-    }
-
-    def _print_Function(self, expr: sp.Expr) -> str:
-        if expr.func is sp.atan2:
-            # an angle and its complement from the same arguments in the same order: they share their arctangent
-            y, x = (self._print(arg) for arg in expr.args)
-            return f"angles_atan2({y}, {x})" if y <= x else f"angles_atan2_swapped({x}, {y})"
-        return super()._print_Function(expr)
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        # complex.h makes a macro of I
-        return "I_" if expr.name == "I" else expr.name
-
-
-class NumpyPrinter(_Rules, NumPyPrinter):
-    """NumPy, imported as np."""
-
-    infinity = "np.inf"
-    functions: ClassVar = {
-        sp.sqrt: "np.sqrt",
-        sp.cbrt: "np.cbrt",
-        sp.Abs: "np.abs",
-        sp.sin: "np.sin",
-        sp.cos: "np.cos",
-        sp.tan: "np.tan",
-        sp.atan2: "np.arctan2",
-    }
-
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
-        return expr.name

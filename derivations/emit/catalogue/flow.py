@@ -1,0 +1,256 @@
+"""The kernels of the slow flow: functions of Omega, A, damping and h that know no mechanism, one module for each scene.
+
+In:  `Results`.
+Out: `slow_flow_module`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+import sympy as sp
+
+from derivations.emit.form import Kernel, Module, by_even_power, in_words, plain, suffix
+from derivations.loci import Along, Damped, Undamped, p, p_A, q, root
+from derivations.resultants import Elimination
+from derivations.results import Results
+from derivations.slow_flow import I, R, SlowFlow, m
+from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
+
+
+def slow_flow_module(results: Results, scene: str) -> Module:
+    """The mechanism-free functions in one scene."""
+    flow = results.flows[scene]
+    kernels = (*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene]))
+    return Module(
+        name="slow_flow" + suffix(scene),
+        title="Slow flow of any mechanism, in h = H - A and its derivatives" + in_words(scene),
+        inputs=("averaging.py", "slow_flow.py", "loci.py", "resultants.py"),
+        kernels=kernels,
+    )
+
+
+def of_R_and_I(
+    flow: SlowFlow, name: str, arguments: Sequence[sp.Symbol], value: sp.Expr, doc: str, *texts: str
+) -> Kernel:
+    """A kernel of an expression in R and I. They are lets unless they are numbers."""
+    named = [(symbol, value) for symbol, value in ((R, flow.R), (I, flow.I)) if not value.is_number]
+    numbers = {symbol: value for symbol, value in ((R, flow.R), (I, flow.I)) if value.is_number}
+    return plain(name, arguments, value.subs(numbers), doc, *texts, lets=named)
+
+
+def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
+    """Every function of the slow flow."""
+    of_flow = partial(of_R_and_I, flow)
+    amplitude = "A > 0"
+    quartic = flow.response_quartic
+    fold, peak = flow.fold_quartic, flow.peak_cubic
+    damped = (m, zeta)
+    return [
+        plain("friction", (mu,), flow.m, "Dry friction's share of I.", "(23)", "mu >= 0"),
+        plain("R", (Omega, A, h), flow.R, "Cosine balance, -F_0 cos phi at a fixed point.", "(23)"),
+        plain("I", (Omega, A, m, zeta), flow.I, "Sine balance, -F_0 sin phi at a fixed point.", "(23)"),
+        of_flow("F", (Omega, A, F_0, m, zeta, h), flow.F, "Frequency response; zero at a steady state.", "(24)"),
+        of_flow("F_A", (Omega, A, m, zeta, h, h_A), flow.F_A, "dF/dA; positive where stable.", "(24), (30)"),
+        of_flow("F_AA", (Omega, A, m, zeta, h, h_A, h_AA), flow.F_AA, "d2F/dA2.", "(24), (33)"),
+        of_flow("F_AAA", (Omega, A, m, zeta, h, h_A, h_AA, h_AAA), flow.F_AAA, "d3F/dA3.", "(24)"),
+        of_flow("F_Omega", (Omega, A, m, zeta, h), flow.F_Omega, "dF/dOmega.", "(24), (34)"),
+        of_flow("F_AOmega", (Omega, A, m, zeta, h, h_A), flow.F_AOmega, "d2F/dA dOmega.", "(24)"),
+        # I stays a name here even where it is zero: the sign of that zero keeps phi in [-pi, 0]
+        plain(
+            "phase",
+            (Omega, A, m, zeta, h),
+            flow.phase,
+            "Phase phi of a steady state, from -pi to 0.",
+            "(25)",
+            lets=[(R, flow.R), (I, flow.I)],
+        ),
+        plain("backbone", (A, h), flow.backbone, "Frequency on the backbone.", "(26)", "A > 0, h <= 0"),
+        plain(
+            "limit_envelope",
+            (Omega, F_0, m, zeta),
+            flow.limit_envelope,
+            "Largest amplitude that the forcing can hold at this frequency.",
+            "(27)",
+            "Omega > 0, F_0 > m; sticks otherwise",
+        ),
+        plain(
+            "equivalent_damping",
+            (Omega, A, m, zeta),
+            flow.equivalent_damping,
+            "Viscous damping ratio that dissipates as much as zeta and friction together.",
+            "(38)",
+        ),
+        of_flow(
+            "transmissibility",
+            (Omega, A, F_0, m, zeta, h),
+            flow.transmissibility,
+            "Fundamental harmonic of the force on the base over F_0, at a steady state.",
+            "from (23)",
+            "Omega > 0, A > 0, F_0 > 0",
+        ),
+        plain(
+            "jacobian",
+            (Omega, A, m, zeta, h, h_A),
+            tuple(flow.jacobian),
+            "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.",
+            "(28)",
+        ),
+        of_flow(
+            "stability",
+            (Omega, A, m, zeta, h, h_A),
+            flow.stability,
+            "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.",
+            "(30)",
+        ),
+        plain(
+            "response_quartic",
+            (A, F_0, *damped, h),
+            without_forcing(quartic),
+            "F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.",
+            "(24)",
+            amplitude,
+        ),
+        plain(
+            "fold_quartic",
+            (A, *damped, h, h_A),
+            depressed(fold),
+            "F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.",
+            "(24), (30)",
+            amplitude,
+        ),
+        plain(
+            "peak_cubic",
+            (A, *damped, h),
+            depressed(peak),
+            "F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.",
+            "(34)",
+            amplitude,
+        ),
+        plain(
+            "detachment",
+            (A, *damped, h),
+            by_even_power(detachment),
+            "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.",
+            "(34)",
+            amplitude,
+            returns="stack",
+        ),
+    ]
+
+
+def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
+    """What the solvers along the amplitude ask: second derivatives, and what vanishes where a curve changes."""
+    of_flow = partial(of_R_and_I, flow)
+    common = [
+        of_flow("F_AAOmega", (Omega, A, zeta, h_A, h_AA), flow.F_AAOmega, "d3F/dA2 dOmega.", "(24)"),
+        of_flow("F_OmegaOmega", (Omega, A, zeta, h), flow.F_OmegaOmega, "d2F/dOmega2.", "(24)"),
+        of_flow(
+            "level",
+            (Omega, A, m, zeta, h),
+            loci.level,
+            "The forcing F_0 for which (Omega, A) is a steady state.",
+            "(24)",
+            "Omega >= 0, A > 0",
+        ),
+        plain(
+            "rest",
+            (F_0, m, h, h_A),
+            loci.rest,
+            "F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.",
+            "from (24)",
+            "F_0 >= m",
+            lets=loci.rest_lets,
+        ),
+    ]
+    damped = damped_kernels(loci.damped) if loci.damped else []
+    return [*common, *damped, *(undamped_kernels(loci.undamped) if loci.undamped else [])]
+
+
+def damped_kernels(loci: Damped) -> list[Kernel]:
+    """Cusps, isola points and extrema over Omega for zeta > 0."""
+    return [
+        plain("isola_Omega", (h_A,), loci.isola_Omega, "Omega at an isola point.", "from (30), (34)", "h_A >= 0"),
+        plain(
+            "isola",
+            (A, m, zeta, h, h_A, h_AA),
+            loci.isola,
+            "Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.",
+            "from (30), (34)",
+            "A > 0, h_A > 0; for m = 0 any h_A",
+            lets=loci.isola_lets,
+        ),
+        plain(
+            "cusps",
+            (A, zeta, h, h_A, h_AA, h_AAA),
+            loci.cusps,
+            "F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.",
+            "from (33)",
+            "A > 0",
+            lets=loci.cusps_lets,
+        ),
+        plain(
+            "cusp_F_AAOmega",
+            (Omega, root),
+            loci.cusp_F_AAOmega,
+            "d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).",
+            "from (33)",
+            "Omega > 0",
+        ),
+        plain(
+            "turn_p_A",
+            (A, zeta, h_A, h_AA),
+            loci.turn_p_A,
+            "Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.",
+            "from (30)",
+            "A > 0",
+        ),
+        plain(
+            "peak_p_A",
+            (zeta, h_A),
+            loci.peak_p_A,
+            "Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.",
+            "from (34)",
+            "any h_A",
+        ),
+        plain(
+            "critical",
+            (A, p, q, p_A),
+            loci.critical,
+            "Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.",
+            "from (30), (34)",
+            "A > 0, q >= 0",
+            lets=loci.critical_lets,
+        ),
+    ]
+
+
+def undamped_kernels(loci: Undamped) -> list[Kernel]:
+    """The fold locus for zeta = 0."""
+    return [
+        plain("undamped_Omega", (h_A,), loci.Omega, "Omega of the folds.", "from (30)", "h_A <= 0"),
+        plain(
+            "undamped",
+            (A, h, h_A, h_AA, h_AAA),
+            loci.factors,
+            "The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.",
+            "from (30), (33)",
+            "A > 0",
+        ),
+    ]
+
+
+def depressed(coefficients: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """Without the second-highest coefficient, which vanishes."""
+    return (*coefficients[:-2], coefficients[-1])
+
+
+def without_forcing(quartic: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """The response quartic with its forcing put in: h^2 + (m - F_0)(m + F_0) loses no digits where m is near F_0."""
+    constant = quartic[0]
+    friction = constant.coeff(h, 0)
+    if friction == 0:
+        return depressed(((h - F_0) * (h + F_0), *quartic[1:]))
+    root = sp.sqrt(friction)
+    return depressed((constant - friction + (root - F_0) * (root + F_0), *quartic[1:]))

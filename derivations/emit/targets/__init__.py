@@ -1,0 +1,23 @@
+"""The target languages, one folder each: a printer, templates, and `files`, which fills them.
+
+In:  `Module`s.
+Out: a dict from file name (below `generated/`) to text, and for the manifest the operation counts of each kernel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from derivations.emit.form import Module
+from derivations.emit.targets import c, numpy, ufunc
+from derivations.emit.views import operations, programs
+
+
+def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[str, object]]]:
+    """All files but the manifest and the ledger, and the kernels' entries in the manifest."""
+    code = {module.name: programs(module) for module in modules}
+    counts = {
+        module.name: {kernel.name: operations(kernel, code[module.name][kernel.name]) for kernel in module.kernels}
+        for module in modules
+    }
+    return numpy.files(modules, code) | c.files(modules, code) | ufunc.files(modules), counts

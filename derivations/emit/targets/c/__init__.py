@@ -1,0 +1,70 @@
+"""C99: a header of inline functions for each generated module, and the arctangent that they share.
+
+In:  `Module`s with the straight-line code of their kernels.
+Out: a dict from file name (below `generated/`) to text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import sympy as sp
+
+from derivations.emit.arctangent import estrin, series
+from derivations.emit.form import Module
+from derivations.emit.provenance import tools
+from derivations.emit.targets.c.printer import CPrinter
+from derivations.emit.targets.printing import literal
+from derivations.emit.views import (
+    Calls,
+    Code,
+    KernelView,
+    Language,
+    composition_view,
+    regimes,
+    sources,
+    templates,
+    view,
+)
+
+LANGUAGE = Language(CPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+
+
+def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """Every file of this language."""
+    environment = templates(Path(__file__).parent)
+    result = {"c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles())}
+    for module in modules:
+        calls = Calls(
+            f"{module.flow}_friction(mu)", f"{module.flow}_{{}}".format, tuple(f"average[{k}]" for k in range(4))
+        )
+        views = [view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels]
+        result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
+            module=module,
+            kernels=views,
+            compositions=[composition_view(composition, calls) for composition in module.compositions],
+            includes=includes(module, views),
+            regimes=regimes(module),
+            constants=module.constants,
+            tools=tools(),
+            **sources(module),
+        )
+    return result
+
+
+def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
+    """Headers of ours that a C header needs."""
+    angles = "angles" if any(view.uses_angles for view in views) else ""
+    return [name for name in (angles, module.flow, module.reexports[0]) if name]
+
+
+def angles() -> dict[str, object]:
+    """What the arctangent's template needs."""
+    polynomial = series()
+    parts: dict[str, str] = {}
+    for name, value in (("pi", sp.pi), ("half_pi", sp.pi / 2)):
+        parts[name] = literal(value)
+        parts[name + "_low"] = literal(value - sp.Rational(float(parts[name])))
+    lines = estrin(tuple(literal(coefficient) for coefficient in polynomial.coefficients), "w")
+    return {"lines": lines, "bound": f"{float(polynomial.bound):.2g}", **parts}

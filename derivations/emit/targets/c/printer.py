@@ -1,0 +1,36 @@
+"""SymPy expressions as C99, and the functions that they call."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import sympy as sp
+from sympy.printing.c import C99CodePrinter
+
+from derivations.emit.targets.printing import Rules
+
+
+class CPrinter(Rules, C99CodePrinter):
+    """C99, with math.h's functions and the arctangent of `arctangent`."""
+
+    infinity = "INFINITY"
+    functions: ClassVar = {
+        sp.sqrt: "sqrt",
+        sp.cbrt: "cbrt",
+        sp.Abs: "fabs",
+        sp.sin: "sin",
+        sp.cos: "cos",
+        sp.tan: "tan",
+        sp.atan2: "angles_atan2",
+    }
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        if expr.func is sp.atan2:
+            # an angle and its complement from the same arguments in the same order: they share their arctangent
+            y, x = (self._print(arg) for arg in expr.args)
+            return f"angles_atan2({y}, {x})" if y <= x else f"angles_atan2_swapped({x}, {y})"
+        return super()._print_Function(expr)
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        # complex.h makes a macro of I
+        return "I_" if expr.name == "I" else expr.name
