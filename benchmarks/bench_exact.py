@@ -18,10 +18,10 @@ import numpy as np
 from scipy.optimize import minimize_scalar, root
 
 from slowflow import Isolator
-from slowflow.exact import Oscillator, Response, exact_response, linear, steady_state, sweep
+from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import TURN, Forced, follow
-from slowflow.exact.smoothed import direct_integration
+from slowflow.paper.smoothed import direct_integration
 from slowflow_kernels import den_hartog
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
@@ -117,7 +117,7 @@ def whole_curve(exact: bool, curve: Response) -> list[Row]:
     """Time, residual on every point, and the folds three ways."""
     system, name = table_1(exact), NAMES[exact]
     elapsed = best(lambda: exact_response(system, 0.04), 5)
-    states = [curve.steady_state(i) for i in range(curve.Omega.size)]
+    states = [curve.steady_state(Omega=i) for i in range(curve.Omega.size)]
     touching = [i for i, point in enumerate(curve.states) if point.role in ("border", "corner")]
     elsewhere = max(state.residual for i, state in enumerate(states) if i not in touching)
     fine = exact_response(system, 0.04, step=0.007)
@@ -143,7 +143,7 @@ def whole_curve(exact: bool, curve: Response) -> list[Row]:
 def approximations(exact: bool, curve: Response) -> list[Row]:
     """Averaging and the second approximation beside that curve: time, and the jumps' frequencies."""
     name = NAMES[exact]
-    iso = Isolator(**TABLE_1, force="exact" if exact else "truncated")
+    iso = Isolator(**TABLE_1, force="untruncated" if exact else "truncated")
     out = []
     for title, asked in (("averaging", iso), ("second approximation", iso.second_approximation)):
         job = lambda asked=asked: (asked.frequency_response(0.04), asked.saddle_nodes(0.04))  # noqa: E731
@@ -226,7 +226,7 @@ def closed_forms() -> list[Row]:
     """Den Hartog's (35) where (36) holds, and closed forms between the switches where it does not."""
     continuous, count = 0.0, 0
     for ratio in np.linspace(0.05, 0.95, 19):
-        system = Oscillator(linear(), float(ratio), 0.0)
+        system = EquationOfMotion(linear(), float(ratio), 0.0)
         for Omega in np.linspace(0.52, 1.98, 40):
             S = float(np.max(den_hartog.S_ratio(np.linspace(0, np.pi / Omega, 2001)[1:-1], Omega)))
             with np.errstate(invalid="ignore"):
@@ -236,7 +236,7 @@ def closed_forms() -> list[Row]:
                 count += 1
     stopping, most = 0.0, 0
     for Omega, mu in ((0.75, 0.85), (0.45, 0.7), (0.21, 0.3), (0.12, 0.2), (0.06, 0.2), (0.06, 0.25)):
-        state = steady_state(Oscillator(linear(), mu, 0.0), Omega, 1.0)
+        state = steady_state(EquationOfMotion(linear(), mu, 0.0), Omega, 1.0)
         with mp.workdps(40):
             start = mp.mpf(float(state.unknowns[1])) / mp.mpf(Omega)
             u, _, _ = exact_linear.one_turn(

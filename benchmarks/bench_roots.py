@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import backend
-from slowflow.roots import numpy_roots, response_roots
+from slowflow.averaged.reference.roots import numpy_roots, response_roots
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from native_roots import build, why_not
@@ -60,7 +60,7 @@ def companion_eigenvalues(rows: np.ndarray) -> np.ndarray:
 
 
 def installed(rows: np.ndarray) -> np.ndarray:
-    """What `slowflow.roots` runs: compiled where it was built."""
+    """What `slowflow.averaged.reference.roots` runs: compiled where it was built."""
     return response_roots(*rows.T)[0]
 
 

@@ -2,7 +2,7 @@
 
     python -m benchmarks.bench_scenes
 
-A ratio below 1 pays. `slowflow.plan` decides the skips; a skip that does not pay is taken out there.
+A ratio below 1 pays. `slowflow.averaged.plan` decides the skips; a skip that does not pay is taken out there.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import Isolator, backend, solvers
+from slowflow import Isolator, backend
+from slowflow.averaged import solvers
 from slowflow.model import Model
 from slowflow_kernels import duffing, rod_spring, rod_spring_attached
 
@@ -42,7 +43,7 @@ def paired(general: Callable[[], Any], scene: Callable[[], Any], repeats: int) -
 def rows(repeats: int | None = None) -> list[dict[str, Any]]:
     """One row for each skip and question: names, seconds without and with it, ratio."""
     repeats = repeats or (300 if backend.SOLVER is not None else 15)
-    whole = Isolator(**TABLE_1)._model
+    whole = Isolator(**TABLE_1).model
     p, mu, zeta = whole.parameters, whole.mu, whole.zeta
     attached = Model(rod_spring_attached, p, mu, zeta, attached=True)
     no_preload = Model(rod_spring, rod_spring.coefficients(3.0, TABLE_1["r"], 0.0), mu, zeta)

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import Isolator, backend
-from slowflow.many import Designs
+from slowflow.averaged.many import Designs
 
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 F_0 = 0.04

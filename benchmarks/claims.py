@@ -18,9 +18,9 @@ import numpy as np
 
 from benchmarks import validity
 from slowflow import Isolator
-from slowflow.exact import Oscillator, Response, exact_response, linear, steady_state
+from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state
 from slowflow.exact.integrate import default_integrator
-from slowflow.exact.smoothed import direct_integration
+from slowflow.paper.smoothed import direct_integration
 from slowflow_kernels import den_hartog
 
 RESULTS = Path(__file__).with_name("results") / "claims.json"
@@ -56,7 +56,7 @@ def closed_form(Omega: Any, ratio: float) -> Any:
 
 def exact_linear(ratio: float, side: tuple[float, float]) -> Response:
     """The exact curve, F_0 = 1. At Omega = 1/2 the motion is neutral and not reached from rest: begin in the middle."""
-    system = Oscillator(linear(), ratio, 0.0)
+    system = EquationOfMotion(linear(), ratio, 0.0)
     return exact_response(system, 1.0, side, start=steady_state(system, sum(side) / 2, 1.0), step=STEP)
 
 
@@ -103,7 +103,7 @@ def published_way() -> list[dict[str, float]]:
     out = []
     for ratio in RATIOS_2A:
         for Omega in PUBLISHED_OMEGA:
-            system = Oscillator(linear(), ratio * PUBLISHED_F_0, 0.0)
+            system = EquationOfMotion(linear(), ratio * PUBLISHED_F_0, 0.0)
             if steady_state(system, Omega, PUBLISHED_F_0).stops:
                 continue
             found = direct_integration(system, Omega, PUBLISHED_F_0)
@@ -132,8 +132,8 @@ def averaged_side(averaged: Isolator, F_0: float) -> dict[str, Any]:
 
 def held(averaged: Isolator, F_0: float) -> dict[str, Any]:
     """One averaged curve against the exact one with the untruncated force, which is what the paper integrates."""
-    exact = averaged.exact_response(F_0, BEYOND, step=STEP, force="exact")
-    states = averaged.amplitudes(np.linspace(*WINDOW, STEPS + 1), F_0)
+    exact = averaged.exact_response(F_0, Omega=BEYOND, step=STEP, force="untruncated")
+    states = averaged.amplitudes(Omega=np.linspace(*WINDOW, STEPS + 1), F_0=F_0)
     Omega, A = states.Omega[states.stable], states.A[states.stable]
     off = validity.misfit(validity.logs(Omega, A), validity.logs(exact.Omega, exact.A))
     inside = (exact.Omega >= WINDOW[0]) & (exact.Omega <= WINDOW[1])

@@ -15,7 +15,7 @@ import numpy as np
 from benchmarks import certified
 from benchmarks.bench_solver import random_designs, table_1_designs
 from slowflow import Isolator
-from slowflow.roots import response_roots
+from slowflow.averaged.reference.roots import response_roots
 from slowflow_kernels import rod_spring
 
 Job = tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]
@@ -72,7 +72,7 @@ def of_saddle_nodes(found: Any) -> dict[str, Any]:
 
 
 def of_batch(found: Any) -> dict[str, Any]:
-    """The worst status; see `slowflow.many`."""
+    """The worst status; see `slowflow.averaged.many`."""
     return {"status": int(found.status.max())}
 
 

@@ -1,6 +1,6 @@
 """How far averaging is from the equation of motion: measured over mu/F_0, zeta, delta_h; five minutes of one core.
 
-`python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and src/slowflow/validity_table.py,
+`python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and src/slowflow/measured/table.py,
 and lets `validity_page` draw the figures and write docs/validity.md; `--draw` does all but measure. Wants heyoka.
 """
 
@@ -21,14 +21,13 @@ from scipy.optimize import brentq
 from benchmarks import validity_page
 from slowflow import Isolator
 from slowflow.exact import Response, SteadyState, exact_response
-from slowflow.exact.force import Force
-from slowflow.exact.force import Oscillator as Motion
 from slowflow.exact.integrate import default_integrator
+from slowflow.mechanism import EquationOfMotion, Force
 from slowflow.second import SecondApproximation
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks/results/validity.json"
-TABLE = ROOT / "src/slowflow/validity_table.py"
+TABLE = ROOT / "src/slowflow/measured/table.py"
 
 #: Table 1, but for what a map varies
 LAM, R_RATIO, DELTA_H, ZETA = 3, 3747 / 1848, 1848 / (6 * 3747), 0.02
@@ -50,7 +49,8 @@ SHIFT = 0.01  # relative change of frequency that a misfit leaves free
 FEW = 25  # points, below which a bin is not its own
 STEP = 0.05
 POINTS = 60  # of an averaged curve, compared with the exact one
-FORCES = ("truncated", "exact")
+#: what results are filed under: the force of the equation of motion; "exact" has nothing truncated
+FORCES = {"truncated": "truncated", "exact": "untruncated"}
 
 
 def isolator(ratio: float, zeta: float, delta_h: float, F_0: float) -> Isolator:
@@ -96,14 +96,14 @@ def misfit(points: np.ndarray, line: np.ndarray) -> np.ndarray:
 def second_approximation(averaged: Isolator) -> SecondApproximation:
     """Of the same design, with the force (5)."""
     design = {name: getattr(averaged, name) for name in ("lam", "r", "delta_h", "mu", "zeta")}
-    return Isolator(**design, force="exact").second_approximation
+    return Isolator(**design, force="untruncated").second_approximation
 
 
 def approximate(
     asked: Isolator | SecondApproximation, mu: float, F_0: float, low_high: tuple[float, float], samples: int
 ) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """What an approximation says: largest amplitude and folds; and some points of its curve."""
-    curve, folds = asked.frequency_response(F_0, samples, low_high), asked.saddle_nodes(F_0)
+    curve, folds = asked.frequency_response(F_0, samples=samples, Omega=low_high), asked.saddle_nodes(F_0)
     inside = (curve.Omega > 1.02 * low_high[0]) & (curve.Omega < 0.98 * low_high[1])
     some = np.flatnonzero(inside)[:: max(1, int(inside.sum()) // POINTS)]
     Omega, A = curve.Omega[some], curve.A[some]
@@ -122,7 +122,9 @@ def compared(
         # the first approximation's curves hold their peaks, the second's do not
         out["second"], out["second points"] = approximate(second, averaged.mu, F_0, low_high, 4000)
     for force in FORCES:
-        exact = attempt(lambda force=force: averaged.exact_response(F_0, low_high, step=STEP, force=force))
+        exact = attempt(
+            lambda force=force: averaged.exact_response(F_0, Omega=low_high, step=STEP, force=FORCES[force])
+        )
         if exact is None:
             out[force] = None
             continue
@@ -264,7 +266,7 @@ def onset(averaged: Isolator, F_SN: float) -> dict[str, float | None]:
     for force in FORCES:
 
         def folded(F_0: float, force: str = force) -> float:
-            curve = averaged.exact_response(F_0, (0.4 * Omega, 1.3 * Omega), step=STEP, force=force)
+            curve = averaged.exact_response(F_0, Omega=(0.4 * Omega, 1.3 * Omega), step=STEP, force=FORCES[force])
             try:
                 return -steepness(curve)
             except ArithmeticError:
@@ -286,10 +288,10 @@ def detachment(averaged: Isolator, F_cr: float) -> dict[str, Any]:
     Omega = float(averaged.detachment().Omega_cr or 1)
     out: dict[str, Any] = {"stops": 0}
     for force in FORCES:
-        attached = Force(averaged._restoring_force(force).pieces[:1], ())
-        system = Motion(attached, averaged.mu, averaged.zeta)
+        attached = Force(averaged.restoring_force(FORCES[force]).pieces[:1], ())
+        system = EquationOfMotion(attached, averaged.mu, averaged.zeta)
 
-        def peak(F_0: float, system: Motion = system) -> SteadyState:
+        def peak(F_0: float, system: EquationOfMotion = system) -> SteadyState:
             window = (0.5 * math.sqrt(averaged.alpha), 1.25 * Omega)
             return exact_response(system, F_0, window, step=STEP).peak
 
@@ -311,7 +313,9 @@ def plane() -> list[dict[str, Any]]:
         averaged = isolator(ratio, ZETA, DELTA_H, PLANE_FORCING)
         row: dict[str, Any] = {"ratio": ratio}
         curve = attempt(
-            lambda averaged=averaged: averaged.exact_response(PLANE_FORCING, PLANE_WINDOW, step=STEP, force="exact")
+            lambda averaged=averaged: averaged.exact_response(
+                PLANE_FORCING, Omega=PLANE_WINDOW, step=STEP, force="untruncated"
+            )
         )
         if curve is None:
             out.append(row)
@@ -319,7 +323,7 @@ def plane() -> list[dict[str, Any]]:
         error, stops = [], []
         for at in Omega:
             highest, rests = upper(curve, float(at))
-            states = averaged.amplitudes(at, PLANE_FORCING)
+            states = averaged.amplitudes(Omega=at, F_0=PLANE_FORCING)
             A = states.A[states.stable]
             error.append(float(A.max()) / highest - 1 if A.size else math.nan)
             stops.append(rests)
@@ -372,7 +376,7 @@ def table_2() -> list[dict[str, Any]]:
     """The paper's critical forcings and Table 2 by averaging, by the second approximation, and exact, with (5)."""
     design = {"lam": LAM, "r": R_RATIO, "delta_h": DELTA_H, "mu": 0.012, "zeta": ZETA}
     averaged = Isolator(**design)
-    ways = {"averaged (6)": averaged, "averaged (5)": Isolator(**design, force="exact")}
+    ways = {"averaged (6)": averaged, "averaged (5)": Isolator(**design, force="untruncated")}
     ways["second (5)"] = second_approximation(averaged)
     onsets = {way: asked.saddle_node_onset().F_SN for way, asked in ways.items()}
     reached = {way: asked.detachment().F_cr for way, asked in ways.items()}
@@ -383,7 +387,7 @@ def table_2() -> list[dict[str, Any]]:
         out.append({"what": name, **values, "exact (5)": None if off is None else first / (1 + off)})
     for printed, F_0 in (("0.025", 0.025), ("0.030", 0.03), ("0.040", 0.04), ("0.050", 0.05)):
         found: dict[str, Any] = {way: asked.saddle_nodes(F_0) for way, asked in ways.items()}
-        curve = averaged.exact_response(F_0, force="exact")
+        curve = averaged.exact_response(F_0, force="untruncated")
         for kind in ("jump-up", "jump-down"):
             for quantity in ("Omega", "A"):
                 row = {"what": f"F_0 = {printed}, {kind}, {quantity}"}
@@ -434,7 +438,7 @@ def spread(sizes: np.ndarray) -> dict[str, Any]:
 
 
 def table(numbers: dict[str, Any]) -> str:
-    """What `slowflow.validity` looks up, as a Python module."""
+    """What `slowflow.measured.validity` looks up, as a Python module."""
     pool = numbers["pool"]
     errors = {
         name: [[_filled(row, j, pool["by rest"][j], name) for j in range(len(RESTS))] for row in pool["both"]]
@@ -454,7 +458,7 @@ def table(numbers: dict[str, Any]) -> str:
 
     return "\n".join(
         [
-            '"""Measured errors of averaging, for `slowflow.validity`: a bin begins at its edge and ends at the next.',
+            '"""Measured errors of averaging, for `validity`: a bin begins at its edge and ends at the next.',
             "",
             "Written by `make validity` from benchmarks/results/validity.json; never edit. Method: docs/validity.md.",
             '"""',

@@ -13,9 +13,9 @@ import numpy as np
 from benchmarks import claims_page
 from derivations.ledger import figures, measured
 from slowflow import Isolator
-from slowflow.exact import Oscillator, rod_spring_exact
-from slowflow.exact import plot as exact_plot
-from slowflow.plot import RAMP
+from slowflow.exact import EquationOfMotion, rod_spring_exact
+from slowflow.paper import figure_2
+from slowflow.paper.figure_7 import RAMP
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -230,9 +230,9 @@ def overlay_7a() -> Any:
     for ax in axes:
         for k, F_0 in enumerate(forcings):
             colour = RAMP(0.15 + 0.8 * k / (len(forcings) - 1))
-            for force, style, width in (("exact", "-", 2.2), ("truncated", ":", 1.6)):
-                curve = isolator.exact_response(F_0, WINDOW_7A, force=force)
-                label = f"F_0 = {F_0:.4g}" if force == "exact" else None
+            for force, style, width in (("untruncated", "-", 2.2), ("truncated", ":", 1.6)):
+                curve = isolator.exact_response(F_0, Omega=WINDOW_7A, force=force)
+                label = f"F_0 = {F_0:.4g}" if force == "untruncated" else None
                 ax.plot(curve.Omega, curve.A, style, color=colour, linewidth=width, alpha=0.9, label=label)
             averaged = isolator.frequency_response(F_0, Omega=WINDOW_7A)
             for branch in np.unique(averaged.branch):
@@ -248,7 +248,7 @@ def overlay_7a() -> Any:
 
 def figure_2a() -> Any:
     figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    exact_plot.figure_2a(ax)
+    figure_2.figure_2a(ax)
     ax.set(ylim=(0, 5), title="solid: exact (dotted: with stops); circles: Den Hartog (35); dashed: averaged")
     return figure
 
@@ -260,8 +260,8 @@ def figure_2b() -> Any:
     for mu in (0.004, 0.012, 0.02, 0.028):
         averaged = Isolator(**{**TABLE_1, "mu": mu})
         force = rod_spring_exact(averaged.lam, averaged.r, averaged.delta_h)
-        pairs.append((averaged, Oscillator(force, mu, averaged.zeta)))
-    exact_plot.figure_2b(ax, tuple(pairs), 0.04, (0.4, 1.5))
+        pairs.append((averaged, EquationOfMotion(force, mu, averaged.zeta)))
+    figure_2.figure_2b(ax, tuple(pairs), 0.04, (0.4, 1.5))
     ax.set(title="solid: exact, untruncated force (dotted: with stops); dashed: averaged", ylim=(0, 1.3))
     return figure
 

@@ -6,29 +6,29 @@ from dataclasses import dataclass
 import numpy as np
 
 import exact_brute
-from slowflow.exact import Oscillator, rod_spring, rod_spring_exact
+from slowflow.exact import EquationOfMotion, rod_spring, rod_spring_exact
 
 
 @dataclass(frozen=True)
 class Case:
     """An oscillator, the same force typed by hand, and a forcing."""
 
-    system: Oscillator
+    system: EquationOfMotion
     by_hand: tuple
     Omega: float
     F_0: float
 
 
 def isolator(lam, r, delta_h, mu, zeta, exact):
-    """Oscillator and its force by hand."""
+    """EquationOfMotion and its force by hand."""
     if exact:
-        return Oscillator(rod_spring_exact(lam, r, delta_h), mu, zeta), exact_brute.untruncated(lam, r, delta_h)
+        return EquationOfMotion(rod_spring_exact(lam, r, delta_h), mu, zeta), exact_brute.untruncated(lam, r, delta_h)
     # equation (7)
     alpha = 1 - lam * r * delta_h
     beta, gamma = lam / 2 * r * (1 - delta_h), 3 / 8 * lam * r * (1 - delta_h)
     u_cr = math.sqrt(1 - (1 - delta_h) ** 2)
     return (
-        Oscillator(rod_spring(alpha, beta, gamma, u_cr), mu, zeta),
+        EquationOfMotion(rod_spring(alpha, beta, gamma, u_cr), mu, zeta),
         exact_brute.truncated(alpha, beta, gamma, u_cr),
     )
 

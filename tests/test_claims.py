@@ -11,7 +11,7 @@ from benchmarks import claims, claims_page, validity
 from derivations.ledger import figures, measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator
-from slowflow.exact import Oscillator, exact_response, linear, questions, steady_state
+from slowflow.exact import EquationOfMotion, exact_response, linear, questions, steady_state
 from slowflow.exact.integrate import ScipyIntegrator
 
 NUMBERS = measured.load()
@@ -25,16 +25,21 @@ def isolator(row):
     return Isolator(**{**claims.TABLE_1, "mu": row["ratio"] * row["F_0"]})
 
 
+def motion(averaged):
+    """The equation of motion, untruncated force."""
+    return EquationOfMotion(averaged.restoring_force("untruncated"), averaged.mu, averaged.zeta)
+
+
 def state(averaged, Omega, F_0, A=None):
     """The exact motion, untruncated force, beside the averaged state nearest to A; without A from rest."""
     guess = None if A is None else questions._guess(averaged, Omega, F_0, A)
-    return steady_state(questions.oscillator(averaged, "exact"), Omega, F_0, guess, integrator=SCIPY)
+    return steady_state(motion(averaged), Omega, F_0, guess, integrator=SCIPY)
 
 
 def curve(averaged, F_0, window, Omega, A=None):
     """A short piece of the exact curve, through that motion."""
     start = state(averaged, Omega, F_0, A)
-    system = questions.oscillator(averaged, "exact")
+    system = motion(averaged)
     return exact_response(system, F_0, window, start=start, step=claims.STEP, integrator=SCIPY)
 
 
@@ -60,7 +65,7 @@ def test_the_worst_points_of_figure_2a(ratio, part):
     spot = LINEAR[ratio][part]
     # not released from rest: the motion is neutral at Omega = 1/2
     guess = questions._guess(Isolator(lam=3, r=2, delta_h=0, mu=ratio, zeta=0), spot["Omega"], 1.0, spot["A"])
-    exact = steady_state(Oscillator(linear(), ratio, 0.0), spot["Omega"], 1.0, guess, integrator=SCIPY)
+    exact = steady_state(EquationOfMotion(linear(), ratio, 0.0), spot["Omega"], 1.0, guess, integrator=SCIPY)
     assert exact.A == pytest.approx(spot["A"], rel=1e-4)
     assert (exact.stops > 0) == (part == "stopping") or part == "averaged"
     other = (claims.averaged_linear if part == "averaged" else claims.closed_form)(spot["Omega"], ratio)
@@ -69,7 +74,7 @@ def test_the_worst_points_of_figure_2a(ratio, part):
 
 @pytest.mark.parametrize("ratio", [0.2, 0.7])
 def test_the_course_of_figure_2a(ratio):
-    system = Oscillator(linear(), ratio, 0.0)
+    system = EquationOfMotion(linear(), ratio, 0.0)
     for side, expected in zip(((0.6, 0.7, 0.8, 0.9), (1.1, 1.2, 1.3, 1.45)), ("rises", "falls"), strict=True):
         A = [steady_state(system, Omega, 1.0, integrator=SCIPY).A for Omega in side]
         assert claims.course(A) == claims.course(claims.averaged_linear(np.array(side), ratio)) == [expected]
@@ -99,7 +104,7 @@ def test_exact_jumps_where_averaging_has_none():
     low, high = (fold["Omega"] for fold in row["exact"]["folds"])
     averaged, F_0 = isolator(row), row["F_0"]
     assert len(averaged.saddle_nodes(F_0)) == 0
-    system, window = questions.oscillator(averaged, "exact"), (0.995 * low, 1.005 * high)
+    system, window = motion(averaged), (0.995 * low, 1.005 * high)
     close(exact_response(system, F_0, window, step=claims.STEP, integrator=SCIPY).folds, row["exact"]["folds"])
 
 
@@ -107,7 +112,7 @@ def test_exact_jumps_where_averaging_has_none():
 def test_the_worst_points_of_figure_7a(forcing):
     row = TABLE_2[forcing]
     averaged, F_0, Omega, A = isolator(row), row["F_0"], row["point"]["Omega"], row["point"]["A"]
-    states = averaged.amplitudes(Omega, F_0)
+    states = averaged.amplitudes(Omega=Omega, F_0=F_0)
     assert np.abs(states.A / A - 1).min() < 1e-5
     found = curve(averaged, F_0, (Omega / 1.012, Omega * 1.012), Omega, A)
     off = validity.misfit(validity.logs([Omega], [A]), validity.logs(found.Omega, found.A))[0]
@@ -137,7 +142,7 @@ def test_the_recipe_at_one_frequency():
     """As published but for the number of periods: forty are enough at this friction."""
     spot = next(s for s in NUMBERS["figure_2a"]["published way"] if (s["ratio"], s["Omega"]) == (0.6, 1.4))
     F_0 = claims.PUBLISHED_F_0
-    found = claims.direct_integration(Oscillator(linear(), 0.6 * F_0, 0.0), 1.4, F_0, turns=40, kept=5)
+    found = claims.direct_integration(EquationOfMotion(linear(), 0.6 * F_0, 0.0), 1.4, F_0, turns=40, kept=5)
     assert found.A_sampled / (F_0 * claims.closed_form(1.4, 0.6)) - 1 == pytest.approx(spot["sampled"], abs=2e-3)
 
 

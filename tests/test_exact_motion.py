@@ -12,7 +12,7 @@ import exact_brute
 import exact_linear
 from exact_cases import isolator, random_cases, table_1
 from slowflow import Duffing
-from slowflow.exact import Oscillator, duffing, linear, rod_spring, rod_spring_exact, steady_state, sweep
+from slowflow.exact import EquationOfMotion, duffing, linear, rod_spring, rod_spring_exact, steady_state, sweep
 from slowflow.exact.integrate import Drive, HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
 from slowflow_kernels import den_hartog
@@ -96,7 +96,7 @@ def test_integrators_agree_phase_by_phase():
 def test_viscous_linear_oscillator_in_closed_form():
     """Without friction and preload: u = Re F_0/(1 - Omega^2 + 2 i zeta Omega) exp(i Omega tau), multipliers known."""
     zeta, F_0 = 0.07, 0.03
-    system = Oscillator(linear(), 0.0, zeta)
+    system = EquationOfMotion(linear(), 0.0, zeta)
     for Omega in (0.4, 0.97, 1.0, 2.3):
         state = steady_state(system, Omega, F_0)
         response = F_0 / (1 - Omega**2 + 2j * zeta * Omega)
@@ -116,7 +116,7 @@ def test_viscous_linear_oscillator_in_closed_form():
 @pytest.mark.parametrize("ratio", [0.1, 0.3, 0.6])
 def test_den_hartog_where_his_solution_holds(ratio):
     """(35) wherever the amplitude exceeds the bound (36), for zeta = 0 and no preload."""
-    system = Oscillator(linear(), ratio, 0.0)
+    system = EquationOfMotion(linear(), ratio, 0.0)
     checked = 0
     for Omega in (0.57, 0.7, 0.83, 1.21, 1.5, 1.9):
         times = np.linspace(0, np.pi / Omega, 4001)[1:-1]
@@ -142,7 +142,7 @@ def test_den_hartog_where_his_solution_holds(ratio):
 def test_den_hartog_sticks_below_the_bound():
     """Below (36) the mass stops, above it does not: the border of the exact curve lies where (35) meets (36)."""
     ratio = 0.8
-    system = Oscillator(linear(), ratio, 0.0)
+    system = EquationOfMotion(linear(), ratio, 0.0)
     for Omega in (0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 0.98, 1.05, 1.2):
         times = np.linspace(0, np.pi / Omega, 4001)[1:-1]
         S = float(np.max(den_hartog.S_ratio(times, Omega)))
@@ -157,7 +157,7 @@ def test_den_hartog_sticks_below_the_bound():
 )
 def test_motion_with_stops_in_closed_form(Omega, mu):
     """Linear oscillator with several stops: a turn in closed form (40 digits) from the exact start comes back to it."""
-    state = steady_state(Oscillator(linear(), mu, 0.0), Omega, 1.0)
+    state = steady_state(EquationOfMotion(linear(), mu, 0.0), Omega, 1.0)
     assert state.stops >= 2
     with mp.workdps(40):
         start = mp.mpf(float(state.unknowns[1])) / mp.mpf(Omega)
@@ -198,7 +198,7 @@ def test_multipliers_against_finite_differences(states):
 
 
 def test_stops_make_a_multiplier_vanish():
-    state = steady_state(Oscillator(linear(), 0.85, 0.0), 0.75, 1.0)
+    state = steady_state(EquationOfMotion(linear(), 0.85, 0.0), 0.75, 1.0)
     assert state.stops == 2
     assert np.min(np.abs(state.multipliers)) <= 1e-12
 
@@ -219,9 +219,9 @@ def test_a_slip_that_turns_round_unseen_is_no_motion():
 
     Duffing(1, -0.3, 0.01, 0.05), F_0 = 0.05, from what averaging guesses at Omega = 0.3; from rest there is one motion.
     """
-    system = Oscillator(duffing(1.0, -0.3), 0.01, 0.05)
+    system = EquationOfMotion(duffing(1.0, -0.3), 0.01, 0.05)
     from_rest = steady_state(system, 0.3, 0.05)
-    states = Duffing(1.0, -0.3, 0.01, 0.05).amplitudes(0.3, 0.05)
+    states = Duffing(1.0, -0.3, 0.01, 0.05).amplitudes(Omega=0.3, F_0=0.05)
     found = steady_state(system, 0.3, 0.05, (float(states.A[0]), float(states.phi[0])))
     assert found.residual <= 1e-11
     assert found.A == pytest.approx(from_rest.A, rel=1e-9) and found.stops == from_rest.stops == 2
@@ -230,7 +230,7 @@ def test_a_slip_that_turns_round_unseen_is_no_motion():
 @pytest.mark.parametrize("integrator", [default_integrator(), ScipyIntegrator()], ids=lambda one: one.name)
 def test_escape_in_words(integrator):
     """A softening spring that pulls outwards beyond |u| = 1.83 lets the mass go: said, not looped over for ever."""
-    system = Oscillator(duffing(1.0, -0.3), 0.01, 0.05)
+    system = EquationOfMotion(duffing(1.0, -0.3), 0.01, 0.05)
     with pytest.raises(ArithmeticError, match="motion escapes"):
         steady_state(system, 0.7, 0.6, integrator=integrator)
     with pytest.raises(ArithmeticError, match="motion escapes"):
@@ -242,7 +242,7 @@ def test_escape_in_words(integrator):
 @pytest.mark.parametrize("integrator", [default_integrator(), ScipyIntegrator()], ids=lambda one: one.name)
 def test_a_wall_within_reach(integrator):
     """u_cr = 0.99995: Newton's trials run against the force (5) near |u| = 1, where it has no bound."""
-    system = Oscillator(rod_spring_exact(3, 0.1, 0.99), 0.012, 0.02)
+    system = EquationOfMotion(rod_spring_exact(3, 0.1, 0.99), 0.012, 0.02)
     state = steady_state(system, 0.5, 0.9, (1.3187, -0.04), integrator=integrator)
     assert state.stable and state.residual <= 1e-9
     again = steady_state(system, 0.5, 0.9, state, integrator=default_integrator())
@@ -266,9 +266,9 @@ def test_errors_in_words():
     with pytest.raises(ValueError, match="friction holds the mass for ever"):
         steady_state(system, 0.9, 0.01)
     with pytest.raises(ValueError, match=r"mu = -0\.1"):
-        Oscillator(linear(), -0.1, 0.1)
+        EquationOfMotion(linear(), -0.1, 0.1)
     with pytest.raises(ValueError, match="without any damping"):
-        Oscillator(linear(), 0.0, 0.0)
+        EquationOfMotion(linear(), 0.0, 0.0)
     with pytest.raises(ValueError, match="breakpoints"):
         rod_spring(0.5, 1.0, 1.0, -0.3)
     with pytest.raises(ValueError, match="guess"):

@@ -12,7 +12,7 @@ figure = pytest.importorskip("matplotlib.figure")
 
 @pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: curves take too long")
 def test_figure_2():
-    from slowflow.exact.plot import figure_2a, figure_2b
+    from slowflow.paper.figure_2 import figure_2a, figure_2b
 
     left, right = figure.Figure().subplots(1, 2)
     figure_2a(left, ratios=(0.3, 0.6))

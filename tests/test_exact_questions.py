@@ -22,14 +22,14 @@ def isolator(**changes):
 
 def test_each_averaged_state_leads_to_a_motion_beside_it():
     """Three states at Omega = 0.9, the middle one unstable; nothing else is within a tenth of an amplitude."""
-    averaged = isolator().amplitudes(0.9, 0.04)
+    averaged = isolator().amplitudes(Omega=0.9, F_0=0.04)
     assert averaged.stable.tolist() == [True, False, True]
     for A, stable in zip(averaged.A, averaged.stable, strict=True):
-        state = isolator().steady_state(0.9, 0.04, A)
+        state = isolator().steady_state(Omega=0.9, F_0=0.04, A=A)
         assert abs(state.A / A - 1) < 0.1
         assert state.stable == stable
         assert state.residual <= 1e-12
-    from_rest = isolator().steady_state(0.9, 0.04)
+    from_rest = isolator().steady_state(Omega=0.9, F_0=0.04)
     assert from_rest.stable and abs(from_rest.A / averaged.A[0] - 1) < 0.1
 
 
@@ -37,16 +37,16 @@ def test_a_mass_at_rest_comes_to_a_stable_motion():
     """Negative stiffness at rest: the averaged state about u = 0 leads to a motion, but an unstable one."""
     with pytest.warns(UserWarning, match="negative stiffness"):
         oscillator = isolator(delta_h=0.27, mu=0.00116, zeta=0.093, r=2.79)
-    (A,) = oscillator.amplitudes(1.14, 0.005844).A
-    about_zero = oscillator.steady_state(1.14, 0.005844, A)
+    (A,) = oscillator.amplitudes(Omega=1.14, F_0=0.005844).A
+    about_zero = oscillator.steady_state(Omega=1.14, F_0=0.005844, A=A)
     assert not about_zero.stable and about_zero.symmetric
-    found = oscillator.steady_state(1.14, 0.005844)
+    found = oscillator.steady_state(Omega=1.14, F_0=0.005844)
     assert found.stable and not found.symmetric
     assert abs(found.harmonics(0)[0].real) > 0.1
 
 
 def test_a_motion_shows_its_series_and_harmonics():
-    state = isolator().steady_state(0.9, 0.04)
+    state = isolator().steady_state(Omega=0.9, F_0=0.04)
     tau, u, _ = state.series(256)
     assert tau[0] == 0 and tau[-1] < state.period == pytest.approx(2 * np.pi / 0.9)
     # by the trapezoidal rule, which converges like the motion is smooth: friction jumps twice a turn
@@ -57,33 +57,33 @@ def test_a_motion_shows_its_series_and_harmonics():
 
 
 def test_the_force_is_the_one_that_is_averaged_or_the_one_asked_for():
-    truncated = isolator().steady_state(0.95, 0.04, 0.5, force="truncated").A
-    untruncated = isolator().steady_state(0.95, 0.04, 0.5, force="exact").A
-    assert isolator().steady_state(0.95, 0.04, 0.5).A == truncated
+    truncated = isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5, force="truncated").A
+    untruncated = isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5, force="untruncated").A
+    assert isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5).A == truncated
     assert 1e-4 < abs(untruncated / truncated - 1) < 1e-2
 
 
 def test_a_linear_oscillator_is_the_same_from_both_classes():
-    one = isolator(delta_h=0).steady_state(0.8, 0.04)
-    other = Duffing(1.0, 0.0, 0.012, 0.02).steady_state(0.8, 0.04)
+    one = isolator(delta_h=0).steady_state(Omega=0.8, F_0=0.04)
+    other = Duffing(1.0, 0.0, 0.012, 0.02).steady_state(Omega=0.8, F_0=0.04)
     assert one.A == pytest.approx(other.A, rel=1e-12)
 
 
 def test_the_duffing_force_is_the_derived_one():
     u = np.linspace(-2, 2, 41)
-    force = Duffing(-0.3, 0.7)._restoring_force(None)
+    force = Duffing(-0.3, 0.7).restoring_force()
     assert np.array([force.value(x) for x in u]) == pytest.approx(duffing_kernels.force(u, -0.3, 0.7), rel=1e-15)
 
 
 def test_u_cr_of_the_untruncated_force_is_the_derived_one():
-    force = isolator()._restoring_force("exact")
+    force = isolator().restoring_force("untruncated")
     assert force.breakpoints == (isolator().u_cr,)
 
 
 def test_a_curve_and_a_sweep_agree():
     oscillator = Duffing(1.0, 0.5, 0.02, 0.05)
-    curve = oscillator.exact_response(0.1, (0.8, 0.9), step=0.1)
-    found = oscillator.sweep(0.1, [0.8, 0.9], tolerance=1e-6)
+    curve = oscillator.exact_response(0.1, Omega=(0.8, 0.9), step=0.1)
+    found = oscillator.sweep(F_0=0.1, Omega=[0.8, 0.9], tolerance=1e-6)
     assert found.settled.all()
     assert curve.Omega[[0, -1]] == pytest.approx([0.8, 0.9])
     assert found.A == pytest.approx(curve.A[[0, -1]], rel=1e-4)
@@ -91,9 +91,9 @@ def test_a_curve_and_a_sweep_agree():
 
 @pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: a curve takes a minute")
 def test_a_curve_may_start_anywhere_on_it():
-    start = isolator().steady_state(0.95, 0.04, 0.5)
-    curve = isolator().exact_response(0.04, (0.8, 1.05), start=start)
-    whole = isolator().exact_response(0.04, (0.8, 1.05))
+    start = isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5)
+    curve = isolator().exact_response(0.04, Omega=(0.8, 1.05), start=start)
+    whole = isolator().exact_response(0.04, Omega=(0.8, 1.05))
     assert [fold.Omega for fold in curve.folds] == pytest.approx([fold.Omega for fold in whole.folds], abs=1e-10)
 
 
@@ -104,48 +104,55 @@ SOFTENING, SOFTENING_F_0, SOFTENING_WINDOW = Duffing(1.0, -0.5, 0.05, 0.1), 0.35
 @pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: a curve takes a minute")
 def test_the_message_leads_to_a_curve_apart():
     """Numbers read from the message start the other curve, whose message leads back."""
-    one = SOFTENING.exact_response(SOFTENING_F_0, SOFTENING_WINDOW)
+    one = SOFTENING.exact_response(SOFTENING_F_0, Omega=SOFTENING_WINDOW)
     other = one
     for _ in range(2):
-        numbers = re.search(r"start = steady_state\((.*), (.*), (.*)\) leads", other.message).groups()
+        numbers = re.search(r"start = steady_state\(Omega=(.*), F_0=(.*), A=(.*)\) leads", other.message).groups()
         Omega, F_0, A = (float(number) for number in numbers)
         assert F_0 == SOFTENING_F_0
-        start = SOFTENING.steady_state(Omega, F_0, A)
+        start = SOFTENING.steady_state(Omega=Omega, F_0=F_0, A=A)
         assert start.A == pytest.approx(A, rel=0.1)
-        last, other = other, SOFTENING.exact_response(F_0, SOFTENING_WINDOW, start=start)
+        last, other = other, SOFTENING.exact_response(F_0, Omega=SOFTENING_WINDOW, start=start)
     # back on the first one, which turns round at a fold; the resonance is the other
     assert [fold.Omega for fold in other.folds] == pytest.approx([fold.Omega for fold in one.folds], abs=1e-9)
     assert one.Omega.max() < 0.7 and last.Omega.max() == pytest.approx(1.5)
-    assert SOFTENING.sweep(SOFTENING_F_0, [0.5]).A[0] == pytest.approx(one.A[np.argmin(abs(one.Omega - 0.5))], rel=0.05)
+    assert SOFTENING.sweep(F_0=SOFTENING_F_0, Omega=[0.5]).A[0] == pytest.approx(
+        one.A[np.argmin(abs(one.Omega - 0.5))], rel=0.05
+    )
 
 
 @pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: a curve takes a minute")
 def test_no_message_where_one_curve_is_all():
     assert isolator().exact_response(0.04).message == ""
-    assert isolator(mu=0.028).exact_response(0.04, (0.5, 1.3)).message == ""
+    assert isolator(mu=0.028).exact_response(0.04, Omega=(0.5, 1.3)).message == ""
     # but a window that ends between the folds cuts the curve in two
-    cut = isolator().exact_response(0.04, (0.5, 0.95))
-    assert "steady_state(0.8896, 0.04, 0.1373)" in cut.message and cut.A[-1] > 0.5
-    rest = isolator().exact_response(0.04, (0.5, 0.95), start=isolator().steady_state(0.8896, 0.04, 0.1373))
+    cut = isolator().exact_response(0.04, Omega=(0.5, 0.95))
+    assert "steady_state(Omega=0.8896, F_0=0.04, A=0.1373)" in cut.message and cut.A[-1] > 0.5
+    rest = isolator().exact_response(
+        0.04, Omega=(0.5, 0.95), start=isolator().steady_state(Omega=0.8896, F_0=0.04, A=0.1373)
+    )
     assert [fold.kind for fold in rest.folds] == ["jump-up"]
 
 
 REFUSED = [
-    (lambda o: o.steady_state(-1, 0.04), r"Omega = -1 is not allowed.*> 0"),
-    (lambda o: o.steady_state("0.9", 0.04), r"Omega = '0.9'"),
-    (lambda o: o.steady_state(0.9, 0), r"F_0 = 0 is not allowed.*> 0"),
-    (lambda o: o.steady_state(0.9, 0.012), r"F_0 = 0.012 does not exceed mu = 0.012"),
-    (lambda o: o.steady_state(0.9, 0.04, -0.2), r"A = -0.2"),
-    (lambda o: o.steady_state(0.9, 0.04, force="whole"), r"force = 'whole' is not allowed.*'truncated' or 'exact'"),
+    (lambda o: o.steady_state(Omega=-1, F_0=0.04), r"Omega = -1 is not allowed.*> 0"),
+    (lambda o: o.steady_state(Omega="0.9", F_0=0.04), r"Omega = '0.9'"),
+    (lambda o: o.steady_state(Omega=0.9, F_0=0), r"F_0 = 0 is not allowed.*> 0"),
+    (lambda o: o.steady_state(Omega=0.9, F_0=0.012), r"F_0 = 0.012 does not exceed mu = 0.012"),
+    (lambda o: o.steady_state(Omega=0.9, F_0=0.04, A=-0.2), r"A = -0.2"),
+    (
+        lambda o: o.steady_state(Omega=0.9, F_0=0.04, force="whole"),
+        r"force = 'whole' is not allowed.*'truncated' or 'untruncated'",
+    ),
     (lambda o: o.exact_response(np.nan), r"F_0 = nan"),
-    (lambda o: o.exact_response(0.04, (0, 1)), r"Omega\[0\] = 0.0 is not allowed.*> 0"),
-    (lambda o: o.exact_response(0.04, (1, 0.5)), r"Omega\[1\] = 0.5 is not allowed.*> 1"),
+    (lambda o: o.exact_response(0.04, Omega=(0, 1)), r"Omega\[0\] = 0.0 is not allowed.*> 0"),
+    (lambda o: o.exact_response(0.04, Omega=(1, 0.5)), r"Omega\[1\] = 0.5 is not allowed.*> 1"),
     (lambda o: o.exact_response(0.04, step=0), r"step = 0 is not allowed"),
     (lambda o: o.exact_response(0.04, start=0.9), r"start = 0.9 is not allowed"),
-    (lambda o: o.sweep(0.04, []), r"Omega must be a non-empty list"),
-    (lambda o: o.sweep(0.04, [0.9, 0]), r"Omega = .*0.0.* is not allowed"),
-    (lambda o: o.sweep(0.04, [0.9], tolerance=0), r"tolerance = 0 is not allowed"),
-    (lambda o: o.sweep(0.01, [0.9]), r"F_0 = 0.01 does not exceed mu"),
+    (lambda o: o.sweep(F_0=0.04, Omega=[]), r"Omega must be a non-empty list"),
+    (lambda o: o.sweep(F_0=0.04, Omega=[0.9, 0]), r"Omega = .*0.0.* is not allowed"),
+    (lambda o: o.sweep(F_0=0.04, Omega=[0.9], tolerance=0), r"tolerance = 0 is not allowed"),
+    (lambda o: o.sweep(F_0=0.01, Omega=[0.9]), r"F_0 = 0.01 does not exceed mu"),
 ]
 
 
@@ -158,7 +165,7 @@ def test_refusals_name_parameter_value_and_range(question, words, oscillator):
 
 def test_no_damping_at_all_is_refused():
     with pytest.raises(ValueError, match="without any damping"):
-        isolator(mu=0, zeta=0).steady_state(0.9, 0.04)
+        isolator(mu=0, zeta=0).steady_state(Omega=0.9, F_0=0.04)
 
 
 def test_importing_slowflow_imports_no_integrator():

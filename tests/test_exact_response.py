@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar, root
 
 from exact_cases import isolator, random_cases, table_1
-from slowflow.exact import Oscillator, exact_response, linear, steady_state, sweep
+from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import ScipyIntegrator, default_integrator
 
 QUICK = default_integrator().name == "heyoka"
@@ -159,7 +159,7 @@ def test_peak_by_amplitude(curves, exact, F_0):
 @pytest.mark.parametrize("zeta", [0.05, 0.3, 0.9])
 def test_peak_of_the_linear_oscillator(zeta):
     """F_0/(2 zeta sqrt(1 - zeta^2)) at sqrt(1 - 2 zeta^2), or the lower end where the amplitude only falls."""
-    peak = exact_response(Oscillator(linear(), 0.0, zeta), 0.1, (0.5, 1.5), step=0.3).peak
+    peak = exact_response(EquationOfMotion(linear(), 0.0, zeta), 0.1, (0.5, 1.5), step=0.3).peak
     if zeta < 0.7:
         assert peak.A == pytest.approx(0.1 / (2 * zeta * math.sqrt(1 - zeta**2)), rel=1e-12)
         assert peak.Omega == pytest.approx(math.sqrt(1 - 2 * zeta**2), rel=1e-11)
@@ -224,7 +224,7 @@ def test_curve_with_stops_and_loops():
 
 def test_border_to_sticking_is_den_hartogs():
     """Linear, zeta = 0: the first stop appears where (35) meets (36), which for S = 1 reads A Omega^2 = mu."""
-    curve = exact_response(Oscillator(linear(), 0.8, 0.0), 1.0, (0.6, 0.99))
+    curve = exact_response(EquationOfMotion(linear(), 0.8, 0.0), 1.0, (0.6, 0.99))
     for Omega, A in curve.borders:
         assert abs(A * Omega**2 - 0.8) <= 1e-10
     assert len(curve.borders) == 2
@@ -269,7 +269,7 @@ def test_a_whole_curve_by_scipy(curves):
 @heyoka
 def test_unbounded_resonance_in_words():
     with pytest.raises(ArithmeticError, match="resonance is unbounded"):
-        exact_response(Oscillator(linear(), 0.3, 0.0), 1.0, (0.6, 1.4))
+        exact_response(EquationOfMotion(linear(), 0.3, 0.0), 1.0, (0.6, 1.4))
 
 
 def test_errors_in_words():

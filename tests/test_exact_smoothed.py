@@ -3,13 +3,13 @@
 import pytest
 
 from exact_cases import table_1
-from slowflow.exact import Oscillator, linear, steady_state
-from slowflow.exact.smoothed import direct_integration
+from slowflow.exact import EquationOfMotion, linear, steady_state
+from slowflow.paper.smoothed import direct_integration
 
 
 def test_bias_falls_with_the_smoothing():
     """The amplitude's error is of first order in 1/nu, and the paper's nu leaves less than 2e-3 of it."""
-    system = Oscillator(linear(), 0.3, 0.1)
+    system = EquationOfMotion(linear(), 0.3, 0.1)
     exact = steady_state(system, 0.8, 1.0).A
     bias = [
         abs(direct_integration(system, 0.8, 1.0, nu=nu, turns=20, kept=2, rtol=1e-6, atol=1e-9).A / exact - 1)

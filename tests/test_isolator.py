@@ -60,7 +60,7 @@ def test_a_bad_forcing_is_named(question, F_0):
 @pytest.mark.parametrize("Omega", [0.0, -1.0, math.nan, [0.9, math.inf], "0.9", [0.9, "x"], [[0.9], [0.8, 0.7]]])
 def test_a_bad_frequency_is_named(Omega):
     with pytest.raises(ValueError, match="Omega"):
-        isolator().amplitudes(Omega, 0.04)
+        isolator().amplitudes(Omega=Omega, F_0=0.04)
 
 
 @pytest.mark.parametrize("window", [(1.0, 0.5), (0.5, 0.5), (-0.1, 1.0), 1.0, (0.5, math.nan), (0.1, 0.2, 0.3)])
@@ -87,12 +87,12 @@ def test_numpy_numbers_are_numbers():
 def test_sticking_is_said():
     stuck = isolator()
     F_0 = stuck.sticking_forcing
-    for answer in (stuck.frequency_response(F_0), stuck.amplitudes(0.9, F_0), stuck.saddle_nodes(F_0)):
+    for answer in (stuck.frequency_response(F_0), stuck.amplitudes(Omega=0.9, F_0=F_0), stuck.saddle_nodes(F_0)):
         assert answer.A.size == 0
         assert answer.message == "sticks: F_0 = 0.0152789 does not exceed 4 mu/pi = 0.0152789"
-    assert not stuck.limit_envelope(0.9, F_0)
+    assert not stuck.limit_envelope(Omega=0.9, F_0=F_0)
     # just above, it moves
-    assert stuck.amplitudes(0.9, 1.001 * F_0).A.size == 1
+    assert stuck.amplitudes(Omega=0.9, F_0=1.001 * F_0).A.size == 1
 
 
 def test_negative_stiffness_works_with_a_warning():
@@ -121,7 +121,7 @@ def test_without_viscous_damping_the_response_is_cut_and_says_so():
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 def test_without_viscous_damping_there_is_no_isola_point(mu):
     """F_A = F_Omega = 0 leaves R = 0 there, the whole backbone, and no point of it is one."""
-    answer = isolator(mu=mu, zeta=0).isola_points(0.9)
+    answer = isolator(mu=mu, zeta=0).isola_points(A_max=0.9)
     assert len(answer) == 0 and "no isola" in answer.message
 
 
@@ -135,7 +135,7 @@ def test_a_rod_past_vertical_is_said():
 
 def test_linear_viscous_oscillator_is_the_textbook_one():
     w = np.linspace(0.05, 1.9, 60)
-    states = Duffing(1.0, 0.0, 0.0, 0.1).amplitudes(w, 0.3)
+    states = Duffing(1.0, 0.0, 0.0, 0.1).amplitudes(Omega=w, F_0=0.3)
     assert np.allclose(states.A, 0.3 / np.hypot(1 - w**2, 0.2 * w), rtol=1e-14)
     assert np.allclose(states.phi, -np.arctan2(0.2 * w, 1 - w**2), rtol=1e-13)
     assert states.stable.all()
@@ -147,7 +147,7 @@ def test_linear_oscillator_with_friction_solves_its_quadratic():
     m = 4 * mu / np.pi
     a, b, c = (1 - w**2) ** 2 + (2 * zeta * w) ** 2, 4 * zeta * w * m, m**2 - F_0**2
     expected = -2 * c / (b + np.sqrt(b * b - 4 * a * c))
-    assert np.allclose(Duffing(1.0, 0.0, mu, zeta).amplitudes(w, F_0).A, expected, rtol=1e-13)
+    assert np.allclose(Duffing(1.0, 0.0, mu, zeta).amplitudes(Omega=w, F_0=F_0).A, expected, rtol=1e-13)
 
 
 def test_duffing_backbone_and_onset_tend_to_their_closed_forms():
@@ -182,11 +182,11 @@ def test_states_alternate_in_stability_and_their_number_is_odd(values, multiple,
     assume(values["delta_h"] < 0.97 / (values["lam"] * values["r"]))
     oscillator = Isolator(**values)
     F_0 = multiple * max(oscillator.sticking_forcing, 0.005)
-    states = oscillator.amplitudes(Omega, F_0)
+    states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     assert states.A.size % 2 == 1
     assert (states.stable == (np.arange(states.A.size) % 2 == 0)).all()
     assert ((states.phi <= 0) & (states.phi >= -np.pi)).all()
-    assert (states.A <= oscillator.limit_envelope(states.Omega, F_0) * (1 + 1e-12)).all()
+    assert (states.A <= oscillator.limit_envelope(Omega=states.Omega, F_0=F_0) * (1 + 1e-12)).all()
 
 
 @settings(max_examples=15, deadline=None, phases=[Phase.generate])
@@ -200,7 +200,7 @@ def test_a_jump_lands_on_a_stable_state_on_the_side_that_its_kind_says(values, m
         # the force jumps by little at u_cr: two folds next to it may be closer than this test resolves
         if (np.abs(folds.Omega - Omega) < 1e-3).sum() > 1:
             continue
-        states = oscillator.amplitudes(Omega, F_0)
+        states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
         others = states.A[states.stable & (np.abs(states.A - A) > 1e-4 * A)]
         assert (others > A).any() if kind == "jump-up" else (others < A).any()
 
@@ -215,7 +215,7 @@ def test_the_curve_passes_its_folds_and_changes_stability_there_only():
 def test_a_fold_itself_is_one_state_and_not_stable():
     folds = isolator().saddle_nodes(0.04)
     for Omega, A in zip(folds.Omega, folds.A, strict=True):
-        states = isolator().amplitudes(Omega, 0.04)
+        states = isolator().amplitudes(Omega=Omega, F_0=0.04)
         assert states.A.size == 2
         at = np.argmin(np.abs(states.A - A))
         assert states.A[at] == pytest.approx(A, rel=1e-7) and not states.stable[at] and states.stable[1 - at]

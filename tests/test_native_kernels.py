@@ -27,7 +27,7 @@ import backends
 import generated_c
 import native_clones
 from derivations.emit.arctangent import series
-from slowflow import roots
+from slowflow.averaged.reference import roots
 from slowflow.backend import KERNELS, SOLVER
 from slowflow_kernels import MODULES, rod_spring, slow_flow
 

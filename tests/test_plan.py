@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend, compiled, solvers
+from slowflow import Duffing, Isolator, backend
+from slowflow.averaged import compiled, solvers
 from slowflow.model import Model
 from slowflow_kernels import duffing, rod_spring
 
@@ -79,7 +80,7 @@ def test_a_damping_scene_has_kernels_of_its_own(mu, zeta, name):
 
 
 def test_a_phase_nobody_reads_is_not_computed():
-    states = isolator().amplitudes(0.9, 0.04)
+    states = isolator().amplitudes(Omega=0.9, F_0=0.04)
     assert "phi" not in states.__dict__
     assert states.phi.shape == states.A.shape and "phi" in states.__dict__
 
@@ -96,7 +97,7 @@ def test_an_unknown_question_is_named():
 def test_the_attached_scene_gives_what_the_whole_force_gives(record):
     values = {name: float.fromhex(value[0]) for name, value in record["parameters"].items()}
     oscillator = Isolator(**values)
-    whole = Model(rod_spring, oscillator._model.parameters, oscillator.mu, oscillator.zeta)
+    whole = Model(rod_spring, oscillator.model.parameters, oscillator.mu, oscillator.zeta)
     F_cr = oscillator.detachment().F_cr
     for share in (0.3, 0.9, 0.999):
         F_0 = whole.m + share * (F_cr - whole.m)
@@ -114,7 +115,7 @@ def test_the_linear_scene_gives_what_the_whole_force_gives():
     linear = isolator(delta_h=0)
     whole = Model(rod_spring, rod_spring.coefficients(3.0, TABLE_1["r"], 0.0), linear.mu, linear.zeta)
     Omega = np.linspace(0.3, 1.5, 25)
-    one, other = linear.amplitudes(Omega, 0.04), solvers.amplitudes(whole, Omega, 0.04)
+    one, other = linear.amplitudes(Omega=Omega, F_0=0.04), solvers.amplitudes(whole, Omega, 0.04)
     assert np.allclose(one.A, other.A, rtol=1e-13, atol=0) and np.allclose(one.phi, other.phi, rtol=1e-12, atol=0)
 
 
@@ -122,8 +123,8 @@ def test_the_linear_scene_gives_what_the_whole_force_gives():
 def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
     """Against the general kernels with the vanishing parameter next to zero, which is all that it changes."""
     Omega = np.array([0.5, 0.7, 1.3, 1.5])
-    scene = isolator(mu=mu, zeta=zeta).amplitudes(Omega, 0.03)
-    general = isolator(mu=mu or 1e-18, zeta=zeta or 1e-18).amplitudes(Omega, 0.03)
+    scene = isolator(mu=mu, zeta=zeta).amplitudes(Omega=Omega, F_0=0.03)
+    general = isolator(mu=mu or 1e-18, zeta=zeta or 1e-18).amplitudes(Omega=Omega, F_0=0.03)
     lower = [general.A[general.Omega == w].min() for w in Omega]
     assert np.allclose([scene.A[scene.Omega == w].min() for w in Omega], lower, rtol=1e-13, atol=0)
 

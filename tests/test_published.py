@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 import sympy
 
-from slowflow import published
-from slowflow.published import FORMULAS, Formula, Resultant
+from slowflow.paper import published
+from slowflow.paper.published import FORMULAS, Formula, Resultant
 
 SYMPY = SimpleNamespace(
     sin=sympy.sin,

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from native_roots import Solver, build, why_not
 from root_oracle import KINDS, U, relative_error, roots, stress_cases
-from slowflow.roots import numpy_roots, peak_roots, response_roots
+from slowflow.averaged.reference.roots import numpy_roots, peak_roots, response_roots
 
 # Less than the promised u (1 + kappa), so that a correction that has become useless is seen.  Rounding the exact root
 # costs up to u, which is 2/3 u (1 + kappa), as kappa >= 1/2 (change the unit of frequency); sqrt(-h/A), with kappa = 1,

@@ -10,13 +10,13 @@ from mpmath import mp, mpf
 
 from derivations.second_approximation import friction_sum
 from slowflow import Duffing, Isolator
-from slowflow.results import words
+from slowflow.results import joined
 from slowflow.second.balance import Balance
 from slowflow.second.curve import follow
 from slowflow_kernels import den_hartog, second_approximation
 
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
-FORCES = ("truncated", "exact")
+FORCES = ("truncated", "untruncated")
 
 
 def isolator(**changes):
@@ -42,9 +42,9 @@ def test_the_largest_displacement_is_one_order_closer(Omega):
     """Of the nonlinearity, without friction: the error falls faster than averaging's by a power of beta."""
     for beta in (0.2, 0.1, 0.05, 0.025):
         oscillator = Duffing(1.0, beta, 0.0, 0.02)
-        averaged = oscillator.amplitudes(Omega, 0.3)
-        exact = oscillator.steady_state(Omega, 0.3, averaged.A[0]).A
-        better = oscillator.second_approximation.amplitudes(Omega, 0.3)
+        averaged = oscillator.amplitudes(Omega=Omega, F_0=0.3)
+        exact = oscillator.steady_state(Omega=Omega, F_0=0.3, A=averaged.A[0]).A
+        better = oscillator.second_approximation.amplitudes(Omega=Omega, F_0=0.3)
         assert better.A.size == averaged.A.size and not better.message
         assert 0.002 * beta < abs(averaged.A[0] / exact - 1) < 0.04 * beta
         assert abs(better.A[0] / exact - 1) < 0.03 * beta * abs(averaged.A[0] / exact - 1)
@@ -58,7 +58,9 @@ def test_for_a_linear_spring_it_is_den_hartogs_solution(Omega, ratio):
     if float(den_hartog.bound(Omega, 1.0, slope(Omega))) > (exact := float(den_hartog.amplitude(Omega, 1.0, ratio))):
         pytest.skip("the motion has stops")
     oscillator = Duffing(1.0, 0.0, ratio, 0.0)
-    (averaged,), (better,) = (one.amplitudes(Omega, 1.0).A for one in (oscillator, oscillator.second_approximation))
+    (averaged,), (better,) = (
+        one.amplitudes(Omega=Omega, F_0=1.0).A for one in (oscillator, oscillator.second_approximation)
+    )
     assert abs(better / exact - 1) < 1e-13
     assert abs(averaged / exact - 1) > 1e-4
 
@@ -72,7 +74,7 @@ def slope(Omega):
 def test_the_folds_of_table_1_come_closer_to_the_exact_ones(force):
     """Fifty times at least, both jumps of Fig. 7a's forcing; and the largest displacements."""
     iso = isolator(force=force)
-    exact = iso.exact_response(0.04, (0.8, 1.05), step=0.05).folds
+    exact = iso.exact_response(0.04, Omega=(0.8, 1.05), step=0.05).folds
     exact = sorted(exact, key=lambda fold: fold.Omega)
     averaged, better = iso.saddle_nodes(0.04), iso.second_approximation.saddle_nodes(0.04)
     assert better.kind.tolist() == averaged.kind.tolist() == [fold.kind for fold in exact]
@@ -84,12 +86,12 @@ def test_the_folds_of_table_1_come_closer_to_the_exact_ones(force):
 
 def test_the_critical_force_without_friction_comes_closer():
     """F_cr is where the exact motion just reaches u_cr: averaging says 2 % too much, as it leaves out a_3."""
-    iso = isolator(mu=0.0, force="exact")
+    iso = isolator(mu=0.0, force="untruncated")
     averaged, better = iso.detachment(), iso.second_approximation.detachment()
     F_cr, u_cr = better.F_cr, better.u_cr
 
     def highest(F_0):
-        return iso.exact_response(F_0, (0.6, 1.05), step=0.05).A.max()
+        return iso.exact_response(F_0, Omega=(0.6, 1.05), step=0.05).A.max()
 
     # a curve's highest point is read off its points, 1e-4 below the peak
     assert highest(F_cr * (1 - 0.001)) < u_cr < highest(F_cr * (1 + 0.001))
@@ -108,7 +110,7 @@ def test_the_critical_force_with_friction_comes_closer(design):
     iso = Isolator(**design)
     averaged, better = iso.detachment(), iso.second_approximation.detachment()
     window = (0.95 * better.Omega_cr, 1.05 * better.Omega_cr)
-    off, far = (abs(iso.exact_response(one.F_cr, window).peak.A / one.u_cr - 1) for one in (better, averaged))
+    off, far = (abs(iso.exact_response(one.F_cr, Omega=window).peak.A / one.u_cr - 1) for one in (better, averaged))
     assert off < 5e-4 < 4e-3 < far
 
 
@@ -133,7 +135,7 @@ def test_answers_belong_together(force, mu):
     for Omega, A in zip(folds.Omega, folds.A, strict=True):
         distance = np.hypot(x - np.log(Omega), y - np.log(A))
         assert distance.min() < 0.01
-    states = second.amplitudes([0.9, 0.95], 0.04)
+    states = second.amplitudes(Omega=[0.9, 0.95], F_0=0.04)
     assert states.stable.tolist() == [True, False, True] * 2
     assert np.all(np.diff(states.A[:3]) > 0)
     F_SN = second.saddle_node_onset().F_SN
@@ -143,7 +145,7 @@ def test_answers_belong_together(force, mu):
     assert len(second.saddle_nodes(1.002 * F_SN)) == 2
     F_cr, Omega_cr, u_cr = (getattr(second.detachment(), name) for name in ("F_cr", "Omega_cr", "u_cr"))
     near = (0.97 * Omega_cr, 1.03 * Omega_cr)
-    low, high = (second.frequency_response(share * F_cr, 4000, near).A.max() for share in (0.999, 1.001))
+    low, high = (second.frequency_response(share * F_cr, samples=4000, Omega=near).A.max() for share in (0.999, 1.001))
     assert low < u_cr < high
 
 
@@ -157,8 +159,8 @@ def test_the_balance_is_met_on_the_curve(force, changes):
     iso = isolator(force=force, **changes)
     second, F_0 = iso.second_approximation, 1.3 * iso.detachment().F_cr
     shown = (0.8 * iso.backbone(0.1 * iso.u_cr), 1.2 * iso.backbone(1.4 * iso.u_cr))
-    first = iso._curve(F_0, 1000, shown)
-    balance = Balance(iso._model)
+    first = iso.curve(F_0, 1000, shown)
+    balance = Balance(iso.model)
     curve = follow(balance, first)
     _, _, _, _, F, *_ = balance.response(curve.Omega, curve.A, F_0)
     assert np.abs(F).max() < 1e-10 * F_0**2
@@ -186,7 +188,7 @@ def test_next_to_no_viscous_damping_the_points_keep_their_order(zeta):
 
 #: designs on which points once overtook each other, or a curve went on across what had been left out; F_0, force
 WITH_ORDER = (
-    ({"lam": 1, "r": 1.761, "delta_h": 0.0456, "mu": 0.00758, "zeta": 0.01476}, 0.0174, "exact"),
+    ({"lam": 1, "r": 1.761, "delta_h": 0.0456, "mu": 0.00758, "zeta": 0.01476}, 0.0174, "untruncated"),
     ({"lam": 2, "r": 1.31, "delta_h": 0.262, "mu": 0.0045, "zeta": 0.027}, 0.0753, "truncated"),
     ({"lam": 4, "r": 1.39, "delta_h": 0.092, "mu": 0.031, "zeta": 0.0713}, 0.1539, "truncated"),
     ({"lam": 1, "r": 2.71, "delta_h": 0.263, "mu": 0.0004, "zeta": 0.0351}, 0.0419, "truncated"),
@@ -227,7 +229,7 @@ def test_what_is_not_there_is_told_in_words():
     stuck = second.frequency_response(0.01)
     assert stuck.A.size == 0 and "sticks" in stuck.message
     assert len(second.saddle_nodes(0.01)) == 0 and "sticks" in second.saddle_nodes(0.01).message
-    assert second.amplitudes(0.9, 0.01).A.size == 0
+    assert second.amplitudes(Omega=0.9, F_0=0.01).A.size == 0
     single = isolator(delta_h=0).second_approximation.saddle_nodes(0.018)
     assert len(single) == 0 and all(remark in single.message for remark in ("no saddle node", "left out"))
     low = second.frequency_response(0.04, Omega=(0.05, 0.2))
@@ -235,7 +237,7 @@ def test_what_is_not_there_is_told_in_words():
     linear = isolator(delta_h=0).second_approximation
     assert linear.detachment().F_cr is None and linear.detachment().message
     assert linear.saddle_node_onset().F_SN is None and linear.saddle_node_onset().message
-    assert words(linear.saddle_nodes(0.04).message)
+    assert joined(linear.saddle_nodes(0.04).message)
 
 
 def test_states_in_which_the_mass_stops_are_named():
@@ -245,7 +247,7 @@ def test_states_in_which_the_mass_stops_are_named():
     rest = iso.mu / (curve.A * curve.Omega**2)
     assert f"in {np.count_nonzero(rest >= 1)} of {curve.A.size} states the mass stops" in curve.message
     least, most = curve.Omega[[rest.argmin(), rest.argmax()]]
-    assert iso.steady_state(least, F_0).stops == 0 and iso.steady_state(most, F_0).stops > 0
+    assert iso.steady_state(Omega=least, F_0=F_0).stops == 0 and iso.steady_state(Omega=most, F_0=F_0).stops > 0
     assert "stops" not in iso.second_approximation.frequency_response(0.05, Omega=(0.5, 1.3)).message
 
 
@@ -253,7 +255,7 @@ def test_a_breakpoint_that_is_too_large_is_refused():
     """Only for the untruncated force, whose harmonics are quadratures."""
     design = {"lam": 1, "r": 0.5, "delta_h": 0.4, "mu": 0.01, "zeta": 0.02}
     with pytest.raises(ValueError, match=r"u_cr = 0\.8 is not allowed here.*u_cr <= 0\.75"):
-        _ = Isolator(**design, force="exact").second_approximation
+        _ = Isolator(**design, force="untruncated").second_approximation
     assert Isolator(**design).second_approximation.frequency_response(0.04, Omega=(0.5, 1.5)).A.size > 900
 
 
@@ -265,7 +267,7 @@ def test_the_corner_of_the_truncated_force_keeps_its_pair_of_folds():
     averaged, better = iso.saddle_nodes(F_0), iso.second_approximation.saddle_nodes(F_0)
     assert averaged.corner.tolist() == better.corner.tolist() and averaged.corner.sum() == 1
     assert averaged.kind.tolist() == better.kind.tolist()
-    assert len(isolator(zeta=0.1, delta_h=0.03, force="exact").second_approximation.saddle_nodes(F_0)) == 0
+    assert len(isolator(zeta=0.1, delta_h=0.03, force="untruncated").second_approximation.saddle_nodes(F_0)) == 0
 
 
 @pytest.mark.parametrize(
@@ -278,7 +280,7 @@ def test_a_peak_as_sharp_as_a_needle_makes_no_folds(oscillator, F_0):
     assert folds.kind.tolist() == ["jump-up", "jump-down"]
     # on either side of a fold there are two states more or less
     for Omega in folds.Omega:
-        below, above = (second.amplitudes(Omega * (1 + side * 1e-5), F_0).A.size for side in (-1, 1))
+        below, above = (second.amplitudes(Omega=Omega * (1 + side * 1e-5), F_0=F_0).A.size for side in (-1, 1))
         assert abs(below - above) == 2
 
 
@@ -294,8 +296,8 @@ def test_bad_input_is_refused_as_in_the_first():
     second = isolator().second_approximation
     for call in (
         lambda: second.frequency_response(-1.0),
-        lambda: second.frequency_response(0.04, 1),
-        lambda: second.amplitudes(-0.5, 0.04),
+        lambda: second.frequency_response(0.04, samples=1),
+        lambda: second.amplitudes(Omega=-0.5, F_0=0.04),
         lambda: second.saddle_nodes(float("nan")),
     ):
         with pytest.raises(ValueError, match="is not allowed"):
@@ -318,7 +320,7 @@ def test_kernels_agree_with_one_another():
 @pytest.mark.parametrize("A", [0.1, 0.3, 0.45, 0.8])
 def test_derivatives_are_those_of_the_values(force, A):
     """By differences, on both sides of u_cr."""
-    balance, Omega, F_0 = Balance(isolator(force=force)._model), 0.9, 0.04
+    balance, Omega, F_0 = Balance(isolator(force=force).model), 0.9, 0.04
     step = 1e-5 * np.array([-1.0, 1.0])
 
     def slope(values):
@@ -336,15 +338,15 @@ def test_derivatives_are_those_of_the_values(force, A):
 def test_states_at_many_frequencies_are_those_at_each():
     second = isolator().second_approximation
     frequencies = [0.95, 0.85, 1.1, 0.9]
-    together = second.amplitudes(frequencies, 0.04)
-    apart = [second.amplitudes(Omega, 0.04) for Omega in frequencies]
+    together = second.amplitudes(Omega=frequencies, F_0=0.04)
+    apart = [second.amplitudes(Omega=Omega, F_0=0.04) for Omega in frequencies]
     assert np.allclose(together.A, list(itertools.chain(*(one.A for one in apart))), rtol=1e-9)
     assert together.Omega.tolist() == list(itertools.chain(*(one.Omega for one in apart)))
 
 
 def test_repeated_frequencies_are_asked_for_once_each():
     second = isolator().second_approximation
-    once, thrice = second.amplitudes(0.9, 0.04), second.amplitudes([[0.9, 0.9], [1.1, 0.9]], 0.04)
+    once, thrice = second.amplitudes(Omega=0.9, F_0=0.04), second.amplitudes(Omega=[[0.9, 0.9], [1.1, 0.9]], F_0=0.04)
     assert not once.message and not thrice.message
     assert np.allclose(thrice.A[thrice.Omega == 0.9], np.tile(once.A, 3), rtol=1e-12)
     assert thrice.Omega.size == 3 * once.Omega.size + 1
@@ -355,5 +357,5 @@ def test_states_next_to_a_fold_are_found_where_points_are_far_apart(mu):
     """Most points of a curve that reaches A = 200 lie above u_cr."""
     iso = isolator(mu=mu, zeta=1e-4)
     for Omega in (0.888, 0.89, 0.9):
-        states = iso.second_approximation.amplitudes(Omega, 0.04)
+        states = iso.second_approximation.amplitudes(Omega=Omega, F_0=0.04)
         assert states.stable.tolist() == [True, False, True] and not states.message

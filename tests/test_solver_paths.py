@@ -14,7 +14,9 @@ import numpy as np
 import pytest
 
 from native_roots import why_not
-from slowflow import Duffing, Isolator, backend, compiled, folds, locus, response
+from slowflow import Duffing, Isolator, backend
+from slowflow.averaged import compiled
+from slowflow.averaged.reference import folds, locus, response
 from solver_build import THOROUGH, build
 
 DATA = Path(__file__).parent / "data"
@@ -68,10 +70,10 @@ def test_everything_agrees_with_the_certified_reference(name, oscillator, record
     for forcing in record["forcings"]:
         F_0 = given(forcing["F_0"])
         check_folds(oscillator.saddle_nodes(F_0), forcing["folds"])
-        check_curve(oscillator.frequency_response(F_0, 60, Omega=(1e-9, 2.0)), forcing)
+        check_curve(oscillator.frequency_response(F_0, samples=60, Omega=(1e-9, 2.0)), forcing)
         check_peak(oscillator.peak(F_0), forcing["peaks"])
         for asked in forcing["amplitudes"]:
-            check_states(oscillator.amplitudes(given(asked["Omega"]), F_0), asked["steady"])
+            check_states(oscillator.amplitudes(Omega=given(asked["Omega"]), F_0=F_0), asked["steady"])
 
 
 def check_folds(found, exact):
@@ -84,7 +86,7 @@ def check_folds(found, exact):
 
 def check_extrema(oscillator, exact):
     A_max = 1.5 * max([float(point["A"]) for point in exact], default=1.0)
-    cusps, isolas = oscillator.cusps(A_max), oscillator.isola_points(A_max)
+    cusps, isolas = oscillator.cusps(A_max=A_max), oscillator.isola_points(A_max=A_max)
     for kind, found in (("cusp", cusps), ("isola", isolas)):
         points = sorted((p for p in exact if p["kind"] == kind), key=lambda p: float(p["A"]))
         assert len(found) == len(points)
@@ -123,7 +125,7 @@ def check_states(found, exact):
 @compiled_only
 @pytest.mark.parametrize(("name", "oscillator", "record"), CASES[2::4], ids=[case[0] for case in CASES[2::4]])
 def test_compiled_and_numpy_give_the_same(name, oscillator, record):
-    model, F_0 = oscillator._model, given(record["forcings"][0]["F_0"])
+    model, F_0 = oscillator.model, given(record["forcings"][0]["F_0"])
     for question in ("onset", "detachment"):
         one, other = (getattr(path, question)(model) for path in (compiled, folds))
         assert_same(one, other, 1e-12)
@@ -281,7 +283,7 @@ def test_a_curve_at_a_critical_forcing_is_whole(share, mu, zeta):
     forcings = [oscillator.detachment().F_cr, oscillator.saddle_node_onset().F_SN]
     for forcing in forcings if backend.SOLVER is not None else forcings[:1]:
         for F_0 in neighbours(forcing):
-            curve = oscillator.frequency_response(F_0, 60)
+            curve = oscillator.frequency_response(F_0, samples=60)
             assert_on_curve(oscillator, curve)
             for branch, closed in enumerate(curve.isola):
                 ends = np.flatnonzero(curve.branch == branch)[[0, -1]]
@@ -291,7 +293,7 @@ def test_a_curve_at_a_critical_forcing_is_whole(share, mu, zeta):
 
 def assert_on_curve(oscillator, curve):
     """Every point is a steady state: the forcing that it needs is F_0 to rounding of its terms."""
-    model = oscillator._model
+    model = oscillator.model
     h = model.averaged(curve.A)[0]
     R, I = model.flow.R(curve.Omega, curve.A, h), model.flow.I(curve.Omega, curve.A, model.m, model.zeta)
     terms = curve.A * (1 + curve.Omega**2) + np.abs(I)  # h has terms of the size of A, which may cancel
@@ -307,7 +309,7 @@ def test_stability_changes_at_folds_and_nowhere_else():
     for lam, r, delta_h, mu, zeta, F_0 in rows[rows[:, 2] * rows[:, 0] * rows[:, 1] < 1]:
         oscillator = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
         F_0 = max(F_0, 1.001 * oscillator.sticking_forcing) * rng.uniform(1, 2)
-        curve = oscillator.frequency_response(F_0, 200, Omega=(0.0, 1e3))
+        curve = oscillator.frequency_response(F_0, samples=200, Omega=(0.0, 1e3))
         changes = sum(
             np.count_nonzero(np.diff(stable)) + (closed and stable[0] != stable[-1])
             for branch, closed in enumerate(curve.isola)
@@ -355,9 +357,9 @@ def test_without_damping_the_folds_are_those_of_the_closed_form():
 @pytest.mark.both_backends
 def test_the_fold_locus_passes_the_folds_of_every_forcing():
     oscillator = Isolator(**TABLE_1)
-    points = oscillator.fold_locus(200)
+    points = oscillator.fold_locus(samples=200)
     assert points.A.min() < oscillator.u_cr < points.A.max() and points.branch.max() >= 1
-    model = oscillator._model
+    model = oscillator.model
     h, h_A, _, _ = model.averaged(points.A)
     slope = model.flow.F_A(points.Omega, points.A, model.m, model.zeta, h, h_A)
     beside = np.abs(h_A) > 1e3  # next to u_cr an ulp of A moves F_A
@@ -374,5 +376,6 @@ def test_a_mechanism_without_end_needs_an_amplitude():
     with pytest.raises(ValueError, match="A_max"):
         Duffing(1.0, 0.5, 0.01, 0.02).fold_locus()
     nothing = Duffing(1.0, 0.0, 0.01, 0.02)
-    assert len(nothing.cusps(1.0)) == 0 and "no cusp" in nothing.cusps(1.0).message
-    assert len(nothing.fold_locus(10, 1.0)) == 0 and "no saddle node" in nothing.fold_locus(10, 1.0).message
+    assert len(nothing.cusps(A_max=1.0)) == 0 and "no cusp" in nothing.cusps(A_max=1.0).message
+    locus = nothing.fold_locus(samples=10, A_max=1.0)
+    assert len(locus) == 0 and "no saddle node" in locus.message

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from benchmarks import validity
-from slowflow import Duffing, Isolator, validity_table
+from slowflow import Duffing, Isolator
 from slowflow.exact.integrate import default_integrator
-from slowflow.validity import near_sticking
+from slowflow.measured import table as validity_table
+from slowflow.measured.validity import near_sticking
 
 pytestmark = pytest.mark.both_backends
 
@@ -32,7 +33,7 @@ def test_the_table_has_a_size_for_every_bin():
 
 
 def test_the_ratio_is_friction_over_forcing():
-    states = isolator().amplitudes([0.5, 0.9, 1.3], 0.04)
+    states = isolator().amplitudes(Omega=[0.5, 0.9, 1.3], F_0=0.04)
     assert states.validity.ratio == pytest.approx(np.full(states.A.size, 0.3), rel=1e-12)
     folds = isolator().saddle_nodes(0.04)
     assert folds.validity.ratio == pytest.approx([0.3, 0.3], rel=1e-12)
@@ -55,7 +56,7 @@ def test_every_critical_forcing_is_compared():
             mu, _ = validity.with_ratio(
                 lambda mu, shape=shape: isolator(**shape, mu=mu).saddle_node_onset().F_SN, ratio
             )
-            assert isolator(**shape, mu=mu, force="exact").saddle_node_onset().F_SN is None
+            assert isolator(**shape, mu=mu, force="untruncated").saddle_node_onset().F_SN is None
 
 
 @pytest.mark.parametrize("zero", [0.5, 0.71, 0.99, 1.0, 1.01, 1.09, 1.31, 1.9])
@@ -80,7 +81,7 @@ def test_errors_told_for_designs_that_were_not_measured(ratio):
     for delta_h, zeta, F_0 in ((0.06, 0.03, 0.03), (0.11, 0.01, 0.05)):
         oscillator = isolator(delta_h=delta_h, zeta=zeta, mu=ratio * F_0)
         curve = oscillator.frequency_response(F_0, samples=100, Omega=(0.62, 1.15))
-        exact = oscillator.exact_response(F_0, (0.6, 1.2), step=0.05, force="exact")
+        exact = oscillator.exact_response(F_0, Omega=(0.6, 1.2), step=0.05, force="untruncated")
         off = validity.misfit(validity.logs(curve.Omega, curve.A), validity.logs(exact.Omega, exact.A))
         within.append(off <= curve.validity.error)
     assert np.concatenate(within).mean() >= 0.85
@@ -92,8 +93,8 @@ def test_errors_told_for_designs_that_were_not_measured(ratio):
 def test_stops_are_announced_where_there_are_any(Omega, mu):
     """At one frequency on one branch; the exact motion stops in the first four, not in the last two."""
     oscillator = isolator(mu=mu)
-    found = oscillator.amplitudes(Omega, 0.04).validity
-    exact = oscillator.steady_state(Omega, 0.04, force="exact")
+    found = oscillator.amplitudes(Omega=Omega, F_0=0.04).validity
+    exact = oscillator.steady_state(Omega=Omega, F_0=0.04, force="untruncated")
     if exact.stops:
         assert "stops within the cycle" in found.message
         assert found.rest.max() >= validity_table.STOPS_FROM
@@ -113,7 +114,7 @@ def test_near_pi_over_4_every_answer_says_so():
     oscillator, F_0 = isolator(mu=0.028), 0.04
     for answer in (
         oscillator.frequency_response(F_0),
-        oscillator.amplitudes(0.7, F_0),
+        oscillator.amplitudes(Omega=0.7, F_0=F_0),
         oscillator.saddle_nodes(F_0),
     ):
         assert "mu/F_0 = 0.7 is near pi/4" in answer.message
@@ -128,12 +129,12 @@ def test_low_frequencies_stop():
 
 def test_truncation_is_told_where_it_was_made():
     stiff = {"lam": 3, "r": 0.25, "delta_h": 0.6, "mu": 0.01, "zeta": 0.02}
-    truncated = Isolator(**stiff).amplitudes(0.98, 0.2).validity
+    truncated = Isolator(**stiff).amplitudes(Omega=0.98, F_0=0.2).validity
     assert truncated.truncation.max() > 0.005 and "truncated force" in truncated.message
-    untruncated = Isolator(**stiff, force="exact").amplitudes(0.98, 0.2).validity
+    untruncated = Isolator(**stiff, force="untruncated").amplitudes(Omega=0.98, F_0=0.2).validity
     assert not untruncated.truncation.any() and "truncated" not in untruncated.message
-    assert not Duffing(1.0, 0.5, 0.01, 0.05).amplitudes(1.1, 0.1).validity.truncation.any()
-    assert not isolator(delta_h=0).amplitudes(0.9, 0.04).validity.truncation.any()
+    assert not Duffing(1.0, 0.5, 0.01, 0.05).amplitudes(Omega=1.1, F_0=0.1).validity.truncation.any()
+    assert not isolator(delta_h=0).amplitudes(Omega=0.9, F_0=0.04).validity.truncation.any()
 
 
 def test_truncation_is_what_the_two_forces_differ_by():
@@ -142,9 +143,9 @@ def test_truncation_is_what_the_two_forces_differ_by():
     A = 0.9 * oscillator.u_cr
     Omega = float(oscillator.backbone(A))
     F_0 = 2 * 0.02 * A * Omega
-    states = oscillator.amplitudes(Omega, F_0)
+    states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     told = states.validity.truncation[np.argmin(np.abs(states.A - A))]
-    exact = [oscillator.steady_state(Omega, F_0, A, force=force) for force in ("truncated", "exact")]
+    exact = [oscillator.steady_state(Omega=Omega, F_0=F_0, A=A, force=force) for force in ("truncated", "untruncated")]
     # at one amplitude the backbones differ by what the stiffness does
     difference = abs(exact[0].A / exact[1].A - 1)
     assert 0.2 * told < difference < 5 * told
@@ -153,11 +154,11 @@ def test_truncation_is_what_the_two_forces_differ_by():
 def test_a_fold_on_the_corner_is_the_truncations():
     folds = isolator().saddle_nodes(0.03006)
     assert folds.corner.any() and "corner at u_cr" in folds.validity.message
-    untruncated = isolator(force="exact").saddle_nodes(0.03006)
+    untruncated = isolator(force="untruncated").saddle_nodes(0.03006)
     assert len(untruncated) == 2 and "corner" not in untruncated.validity.message
 
 
 def test_no_state_no_remark():
-    nothing = isolator().amplitudes(0.9, 0.01)
+    nothing = isolator().amplitudes(Omega=0.9, F_0=0.01)
     assert nothing.validity.message == "" and nothing.validity.error.size == 0
     assert isolator().saddle_nodes(0.02).validity.error.size == 0

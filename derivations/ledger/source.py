@@ -12,7 +12,7 @@ from types import ModuleType, SimpleNamespace
 
 import sympy as sp
 
-PUBLISHED = Path(__file__).parents[2] / "src" / "slowflow" / "published.py"
+PUBLISHED = Path(__file__).parents[2] / "src" / "slowflow" / "paper" / "published.py"
 
 #: the functions that published.py asks its namespace for
 EXACT = SimpleNamespace(sin=sp.sin, cos=sp.cos, sqrt=sp.sqrt, arccos=sp.acos, exp=sp.exp, sign=sp.sign, pi=sp.pi)

@@ -47,7 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(f"{topic:14}{text}")
     else:
         # here, not above: `slowflow info` needs none of it
-        from slowflow.paper import draw, read_ledger, report
+        from slowflow.paper.report import draw, read_ledger, report
 
         try:
             ledger = read_ledger(given.ledger)

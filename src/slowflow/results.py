@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
-from slowflow.validity import Validity, of_states
 
 
 @dataclass(frozen=True)
@@ -217,6 +217,6 @@ class Detachment:
     message: str
 
 
-def words(*remarks: Any) -> str:
+def joined(*remarks: Any) -> str:
     """Remarks joined into one message."""
     return "; ".join(str(remark) for remark in remarks if remark)

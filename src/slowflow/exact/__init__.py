@@ -1,18 +1,27 @@
 """The equation of motion (3) itself, solved without averaging: periodic motions, response curves, sweeps.
 
-In:  an `Oscillator` (restoring force in pieces, dry friction, viscous damping), a forcing amplitude and a frequency.
+In:  an `EquationOfMotion` (restoring force in pieces, dry friction, viscous damping), a forcing, a frequency.
 Out: `steady_state`, `exact_response`, `sweep`; motions switch exactly between slip, stick, attached and detached.
 """
 
 from slowflow.exact.continuation import Fold, Response, exact_response
-from slowflow.exact.force import Force, Oscillator, Piece, duffing, from_kernels, linear, rod_spring, rod_spring_exact
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
+from slowflow.mechanism import (
+    EquationOfMotion,
+    Force,
+    Piece,
+    duffing,
+    from_kernels,
+    linear,
+    rod_spring,
+    rod_spring_exact,
+)
 
 __all__ = [
+    "EquationOfMotion",
     "Fold",
     "Force",
-    "Oscillator",
     "Piece",
     "Response",
     "SteadyState",

@@ -21,10 +21,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
-from slowflow.exact.force import Oscillator
 from slowflow.exact.integrate import Integrator, default_integrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
+from slowflow.mechanism import EquationOfMotion
 
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9
@@ -111,7 +111,7 @@ class _Point(NamedTuple):
 
 
 def exact_response(
-    system: Oscillator,
+    system: EquationOfMotion,
     F_0: float,
     Omega_range: tuple[float, float] = (0.5, 1.5),
     *,

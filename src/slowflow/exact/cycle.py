@@ -21,9 +21,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.force import Oscillator
 from slowflow.exact.integrate import FAR, Drive, Integrator
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
+from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
 Signature = tuple[tuple[int, int], ...]
@@ -64,7 +64,7 @@ Extra = Callable[[Array, Equations], tuple[float, Array]]
 class Cycle:
     """A periodic motion's order of switches; the unknowns z are (u_0, theta_0, spans..., Omega)."""
 
-    system: Oscillator
+    system: EquationOfMotion
     integrator: Integrator
     signature: Signature
     half_turns: int
@@ -373,7 +373,7 @@ class Cycle:
 
 
 def closed_cycle(
-    system: Oscillator, integrator: Integrator, half_turns: int, phases: list[Phase], Omega: float
+    system: EquationOfMotion, integrator: Integrator, half_turns: int, phases: list[Phase], Omega: float
 ) -> tuple[Cycle, Array] | None:
     """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from slowflow.exact.force import Expression, Piece
+from slowflow.mechanism import Expression, Piece
 
 Array = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from slowflow.exact.force import Oscillator, Piece
 from slowflow.exact.integrate import EDGE, FAR, STOP, TIME, Drive, Integrator
+from slowflow.mechanism import EquationOfMotion, Piece
 
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
@@ -38,7 +38,7 @@ class Phase(NamedTuple):
 class Forced(NamedTuple):
     """An oscillator under F_0 cos(Omega tau), with the integrator to be used."""
 
-    system: Oscillator
+    system: EquationOfMotion
     Omega: float
     F_0: float
     integrator: Integrator
@@ -60,7 +60,7 @@ class Forced(NamedTuple):
         return self.push(region, theta, u) - 2.0 * self.system.zeta * v - slip * self.system.mu
 
 
-def edge_ahead(system: Oscillator, slip: int, region: int) -> float:
+def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
     """The breakpoint towards which a mass in that region slips, with its sign; slip * FAR if there is none."""
     outward = slip * region
     breakpoints = system.force.breakpoints
@@ -69,7 +69,7 @@ def edge_ahead(system: Oscillator, slip: int, region: int) -> float:
     return -slip * breakpoints[-outward - 1]
 
 
-def region_of(system: Oscillator, u: float) -> int:
+def region_of(system: EquationOfMotion, u: float) -> int:
     """The region that holds u; a breakpoint belongs to the inner one."""
     index = sum(abs(u) > b for b in system.force.breakpoints)
     return index if u > 0 else -index

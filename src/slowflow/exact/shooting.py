@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.exact.cycle import Cycle, Equations, closed_cycle
-from slowflow.exact.force import Oscillator
 from slowflow.exact.integrate import Integrator, default_integrator
 from slowflow.exact.motion import TURN, Forced, Phase, follow
+from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
 
@@ -111,7 +111,7 @@ class SteadyState:
 
 
 def steady_state(
-    system: Oscillator,
+    system: EquationOfMotion,
     Omega: float,
     F_0: float,
     guess: SteadyState | tuple[float, float] | None = None,
@@ -156,7 +156,7 @@ def steady_state(
     return _by_time_stepping(forced, theta, u, tries)
 
 
-def check_forcing(system: Oscillator, Omega: float, F_0: float) -> None:
+def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
     """Raises ValueError unless Omega > 0, F_0 > 0 are finite and the forcing can move the mass from u = 0."""
     for name, value in (("Omega", Omega), ("F_0", F_0)):
         if not (math.isfinite(value) and value > 0):

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.force import Oscillator
 from slowflow.exact.integrate import Integrator, default_integrator
 from slowflow.exact.motion import TURN, Forced, follow, stops
 from slowflow.exact.shooting import check_forcing
+from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ class Sweep:
 
 
 def sweep(
-    system: Oscillator,
+    system: EquationOfMotion,
     F_0: float,
     Omega: Sequence[float] | Array,
     *,

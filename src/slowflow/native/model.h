@@ -15,7 +15,7 @@
 #include "slow_flow_mu0.h"
 #include "slow_flow_zeta0.h"
 
-/* the words are in slowflow.many.STATUS */
+/* the words are in slowflow.averaged.many */
 typedef enum {
     SF_OK = 0,
     SF_INVALID = 1,    /* a parameter outside its domain */

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.model import Floats
-from slowflow.results import FrequencyResponse, words
+from slowflow.results import FrequencyResponse, joined
 from slowflow.second.balance import SMALL, Balance, Flags
 
 #: Newton steps along the gradient, the longest one in ln A, R/F_0 and ln Omega, and the one that ends them
@@ -55,7 +55,7 @@ def follow(balance: Balance, first: FrequencyResponse) -> Curve:
     order = _order(at, stable, branch)
     at, A, stable = at[order], A[order], stable[order]
     remark = LOST.format(lost.size, kept.size, lost.min(), lost.max()) if lost.size else ""
-    return Curve(at, A, stable, branch, isola, words(first.message, remark))
+    return Curve(at, A, stable, branch, isola, joined(first.message, remark))
 
 
 def _across(

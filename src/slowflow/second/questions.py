@@ -17,14 +17,15 @@ import numpy as np
 import numpy.typing as npt
 from scipy.optimize import brentq, root
 
-from slowflow import validate, validity
+from slowflow import validate
+from slowflow.measured import validity
 from slowflow.model import Floats
-from slowflow.results import Detachment, SaddleNodeOnset, SecondFolds, SecondResponse, SecondStates, words
+from slowflow.results import Detachment, SaddleNodeOnset, SecondFolds, SecondResponse, SecondStates, joined
 from slowflow.second.balance import SMALL, Balance, Flags
 from slowflow.second.curve import DONE, STEPS, Curve, follow, on_curve
 
 if TYPE_CHECKING:
-    from slowflow.isolator import Oscillator
+    from slowflow.averaged.questions import Averaged
 
 #: distance in logarithms up to which two answers are one
 SAME = 1e-7
@@ -51,13 +52,13 @@ class SecondApproximation:
     first -- the oscillator, averaged
     """
 
-    first: Oscillator
+    first: Averaged
 
     def frequency_response(
-        self, F_0: float, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
+        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> SecondResponse:
         """The response curve, as the first approximation's points move to it."""
-        first = self.first._curve(F_0, samples, Omega)
+        first = self.first.curve(F_0, samples, Omega)
         curve = follow(self._balance, first)
         at = self._balance.response(curve.Omega, curve.A, first.F_0)
         message = self._remarked(curve.message, curve.Omega, at.u_max)
@@ -65,9 +66,9 @@ class SecondApproximation:
             curve.Omega, at.u_max, at.A_1, at.phi, curve.stable, message, curve.branch, curve.isola, first.F_0
         )
 
-    def amplitudes(self, Omega: Any, F_0: float) -> SecondStates:
+    def amplitudes(self, *, Omega: Any, F_0: float) -> SecondStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses."""
-        first = self.first._states(Omega, F_0)
+        first = self.first.states(Omega, F_0)
         wanted = np.asarray(Omega, dtype=float).ravel()
         if not wanted.size or not first.A.size:
             none = np.empty(0)
@@ -82,13 +83,13 @@ class SecondApproximation:
         at, A = wanted[number[other]], A[other]
         there = self._balance.response(at, A, F_0)
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
-        message = words(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
+        message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         message = self._remarked(message, at, there.u_max)
         return SecondStates(at, there.u_max, there.A_1, there.phi, there.F_A > 0, message)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve, by rising Omega."""
-        first = self.first._folds(F_0)
+        first = self.first.folds(F_0)
         peak = self.first.peak(F_0)
         marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
         found: list[tuple[float, float, bool, bool]] = []
@@ -102,7 +103,7 @@ class SecondApproximation:
             found = [fold for k, fold in enumerate(found) if k == 0 or not np.allclose(fold, found[k - 1], SAME, 0)]
             lost = sum(fold is None for fold in solved)
             none = "" if found else NO_FOLD.format(first.F_0)
-            message = words(none, curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
+            message = joined(none, curve.message, UNSOLVED.format(lost, len(solved)) if lost else "")
         at, A, corner, below = np.array(found).reshape(-1, 4).T
         u_max, A_1, *_ = self._balance.response(at, A, first.F_0)
         # what a sweep leaves for a larger amplitude has its stable side below
@@ -169,16 +170,16 @@ class SecondApproximation:
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
-        return words(message, self.first._beyond_reach(A, message), validity.of_second(self.first.mu, Omega, A))
+        return joined(message, self.first.beyond_reach(A, message), validity.of_second(self.first.mu, Omega, A))
 
     def _around(self, F_0: float, Omega: Floats) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""
         shown = (float(Omega.min()) / BEYOND, float(Omega.max()) * BEYOND)
-        return follow(self._balance, self.first._curve(F_0, SAMPLES, shown))
+        return follow(self._balance, self.first.curve(F_0, SAMPLES, shown))
 
     @cached_property
     def _balance(self) -> Balance:
-        return Balance(self.first._model)
+        return Balance(self.first.model)
 
     def _states(self, Omega: Floats, low: Floats, A: Floats, high: Floats, F_0: float) -> tuple[Floats, Flags]:
         """The state at each frequency between two amplitudes, from one in between; and where it was found."""

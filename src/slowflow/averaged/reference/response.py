@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.bounds import amplitude_bound
-from slowflow.folds import F_A, saddle_nodes
-from slowflow.loci import peak_locus, spans, static_locus
+from slowflow.averaged.reference.bounds import amplitude_bound
+from slowflow.averaged.reference.folds import F_A, saddle_nodes
+from slowflow.averaged.reference.roots import peak_roots, response_roots
+from slowflow.averaged.reference.spans import peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
-from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, words
-from slowflow.roots import peak_roots, response_roots
+from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, joined
 
 #: amplitudes closer than this, relatively, are one event
 SAME = 8 * np.finfo(float).eps
@@ -379,7 +379,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         branch.append(np.full(points, number))
     if not steps:
         empty = np.empty(0)
-        message = words(found.message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
+        message = joined(found.message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
         return FrequencyResponse(empty, empty, np.empty(0, bool), message, model, np.empty(0, np.intp), (), F_0)
     return FrequencyResponse(
         np.concatenate(Omega),
@@ -404,4 +404,4 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     at, A, stable = states_at(found, Omega)
     missing = np.setdiff1d(Omega, at)
     remark = "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
-    return SteadyStates(at, A, stable, words(found.message, remark), model)
+    return SteadyStates(at, A, stable, joined(found.message, remark), model)

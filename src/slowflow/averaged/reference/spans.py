@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.model import Floats, Model
-from slowflow.roots import fold_roots, peak_roots
 
 Ints = npt.NDArray[np.integer[Any]]
 

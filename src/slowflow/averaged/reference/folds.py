@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from slowflow.bounds import amplitude_bound, least_forcing
-from slowflow.loci import Spans, fold_locus, peak_locus, spans, static_locus
+from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
+from slowflow.averaged.reference.roots import fold_roots, peak_roots, response_roots
+from slowflow.averaged.reference.spans import Spans, fold_locus, peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
 from slowflow.results import Detachment, Peak, SaddleNodeOnset, SaddleNodes
-from slowflow.roots import fold_roots, peak_roots, response_roots
 
 #: what is said where there is no answer
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.exact.continuation import exact_response
-from slowflow.exact.force import Oscillator, linear
+from slowflow.mechanism import EquationOfMotion, linear
 from slowflow_kernels import den_hartog
 
 
@@ -21,7 +21,7 @@ def figure_2a(ax: Any, ratios: tuple[float, ...] = (0.2, 0.4, 0.6, 0.7)) -> None
     mu/F_0 < pi/4.
     """
     for k, ratio in enumerate(ratios):
-        system = Oscillator(linear(), ratio, 0.0)
+        system = EquationOfMotion(linear(), ratio, 0.0)
         colour = f"C{k}"
         for window in ((0.3, 0.96), (1.04, 2.0)):
             _exact(ax, system, 1.0, window, colour, f"mu/F_0 = {ratio:g}" if window[0] < 1 else None)
@@ -36,8 +36,10 @@ def figure_2a(ax: Any, ratios: tuple[float, ...] = (0.2, 0.4, 0.6, 0.7)) -> None
     ax.legend()
 
 
-def figure_2b(ax: Any, isolators: tuple[tuple[Any, Oscillator], ...], F_0: float, Omega: tuple[float, float]) -> None:
-    """The averaged and the exact curve of each isolator, given as (averaged `Isolator`, `Oscillator`)."""
+def figure_2b(
+    ax: Any, isolators: tuple[tuple[Any, EquationOfMotion], ...], F_0: float, Omega: tuple[float, float]
+) -> None:
+    """The averaged and the exact curve of each isolator, given as (averaged `Isolator`, `EquationOfMotion`)."""
     for k, (averaged, system) in enumerate(isolators):
         colour = f"C{k}"
         curve = averaged.frequency_response(F_0, Omega=Omega)
@@ -49,7 +51,9 @@ def figure_2b(ax: Any, isolators: tuple[tuple[Any, Oscillator], ...], F_0: float
     ax.legend()
 
 
-def _exact(ax: Any, system: Oscillator, F_0: float, Omega: tuple[float, float], colour: str, label: str | None) -> None:
+def _exact(
+    ax: Any, system: EquationOfMotion, F_0: float, Omega: tuple[float, float], colour: str, label: str | None
+) -> None:
     curve = exact_response(system, F_0, Omega)
     A = np.where(curve.stops == 0, curve.A, np.nan)
     ax.plot(curve.Omega, A, color=colour, linewidth=1.4, label=label)

@@ -21,7 +21,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend, validate
-from slowflow.compiled import ONSET_KINDS, Status
+from slowflow.averaged.compiled import ONSET_KINDS, Status
 from slowflow.model import Floats
 
 Codes = npt.NDArray[np.int8]

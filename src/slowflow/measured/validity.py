@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slowflow import validity_table as measured
+from slowflow.measured import table as measured
 from slowflow.model import Floats, Model
 
 #: from this size on an error is worth a remark
@@ -27,7 +27,7 @@ STOPS_SECOND = (
 
 CORNER = (
     "a fold sits on the corner at u_cr, where the truncated force (6) jumps: it and its partner beside it are of the "
-    "truncation's making, force='exact' has neither"
+    "truncation's making, force='untruncated' has neither"
 )
 
 
@@ -81,7 +81,7 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     if A.size and truncation.max() >= WORTH_TRUNCATION:
         at = int(truncation.argmax())
         remarks.append(
-            f"the truncated force (6) is off by {truncation[at]:.1%} at A = {A[at]:.3g}; force='exact' is free of that"
+            f"the truncated force (6) is off by {truncation[at]:.1%} at A = {A[at]:.3g}; force='untruncated' has none"
         )
     if corner and _is_truncated(model):
         remarks.append(CORNER)

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.special import expit
 
-from slowflow.exact.force import Oscillator
 from slowflow.exact.shooting import check_forcing
+from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
 
@@ -37,7 +37,7 @@ class Direct:
 
 
 def direct_integration(
-    system: Oscillator,
+    system: EquationOfMotion,
     Omega: float,
     F_0: float,
     *,
@@ -79,7 +79,7 @@ def direct_integration(
     return Direct(A=max(peaks), A_sampled=float(np.max(np.abs(run.y[0]))), spread=max(peaks) - min(peaks))
 
 
-def _smoothed(system: Oscillator, Omega: float, F_0: float, nu: float):  # type: ignore[no-untyped-def]
+def _smoothed(system: EquationOfMotion, Omega: float, F_0: float, nu: float):  # type: ignore[no-untyped-def]
     """The right-hand side of (A1) as a first-order system in tau, and its Jacobian."""
     pieces, breakpoints = system.force.pieces, system.force.breakpoints
     if len(breakpoints) > 1:

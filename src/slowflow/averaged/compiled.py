@@ -10,8 +10,9 @@ from types import ModuleType
 
 import numpy as np
 
-from slowflow import backend, folds
-from slowflow.bounds import cut
+from slowflow import backend
+from slowflow.averaged.reference import folds
+from slowflow.averaged.reference.bounds import cut
 from slowflow.model import Floats, Model
 from slowflow.results import (
     Cusps,
@@ -23,7 +24,7 @@ from slowflow.results import (
     SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
-    words,
+    joined,
 )
 
 #: kinds of an onset by their number in native/model.h
@@ -128,7 +129,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     _check(status, F_0)
     message = _remark(model, F_0)
     if not A.size:
-        message = words(message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
+        message = joined(message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
     return FrequencyResponse(Omega, A, stable, message, model, branch, isola, F_0)
 
 
@@ -138,4 +139,4 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     _check(status, F_0)
     missing = np.setdiff1d(Omega, at)
     remark = "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
-    return SteadyStates(at, A, stable, words(_remark(model, F_0), remark), model)
+    return SteadyStates(at, A, stable, joined(_remark(model, F_0), remark), model)

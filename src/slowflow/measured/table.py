@@ -1,4 +1,4 @@
-"""Measured errors of averaging, for `slowflow.validity`: a bin begins at its edge and ends at the next.
+"""Measured errors of averaging, for `validity`: a bin begins at its edge and ends at the next.
 
 Written by `make validity` from benchmarks/results/validity.json; never edit. Method: docs/validity.md.
 """

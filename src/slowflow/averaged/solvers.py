@@ -6,7 +6,9 @@ A mechanism that is derived but not compiled into the solvers (src/slowflow/nati
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
-from slowflow import backend, compiled, folds, locus, response
+from slowflow import backend
+from slowflow.averaged import compiled
+from slowflow.averaged.reference import folds, locus, response
 
 Question = TypeVar("Question", bound=Callable[..., Any])
 

@@ -1,7 +1,7 @@
 """The restoring force as the integrators want it: pieces in |u|, each a generated expression with its constants.
 
 In:  the generated kernels of a mechanism, its parameters.
-Out: `Force` (pieces and breakpoints) and `Oscillator` (force, friction, damping), both immutable and hashable.
+Out: `Force` (pieces and breakpoints) and `EquationOfMotion` (force, friction, damping), both immutable and hashable.
 
 A piece's expression is plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
 numbers and an integrator's symbols. Integrators compile an expression once; constants are run-time parameters.
@@ -65,7 +65,7 @@ class Force:
 
 
 @dataclass(frozen=True)
-class Oscillator:
+class EquationOfMotion:
     """Equation (3) without its forcing: f(u), mu >= 0, zeta >= 0, all dimensionless."""
 
     force: Force

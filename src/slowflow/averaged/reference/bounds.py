@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from slowflow.averaged.reference.roots import peak_roots
 from slowflow.model import Floats, Model
-from slowflow.roots import peak_roots
 
 #: where an undamped response is cut when the mechanism itself has no end
 UNBOUNDED_STATIC_MULTIPLE = 100.0

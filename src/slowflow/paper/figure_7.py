@@ -12,7 +12,7 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 
-from slowflow.isolator import Oscillator
+from slowflow.oscillator import Oscillator
 from slowflow.results import FrequencyResponse
 
 #: a light-to-dark ramp, so that the order of the forcings shows; the lightest end is left out
@@ -82,5 +82,5 @@ def shade_unstable(ax: Any, oscillator: Oscillator, Omega: tuple[float, float], 
     """The region of (Omega, A) in which a steady state would be unstable (30), whatever its forcing."""
     w = np.linspace(max(Omega[0], 1e-6), Omega[1], SHADING)[np.newaxis, :]
     A = np.linspace(A_max / SHADING, A_max, SHADING)[:, np.newaxis]
-    unstable = oscillator.stability(w, A)
+    unstable = oscillator.stability(Omega=w, A=A)
     ax.contourf(w[0], A[:, 0], unstable, levels=[-np.inf, 0], colors=["0.90"])

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.folds import NO_CUSP, NO_ISOLA, NO_LOCUS
-from slowflow.loci import Ints, Spans, _on_span, spans
-from slowflow.loci import fold_locus as locus_of_folds
+from slowflow.averaged.reference.folds import NO_CUSP, NO_ISOLA, NO_LOCUS
+from slowflow.averaged.reference.spans import Ints, Spans, _on_span, spans
+from slowflow.averaged.reference.spans import fold_locus as locus_of_folds
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
 

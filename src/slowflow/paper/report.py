@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from slowflow import published
 from slowflow.isolator import Isolator
+from slowflow.paper import published
 from slowflow.results import SaddleNodes
 
 #: frequencies and amplitudes shown in Fig. 7
@@ -111,7 +111,7 @@ def draw(folder: Path) -> list[Path]:
     mpl.use("Agg")
     import matplotlib.pyplot as plt
 
-    from slowflow import plot
+    from slowflow.paper import figure_7 as plot
 
     isolator = table_1_isolator()
     onset, detachment = isolator.saddle_node_onset(), isolator.detachment()

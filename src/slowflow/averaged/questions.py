@@ -1,0 +1,230 @@
+"""The averaged questions about one oscillator: in goes its slow flow as numbers, out come curves, folds, forcings.
+
+Everything is dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency in sqrt(k_v/m). What runs
+for a question, and what is skipped, `plan` decides; `solvers` has the solvers, compiled or on NumPy.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.averaged import plan, solvers
+from slowflow.averaged.reference.folds import NO_FOLD
+from slowflow.measured import validity
+from slowflow.model import Floats, Model
+from slowflow.results import (
+    Cusps,
+    Detachment,
+    FoldLocus,
+    FrequencyResponse,
+    IsolaPoints,
+    Peak,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+    joined,
+)
+
+Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes)
+
+
+class Averaged:
+    """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), averaged.
+
+    model -- its slow flow
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+
+    @cached_property
+    def first_piece(self) -> Model | None:
+        """The first piece of the force alone, where a response to less than F_cr is known to stay on it; else None."""
+        return None
+
+    @property
+    def mu(self) -> float:
+        """Dry friction over k_v L."""
+        return self.model.mu
+
+    @property
+    def zeta(self) -> float:
+        """Viscous damping ratio."""
+        return self.model.zeta
+
+    @property
+    def sticking_forcing(self) -> float:
+        """4 mu/pi: a forcing that does not exceed it leaves the mass at rest (27)."""
+        return self.model.m
+
+    @property
+    def breakpoints(self) -> tuple[float, ...]:
+        """Amplitudes at which the force passes from one piece to the next: (u_cr,), or none."""
+        return self.model.breakpoints
+
+    def frequency_response(
+        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
+    ) -> FrequencyResponse:
+        """The response curve at F_0, every branch and isola, for frequencies in the window `Omega` (24), (25), (30).
+
+        About `samples` points; folds, peaks and corners are among them exactly. Raises ValueError for F_0 <= 0,
+        samples < 2, or a window that is not 0 <= low < high. F_0 <= 4 mu/pi gives no point and a message.
+        """
+        return self._remarked(self.curve(F_0, samples, Omega), F_0)
+
+    def curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> FrequencyResponse:
+        """`frequency_response` without the remarks on averaging: what another approximation starts from."""
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        samples = validate.count("samples", samples, least=2)
+        shown = validate.window("Omega", Omega)
+        planned = self._plan("frequency_response", F_0)
+        if planned.model is None:
+            none, flags = np.empty(0), np.empty(0, dtype=bool)
+            return FrequencyResponse(none, none, flags, self._sticks(F_0), self.model, np.empty(0, np.intp), (), F_0)
+        return solvers.frequency_response(planned.model, F_0, samples, shown)
+
+    def amplitudes(self, *, Omega: Any, F_0: float) -> SteadyStates:
+        """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
+
+        Flat arrays .Omega, .A, .phi, .stable, in the order of Omega, then by rising A. Raises ValueError for Omega <= 0
+        or F_0 <= 0. F_0 <= 4 mu/pi gives no state and a message.
+        """
+        return self._remarked(self.states(Omega, F_0), F_0)
+
+    def states(self, Omega: Any, F_0: float) -> SteadyStates:
+        """`amplitudes` without the remarks on averaging: what another approximation starts from."""
+        at = validate.positive_array("Omega", Omega).ravel()
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        planned = self._plan("amplitudes", F_0)
+        if planned.model is None:
+            none = np.empty(0)
+            return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self.model)
+        return solvers.amplitudes(planned.model, at, F_0)
+
+    def saddle_nodes(self, F_0: float) -> SaddleNodes:
+        """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
+        return self._remarked(self.folds(F_0), F_0)
+
+    def folds(self, F_0: float) -> SaddleNodes:
+        """`saddle_nodes` without the remarks on averaging: what another approximation starts from."""
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        planned = self._plan("saddle_nodes", F_0)
+        if planned.model is None or not planned.folds:
+            none = np.empty(0)
+            message = self._sticks(F_0) if planned.model is None else NO_FOLD.format(F_0)
+            return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self.model)
+        return solvers.saddle_nodes(planned.model, F_0)
+
+    def saddle_node_onset(self) -> SaddleNodeOnset:
+        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
+        return self._onset
+
+    def detachment(self) -> Detachment:
+        """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34)."""
+        return self._detachment
+
+    def peak(self, F_0: float) -> Peak:
+        """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
+
+        Where the amplitude only falls with Omega it is the static one, with Omega = 0.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        planned = self._plan("peak", F_0)
+        if planned.model is None:
+            return Peak(None, None, F_0, self._sticks(F_0))
+        return solvers.peak(planned.model, F_0)
+
+    def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
+        """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
+
+        A_max is the mechanism's reach unless it is given; a mechanism without an end (`Duffing`) needs it. Raises
+        ValueError for samples < 2, A_max <= 0 or none where one is needed.
+        """
+        return solvers.fold_locus(self.model, self._up_to(A_max), validate.count("samples", samples, least=2))
+
+    def cusps(self, *, A_max: float | None = None) -> Cusps:
+        """Where two folds come into being or meet, F = F_A = F_AA = 0; A_max as in `fold_locus`."""
+        return solvers.extrema(self.model, self._up_to(A_max))[0]
+
+    def isola_points(self, *, A_max: float | None = None) -> IsolaPoints:
+        """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`."""
+        return solvers.extrema(self.model, self._up_to(A_max))[1]
+
+    def backbone(self, A: Any) -> Floats:
+        """Omega on the backbone at the amplitudes A > 0 (26); nan where the averaged stiffness is negative."""
+        A = validate.positive_array("A", A)
+        h = self.model.averaged(A)[0]
+        with np.errstate(invalid="ignore"):
+            return np.asarray(self.model.flow.backbone(A, h))
+
+    def limit_envelope(self, *, Omega: Any, F_0: float) -> Floats:
+        """A_L at the frequencies Omega > 0 (27), which no response exceeds; inf for zeta = 0, 0 where it sticks."""
+        Omega = validate.positive_array("Omega", Omega)
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        if F_0 <= self.model.m:
+            return np.zeros_like(Omega)
+        if self.zeta == 0:
+            return np.full_like(Omega, np.inf)
+        return np.asarray(self.model.flow.limit_envelope(Omega, F_0, self.model.m, self.zeta))
+
+    def equivalent_damping(self, *, Omega: Any, A: Any) -> Floats:
+        """zeta_eq at (Omega, A), broadcast: the viscous damping ratio that dissipates as much per cycle (38)."""
+        Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
+        return np.asarray(self.model.flow.equivalent_damping(Omega, A, self.model.m, self.zeta) + 0 * (Omega + A))
+
+    def stability(self, *, Omega: Any, A: Any) -> Floats:
+        """Left side of (30) at (Omega, A), broadcast: a steady state there is stable where it is positive."""
+        Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
+        h, h_A, _, _ = self.model.averaged(A)
+        return np.asarray(self.model.flow.stability(Omega, A, self.model.m, self.zeta, h, h_A))
+
+    def explain(self, question: str, F_0: float) -> plan.Plan:
+        """What runs for "frequency_response", "amplitudes", "saddle_nodes" or "peak" at F_0, what is skipped, and why.
+
+        Print it. The question itself follows this plan. Raises ValueError for another question or F_0 <= 0.
+        """
+        if question not in plan.QUESTIONS:
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(plan.QUESTIONS)}")
+        return self._plan(question, validate.number("F_0", F_0, above=0.0))
+
+    @cached_property
+    def _onset(self) -> SaddleNodeOnset:
+        return solvers.onset(self.model)
+
+    @cached_property
+    def _detachment(self) -> Detachment:
+        return solvers.detachment(self.model)
+
+    def _plan(self, question: str, F_0: float) -> plan.Plan:
+        # finding the onset costs time too: it serves only where it has been asked for already
+        known = self.__dict__.get("_onset")
+        return plan.plan(question, F_0, self.model, self.first_piece, self._detachment.F_cr, known)
+
+    def _up_to(self, A_max: float | None) -> float:
+        """The amplitude up to which the fold locus is wanted."""
+        if A_max is None and math.isfinite(self.model.reach):
+            return self.model.reach
+        return validate.number("A_max", A_max, above=0.0)
+
+    def _sticks(self, F_0: float) -> str:
+        return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self.model.m:g}"
+
+    def _remarked(self, found: Answer, F_0: float) -> Answer:
+        """The answer with remarks where averaging fails for friction, and where amplitudes exceed the reach."""
+        if F_0 <= self.model.m:
+            return found
+        remark = joined(self.beyond_reach(found.A, found.message), validity.near_sticking(self.mu, F_0))
+        return dataclasses.replace(found, message=joined(found.message, remark)) if remark else found
+
+    def beyond_reach(self, A: Floats, message: str) -> str:
+        """The remark for amplitudes that the mechanism cannot take; empty for others, and where `message` says it."""
+        reach = self.model.reach
+        if not A.size or A.max() <= reach or "cut at" in message:
+            return ""
+        return f"amplitudes above {reach:g} are not reached: {self.model.kernels.REACH_REASON}"
