@@ -7,11 +7,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -23,11 +21,9 @@ from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_
 from slowflow.exact.motion import TURN, Forced, follow
 from slowflow.paper.smoothed import direct_integration
 from slowflow_kernels import den_hartog
-
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
-import exact_linear
-from exact_cases import isolator, table_1
-from test_exact_response import _half_turn
+from tests.oracles import exact_linear
+from tests.oracles.exact_cases import isolator, table_1
+from tests.oracles.exact_scipy import half_turn
 
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
@@ -165,7 +161,7 @@ def frequency_at(exact: bool, F_0: float, A: float, guess: tuple[float, float]) 
     force, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), 0.012, 0.02, exact)[1]
 
     def mirrored(x: np.ndarray) -> tuple[float, float]:
-        u, v = _half_turn(A, x[0], x[1], F_0, 0.012, 0.02, force, u_cr)
+        u, v = half_turn(A, x[0], x[1], F_0, 0.012, 0.02, force, u_cr)
         return u + A, v
 
     return float(root(mirrored, guess, tol=1e-13).x[1])

@@ -10,11 +10,9 @@ kappa is the condition number in all arguments, so that u (1 + kappa) is what ro
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -26,9 +24,7 @@ from derivations.mechanisms import all_mechanisms
 from derivations.oscillator import oscillator
 from derivations.restoring import FAR, restoring
 from derivations.symbols import A
-
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
-import backends
+from tests import backends
 
 U = 2.0**-53
 TABLE_1 = (3.0, 3747 / 1848, 1848 / (6 * 3747))

@@ -9,7 +9,6 @@ timed in turn in every round, each after a call that warms the caches for it, an
 from __future__ import annotations
 
 import argparse
-import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -20,10 +19,8 @@ import numpy as np
 
 from slowflow import backend
 from slowflow.averaged.reference.roots import numpy_roots, response_roots
-
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
-from native_roots import build, why_not
-from root_oracle import U, relative_error, roots, stress_cases
+from tests.native.roots import build, why_not
+from tests.oracles.frequencies import U, relative_error, roots, stress_cases
 
 SCENES = ("mild", "F_0 << |h|", "near tangent", "three roots")
 Method = Callable[[np.ndarray], np.ndarray]

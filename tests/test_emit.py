@@ -11,7 +11,6 @@ import pytest
 import sympy as sp
 from mpmath import mp, mpf
 
-import generated_c
 from derivations.averaging import averaged
 from derivations.emit.catalogue import all_modules
 from derivations.emit.passes import operations, straight_line
@@ -21,6 +20,7 @@ from derivations.emit.targets.printing import Unprintable, literal
 from derivations.results import derive
 from derivations.slow_flow import slow_flow
 from derivations.symbols import A
+from tests.native import headers
 
 x, y = sp.symbols("x y", positive=True)
 z, w = sp.symbols("z w", real=True)
@@ -140,11 +140,11 @@ def test_numpy_survives(expected, tmp_path):
         np.testing.assert_allclose(found, value, rtol=2e-15, err_msg=str(SURVIVES[k]))
 
 
-@pytest.mark.skipif(generated_c.COMPILER is None, reason="no C compiler (cc) on the path")
+@pytest.mark.skipif(headers.COMPILER is None, reason="no C compiler (cc) on the path")
 def test_c_survives(expected, tmp_path):
     source, program = tmp_path / "survives.c", tmp_path / "survives"
     source.write_text(c_source([program_of(expression) for expression in SURVIVES]))
-    command = [generated_c.COMPILER, *generated_c.WARNINGS, f"-I{generated_c.HEADERS}", str(source), "-o", str(program)]
+    command = [headers.COMPILER, *headers.WARNINGS, f"-I{headers.HEADERS}", str(source), "-o", str(program)]
     subprocess.run([*command, "-lm"], check=True)
     printed = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout.split()
     for expression, text, value in zip(SURVIVES, printed, expected, strict=True):

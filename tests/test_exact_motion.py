@@ -8,14 +8,13 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-import exact_brute
-import exact_linear
-from exact_cases import isolator, random_cases, table_1
 from slowflow import Duffing
 from slowflow.exact import EquationOfMotion, duffing, linear, rod_spring, rod_spring_exact, steady_state, sweep
 from slowflow.exact.integrate import Drive, HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
 from slowflow_kernels import den_hartog
+from tests.oracles import exact_brute, exact_linear
+from tests.oracles.exact_cases import isolator, random_cases, table_1
 
 heyoka = pytest.mark.skipif(
     default_integrator().name != "heyoka", reason="heyoka is not installed: nothing to compare SciPy's with"

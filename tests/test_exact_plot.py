@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from exact_cases import table_1
 from slowflow import Isolator
 from slowflow.exact.integrate import default_integrator
+from tests.oracles.exact_cases import table_1
 
 figure = pytest.importorskip("matplotlib.figure")
 

@@ -4,12 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar, root
 
-from exact_cases import isolator, random_cases, table_1
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import ScipyIntegrator, default_integrator
+from tests.oracles.exact_cases import isolator, random_cases, table_1
+from tests.oracles.exact_scipy import half_turn
 
 QUICK = default_integrator().name == "heyoka"
 heyoka = pytest.mark.skipif(not QUICK, reason="heyoka is not installed: a whole curve by SciPy takes ten seconds")
@@ -74,31 +74,6 @@ def test_points_are_motions_and_stability_is_theirs(curves):
             assert state.A == pytest.approx(curve.A[index], abs=1e-12)
 
 
-def _half_turn(A, theta, Omega, F_0, mu, zeta, force, u_cr):
-    """(u, v) half a turn after a maximum A at phase theta, by SciPy, the force typed in; split where |u| = u_cr."""
-    attached, detached = force
-    tau, end, y = 0.0, math.pi / Omega, [A, 0.0]
-    while tau < end:
-        outside = abs(y[0]) > u_cr or (abs(abs(y[0]) - u_cr) < 1e-13 and y[0] < 0)
-        piece = detached if outside else attached
-
-        def field(t, y, piece=piece):
-            return [y[1], F_0 * math.cos(Omega * t + theta) - 2 * zeta * y[1] - piece(y[0]) + mu]
-
-        level = u_cr if y[0] > u_cr else -u_cr
-
-        def edge(t, y, level=level):
-            return y[0] - level
-
-        edge.terminal, edge.direction = True, -1
-        events = None if outside and y[0] < 0 else [edge]
-        run = solve_ivp(field, (tau, end), y, method="DOP853", rtol=1e-12, atol=1e-14, events=events)
-        tau, y = float(run.t[-1]), list(run.y[:, -1])
-        if run.status == 1:
-            y[0] = level - 1e-15 if level < 0 else level * (1 - 1e-14)
-    return y
-
-
 @pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)] if QUICK else [(True, 0.04)])
 def test_curve_by_amplitude(curves, exact, F_0):
     """Solved for (Omega, theta) at given amplitudes instead of followed: the same curve, the same folds.
@@ -118,7 +93,7 @@ def test_curve_by_amplitude(curves, exact, F_0):
             A = float(point.z[0])
 
             def mirrored(x, A=A):
-                u, v = _half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
+                u, v = half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
                 return u + A, v
 
             solution = root(mirrored, (point.z[1] + 1e-3, point.z[-1] + 1e-3), tol=1e-12)
@@ -141,7 +116,7 @@ def test_peak_by_amplitude(curves, exact, F_0):
 
     def lowered(Omega):
         def mirrored(x):
-            u, v = _half_turn(x[0], x[1], Omega, F_0, mu, zeta, by_hand, u_cr)
+            u, v = half_turn(x[0], x[1], Omega, F_0, mu, zeta, by_hand, u_cr)
             return u + x[0], v
 
         solution = root(mirrored, near, tol=1e-13)
@@ -338,7 +313,7 @@ def test_corner_fold_of_the_truncated_force():
         A = float(point.z[0])
 
         def mirrored(x, A=A):
-            u, v = _half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
+            u, v = half_turn(A, x[0], x[1], F_0, mu, zeta, by_hand, u_cr)
             return u + A, v
 
         frequencies.append(root(mirrored, (point.z[1] + 1e-6, point.z[-1] + 1e-6), tol=1e-13).x[1])

@@ -2,9 +2,9 @@
 
 import pytest
 
-from exact_cases import table_1
 from slowflow.exact import EquationOfMotion, linear, steady_state
 from slowflow.paper.smoothed import direct_integration
+from tests.oracles.exact_cases import table_1
 
 
 def test_bias_falls_with_the_smoothing():

@@ -1,4 +1,4 @@
-"""Every generated kernel (NumPy, compiled, C) against 40-digit values from independent routes: `make_kernel_oracle.py`.
+"""Every generated kernel (NumPy, compiled, C) against 40-digit values from independent routes: `make_kernel_oracle`.
 
 The measure is error/(u scale), where scale = |f| + sum |x df/dx| over the arguments: what rounding the arguments and
 the result once each would cause. It is the error in units of u(1 + kappa), and stays finite where f vanishes.
@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import generated_c
+from tests.native import headers
 
 HERE = Path(__file__).parent
 PACKAGE = HERE.parent / "generated" / "slowflow_kernels"
@@ -80,9 +80,9 @@ def package(request):
 @pytest.fixture(scope="module")
 def library(tmp_path_factory):
     """The C headers, compiled together with all warnings as errors."""
-    if generated_c.COMPILER is None:
+    if headers.COMPILER is None:
         pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
-    return generated_c.build(tmp_path_factory.mktemp("kernels"))
+    return headers.build(tmp_path_factory.mktemp("kernels"))
 
 
 @pytest.mark.parametrize("module", MODULES)
@@ -93,7 +93,7 @@ def test_no_kernel_without_an_oracle(module):
 
 def test_every_c_function_has_an_oracle():
     known = {f"{module}_{kernel}" for module, kernel in KERNELS}
-    found = set(generated_c.prototypes())
+    found = set(headers.prototypes())
     assert known <= found
     helpers = {name for name in found - known if name.startswith("angles_")}
     regimes = {name for name in found - known if any(f"{kernel}_p" in name for kernel in known)}
@@ -130,11 +130,11 @@ def test_kernel_in_c(library, module, kernel):
     assert max(errors) <= BOUNDS.get(kernel, BOUND)
 
 
-@pytest.mark.parametrize("header", sorted(generated_c.HEADERS.glob("*.h")), ids=lambda header: header.name)
+@pytest.mark.parametrize("header", sorted(headers.HEADERS.glob("*.h")), ids=lambda header: header.name)
 def test_header_compiles_alone(header, tmp_path):
-    if generated_c.COMPILER is None:
+    if headers.COMPILER is None:
         pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
-    assert generated_c.compile_alone(header, tmp_path) == ""
+    assert headers.compile_alone(header, tmp_path) == ""
 
 
 ISOLATOR = (0.5, 2.7914, 2.0935, 0.397)

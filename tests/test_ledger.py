@@ -1,6 +1,6 @@
 """In: the derivation, published.py and every single mutant of it. Out: whether the ledger is complete, right and bites.
 
-The numbers are held against `oracle.py`, which shares no code with the derivation or the ledger.
+The numbers are held against `oracles/averaged.py`, which shares no code with the derivation or the ledger.
 """
 
 import ast
@@ -25,7 +25,7 @@ from derivations.ledger.formulas import Subject, subjects
 from derivations.ledger.judging import judge
 from derivations.ledger.rows import ALLOWED, AMBIGUOUS, DIFFERS, FALSE, IDENTICAL, VOCABULARY, Row
 from derivations.results import Results, derive
-from oracle import RodSpring
+from tests.oracles.averaged import RodSpring
 
 PUBLISHED = source.load()
 SOURCE = ast.parse(source.PUBLISHED.read_text(encoding="utf-8"))

@@ -23,13 +23,12 @@ import mpmath
 import numpy as np
 import pytest
 
-import backends
-import generated_c
-import native_clones
 from derivations.emit.arctangent import series
 from slowflow.averaged.reference import roots
 from slowflow.backend import KERNELS, SOLVER
 from slowflow_kernels import MODULES, rod_spring, slow_flow
+from tests import backends
+from tests.native import clones, headers
 
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
@@ -275,7 +274,7 @@ def targets() -> list[str]:
 @pytest.mark.skipif(len(targets()) < 2, reason="one target only")
 def test_every_clone_gives_the_same_bits(tmp_path):
     """Each target alone: without contraction wide vectors round as narrow ones do."""
-    first, *others = (native_clones.build(tmp_path, target) for target in targets())
+    first, *others = (clones.build(tmp_path, target) for target in targets())
     rng = np.random.default_rng(11)
     for name in ("averaged", "averaged_2", "h", "H_A", "phase", "jacobian", "coefficients", "saddle_nodes"):
         A = rng.uniform(0.01, 1.2, 1003)
@@ -299,7 +298,7 @@ def test_the_installed_clone_is_one_of_them(tmp_path):
     """The extension module's choice gives the bits of the baseline, built here."""
     if not targets():
         pytest.skip("no gcc for x86-64 Linux")
-    baseline = native_clones.build(tmp_path, "x86-64")
+    baseline = clones.build(tmp_path, "x86-64")
     p = (0.5, 2.8, 2.1, 0.4)
     A = np.random.default_rng(12).uniform(0.01, 1.2, 1003)
     for x, y in zip(rod_spring.averaged(A, *p), baseline("averaged", (A, *p)), strict=True):
@@ -323,9 +322,9 @@ def test_the_arctangent_polynomial_is_as_good_as_derived():
 @pytest.fixture(scope="module")
 def atan2(tmp_path_factory):
     """The generated arctangent, by itself."""
-    if generated_c.COMPILER is None:
+    if headers.COMPILER is None:
         pytest.skip("no C compiler")
-    library = generated_c.build(tmp_path_factory.mktemp("angles"))
+    library = headers.build(tmp_path_factory.mktemp("angles"))
     return lambda y, x: float(library("angles_atan2", [y, x], 1)[0])
 
 

@@ -13,9 +13,18 @@ import pytest
 from flint import arb, fmpq, fmpq_poly
 from mpmath import mp, mpf
 
-import make_random_isolators as generator
-from certified_roots import isolate, polynomial_roots, precision
-from oracle import BITS, CORNER, DETACHED, Duffing, Oscillator, RodSpring, _res_quadratic_cubic, _res_quadratic_quartic
+from tests.oracles import make_random_isolators as generator
+from tests.oracles.averaged import (
+    BITS,
+    CORNER,
+    DETACHED,
+    Duffing,
+    Oscillator,
+    RodSpring,
+    _res_quadratic_cubic,
+    _res_quadratic_quartic,
+)
+from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 
 DATA = Path(__file__).parent / "data"
 FILES = ("table_1", "random_isolators", "random_duffing", "negative_stiffness")

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from native_roots import Solver, build, why_not
-from root_oracle import KINDS, U, relative_error, roots, stress_cases
 from slowflow.averaged.reference.roots import numpy_roots, peak_roots, response_roots
+from tests.native.roots import Solver, build, why_not
+from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
 
 # Less than the promised u (1 + kappa), so that a correction that has become useless is seen.  Rounding the exact root
 # costs up to u, which is 2/3 u (1 + kappa), as kappa >= 1/2 (change the unit of frequency); sqrt(-h/A), with kappa = 1,

@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from native_roots import why_not
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import compiled
 from slowflow.averaged.reference import folds, locus, response
-from solver_build import THOROUGH, build
+from tests.native.roots import why_not
+from tests.native.solvers import THOROUGH, build
 
 DATA = Path(__file__).parent / "data"
 UNIT = 2.0**-53

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from native_roots import FLAGS, HEADERS, HERE, WARNINGS
+from tests.native.roots import FLAGS, HEADERS, HERE, ROOT, WARNINGS
 
-GENERATED = HERE.parent / "generated" / "c"
+GENERATED = ROOT / "generated" / "c"
 #: ten times as many samples as the package's, and nothing left out
 THOROUGH = ["-DSF_MOST_NODES=20000", "-DSF_STEP_DOWN=0.99", "-DSF_STEP_UP=1.01", "-DSF_STEP_NEAR=1.02", "-DSF_SKIP=0"]
 
@@ -26,7 +26,7 @@ def build(directory: Path, options: list[str]) -> Callable[[str, np.ndarray], An
     library = Path(directory) / "solvers.so"
     command = ["gcc", *WARNINGS, *FLAGS, *options, f"-I{HEADERS}", f"-I{GENERATED}", "-shared", "-fPIC"]
     done = subprocess.run(
-        [*command, str(HERE / "native" / "solver_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
+        [*command, str(HERE / "solver_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
     )
     if done.returncode:
         raise RuntimeError(done.stderr)

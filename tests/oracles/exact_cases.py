@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-import exact_brute
 from slowflow.exact import EquationOfMotion, rod_spring, rod_spring_exact
+from tests.oracles import exact_brute
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ from typing import Any
 
 from flint import arb, arb_mat, arb_series, fmpq, fmpq_poly
 
-from certified_roots import isolate, polynomial_roots, precision
+from tests.oracles.certified_roots import isolate, polynomial_roots, precision
 
 BITS = 280  # 84 digits to compute with; 40 are reported
 DIGITS = 40

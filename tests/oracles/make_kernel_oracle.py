@@ -9,7 +9,7 @@ the Jacobian by differentiating the averaged equations of motion, Den Hartog's s
 
 u * scale is the error that rounding the arguments and the result once each would cause: error/scale is measured in u.
 
-Run it after a change of the list of kernels: python tests/make_kernel_oracle.py [module ...] (all: ten minutes).
+After a change of the list of kernels: python -m tests.oracles.make_kernel_oracle [module ...] (all: ten minutes).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ mp.dps = 60
 ctx.prec = 300
 STEP = mpf(10) ** -20
 EXACT_STEP = fmpq(1, 2**70)
-OUT = Path(__file__).parent / "data" / "kernel_oracle.json"
+OUT = Path(__file__).parents[1] / "data" / "kernel_oracle.json"
 SCENES = {"": (), "_mu0": ("m", "mu"), "_zeta0": ("zeta",), "_mu0_zeta0": ("m", "mu", "zeta")}
 
 Function = Callable[..., list]

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-HEADERS = Path(__file__).parents[1] / "generated" / "c"
+HEADERS = Path(__file__).parents[2] / "generated" / "c"
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
 PROTOTYPE = re.compile(r"^static inline (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)

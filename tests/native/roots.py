@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 
 HERE = Path(__file__).parent
-HEADERS = HERE.parent / "src" / "slowflow" / "native"
+ROOT = HERE.parents[1]
+HEADERS = ROOT / "src" / "slowflow" / "native"
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
 
@@ -33,7 +34,7 @@ def build(directory: Path, clones: bool) -> Solver:
     library = directory / f"roots{'_clones' if clones else ''}.so"
     command = ["gcc", *WARNINGS, *FLAGS, *(["-DSF_CLONES"] if clones else []), f"-I{HEADERS}", "-shared", "-fPIC"]
     done = subprocess.run(
-        [*command, str(HERE / "native" / "roots_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
+        [*command, str(HERE / "roots_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
     )
     if done.returncode:
         raise RuntimeError(done.stderr)

@@ -1,4 +1,4 @@
-"""Certified points of `oracle` in; relative condition numbers out, as floats good to a few digits.
+"""Certified points of `averaged` in; relative condition numbers out, as floats good to a few digits.
 
 Two numbers for each quantity x: `inputs`, the sum of |dx/dp p/x| over the oscillator's parameters and the forcing, and
 `kernel`, the same over h, h_A (and h_AA, where the point needs it), taken as free: what relative errors of one unit in
@@ -12,8 +12,8 @@ from typing import Any
 
 from flint import arb, arb_mat, fmpq
 
-from certified_roots import precision
-from oracle import BITS, CORNER, Amplitude, Number, Oscillator, Point, exact
+from tests.oracles.averaged import BITS, CORNER, Amplitude, Number, Oscillator, Point, exact
+from tests.oracles.certified_roots import precision
 
 STEP = fmpq(1, 2**100)
 

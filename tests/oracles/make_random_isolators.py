@@ -1,10 +1,10 @@
 """Seeds in; tests/data/*.json out: certified reference values for random oscillators and for the paper's Table 1.
 
-    python tests/make_random_isolators.py [--out DIR] [--processes N]
+    python -m tests.oracles.make_random_isolators [--out DIR] [--processes N]
 
 writes table_1.json, random_isolators.json (200 isolators), random_duffing.json (20 Duffing oscillators, hardening and
 softening) and negative_stiffness.json (10 isolators with alpha < 0). The same seeds give the same bytes. Every number
-comes from `oracle`; at each forcing the number of folds is found twice, by isolating the folds and by the extrema of
+comes from `averaged`; at each forcing the number of folds is found twice, by isolating the folds and by the extrema of
 the fold locus, and a disagreement stops the run. data/README.md says what the fields mean.
 """
 
@@ -20,9 +20,9 @@ from typing import Any
 
 from flint import arb
 
-from certified_roots import precision
-from conditioning import Condition, Conditioning
-from oracle import BITS, CORNER, Duffing, Number, Oscillator, Point, RodSpring, digits
+from tests.oracles.averaged import BITS, CORNER, Duffing, Number, Oscillator, Point, RodSpring, digits
+from tests.oracles.certified_roots import precision
+from tests.oracles.conditioning import Condition, Conditioning
 
 SEED = "slowflow 2025"
 ISOLATORS, DUFFINGS, NEGATIVE = 200, 20, 10
@@ -285,7 +285,7 @@ def write(path: Path, cases: list[dict]) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--out", type=Path, default=Path(__file__).parent / "data")
+    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "data")
     parser.add_argument("--processes", type=int, default=2)
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)

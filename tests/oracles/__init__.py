@@ -1,0 +1,8 @@
+"""Independent references: none shares a step with what it is held against; each says what it shares at its top.
+
+averaged, conditioning    certified folds, onsets, states of an averaged oscillator, and how well-conditioned they are
+certified_roots           every real root of a function in a range, enclosed: what `averaged` isolates with
+frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
+exact_brute, exact_linear, exact_scipy, exact_cases    the equation of motion by other means, and oscillators to try
+make_kernel_oracle, make_random_isolators              programs that write `tests/data`
+"""
