@@ -1,6 +1,6 @@
 # make paper   set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
 # make test    everything that CI runs (second command)
-# make derive  write generated/ anew; make check: compare generated/ with a fresh derivation; make bench: the benchmarks
+# make derive  write generated/ anew and build what is compiled from it; make check: compare generated/ with a fresh derivation; make bench: the benchmarks
 # make validity  averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
 #                docs/validity.md, some ten minutes
 # make bench-peers  other tools on the same problem, each installed into an environment of its own under .venv-peers
@@ -23,6 +23,8 @@ test: $(INSTALLED) check lint
 
 derive: $(INSTALLED)
 	$(BIN)/python -m derivations
+	$(BIN)/python setup.py --quiet build_ext --inplace
+	@touch $(INSTALLED)
 
 check: $(INSTALLED)
 	$(BIN)/python -m derivations --check

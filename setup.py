@@ -16,7 +16,7 @@ from setuptools.command.build_ext import build_ext
 
 NATIVE = Path("src/slowflow/native")
 GENERATED = Path("generated")
-HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED / "c") for path in folder.rglob("*.h"))
+HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED) for path in folder.rglob("*.h"))
 # Without GIL there is no stable ABI yet.
 STABLE_ABI = not sysconfig.get_config_var("Py_GIL_DISABLED")
 # IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps
@@ -42,7 +42,7 @@ def extension(name, sources):
     return Extension(
         name,
         sorted(str(path) for path in sources),
-        include_dirs=[str(NATIVE), str(GENERATED / "c"), np.get_include()],
+        include_dirs=[str(NATIVE), str(GENERATED / "c"), str(GENERATED / "native"), np.get_include()],
         depends=HEADERS,
         define_macros=[("Py_LIMITED_API", "0x030B0000")] if STABLE_ABI else [],
         py_limited_api=STABLE_ABI,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, backend
-from slowflow.averaged import compiled, solvers
+from slowflow.averaged import solvers
 from slowflow.model import Model
 from slowflow_kernels import duffing, rod_spring
 
@@ -132,6 +132,7 @@ def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
 def test_a_mechanism_that_is_derived_but_not_compiled_is_solved_all_the_same():
     kernels = types.ModuleType("slowflow_kernels.fresh")
     kernels.__dict__.update({name: value for name, value in vars(duffing).items() if not name.startswith("__")})
+    kernels.NAME = "fresh"
     fresh, known = Model(kernels, (1.0, 0.5), 0.01, 0.02), Model(duffing, (1.0, 0.5), 0.01, 0.02)
     same_folds(solvers.saddle_nodes(fresh, 0.1), solvers.saddle_nodes(known, 0.1))
     assert solvers.onset(fresh).F_SN == pytest.approx(solvers.onset(known).F_SN, rel=1e-13)
@@ -144,9 +145,9 @@ def test_an_error_inside_the_compiled_path_is_not_taken_for_a_missing_mechanism(
     def broken(*_):
         return [][0]
 
-    monkeypatch.setattr(compiled, "onset", broken)
+    monkeypatch.setattr(backend.SOLVER, "onset", broken)
     with pytest.raises(IndexError):
-        solvers._chosen("onset", solvers.onset)(Model(duffing, (1.0, 0.5), 0.01, 0.02))
+        solvers.onset(Model(duffing, (1.0, 0.5), 0.01, 0.02))
 
 
 @pytest.mark.parametrize("question", ["frequency_response", "amplitudes"])

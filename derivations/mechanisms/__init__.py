@@ -30,10 +30,10 @@ class Parameter:
     symbol: sp.Symbol
     doc: str
     unit: str
-    above: sp.Expr | int | None = None
-    least: sp.Expr | int | None = None
-    below: sp.Expr | int | None = None
-    most: sp.Expr | int | None = None
+    above: sp.Rational | int | None = None
+    least: sp.Rational | int | None = None
+    below: sp.Rational | int | None = None
+    most: sp.Rational | int | None = None
 
     def __post_init__(self) -> None:
         for one, other in ((self.above, self.least), (self.below, self.most)):

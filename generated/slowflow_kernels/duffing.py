@@ -15,6 +15,7 @@ from slowflow_kernels import slow_flow as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full, stacked
 
+NAME = "duffing"
 PARAMETERS = ("alpha", "beta")
 RATIOS = ("kappa_1", "kappa_3")
 REACH = float("inf")
@@ -28,6 +29,7 @@ __all__ = [
     "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
+    "NAME",
     "PARAMETERS",
     "RATIOS",
     "REACH",

@@ -17,6 +17,7 @@ from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import floats, full
 from slowflow_kernels.rod_spring import (
     HARMONICS_UP_TO,
+    NAME,
     PARAMETERS,
     RATIOS,
     REACH,
@@ -37,6 +38,7 @@ __all__ = [
     "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
+    "NAME",
     "PARAMETERS",
     "RATIOS",
     "REACH",

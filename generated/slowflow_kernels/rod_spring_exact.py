@@ -19,6 +19,7 @@ from slowflow_kernels import slow_flow as flow
 from slowflow_kernels._backend import compiled
 from slowflow_kernels._broadcast import by_regime, floats, full
 
+NAME = "rod_spring_exact"
 PARAMETERS = ("alpha", "beta", "u_cr")
 RATIOS = ("lam", "r", "delta_h")
 REACH = 1.0
@@ -32,6 +33,7 @@ __all__ = [
     "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
+    "NAME",
     "PARAMETERS",
     "RATIOS",
     "REACH",

@@ -2,6 +2,7 @@
 
     KERNELS   compiled kernels (slowflow_kernels._native)
     SOLVER    compiled solvers (slowflow._native)
+    record_of the record of a mechanism that these take
 
 `slowflow_kernels` decides, once, at its first import: SLOWFLOW_BACKEND=native demands what is compiled,
 SLOWFLOW_BACKEND=numpy leaves it alone, and without it the compiled code runs where it was built.
@@ -13,10 +14,11 @@ import importlib
 import os
 import warnings
 from types import ModuleType
+from typing import Any
 
 from slowflow_kernels._backend import NATIVE, BackendWarning
 
-__all__ = ["KERNELS", "NAME", "SOLVER", "BackendWarning"]
+__all__ = ["KERNELS", "NAME", "SOLVER", "BackendWarning", "record_of"]
 
 
 def _solver() -> ModuleType | None:
@@ -36,3 +38,8 @@ def _solver() -> ModuleType | None:
 KERNELS: ModuleType | None = NATIVE
 SOLVER: ModuleType | None = _solver()
 NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
+
+
+def record_of(kernels: Any) -> Any:
+    """The compiled record of a mechanism, None where there is none: its solvers are NumPy's then."""
+    return None if SOLVER is None else SOLVER.RECORDS.get(kernels.NAME)

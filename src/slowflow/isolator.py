@@ -100,9 +100,9 @@ class Isolator(Oscillator):
         Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
         design: each answer has a status.
         """
-        suffix = "_exact" if validate.choice("force", force, FORCES) == "untruncated" else ""
+        untruncated = validate.choice("force", force, FORCES) == "untruncated"
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return Designs(partial(cls, force=force), "rod_spring" + suffix, values)
+        return Designs(partial(cls, force=force), _untruncated_kernels() if untruncated else rod_spring, values)
 
 
 class Duffing(Oscillator):
@@ -128,4 +128,4 @@ class Duffing(Oscillator):
     @classmethod
     def many(cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs:
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        return Designs(cls, "duffing", {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})
+        return Designs(cls, duffing, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})

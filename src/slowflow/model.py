@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow import backend
 from slowflow_kernels import slow_flow as general_flow
 
 Floats = npt.NDArray[np.float64]
@@ -37,6 +38,7 @@ class Model:
     flow       -- generated slow flow of the scene
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
     reach      -- largest |u| of the mechanism, inf if it has none
+    native     -- the same as the compiled solvers take it, None where they have no record of the mechanism
     """
 
     kernels: Any
@@ -48,6 +50,7 @@ class Model:
     flow: ModuleType = field(init=False)
     breakpoints: tuple[float, ...] = field(init=False)
     jumps: tuple[float, ...] = field(init=False)
+    native: Any = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         name = scene(self.mu, self.zeta)
@@ -60,6 +63,7 @@ class Model:
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
         object.__setattr__(self, "breakpoints", tuple(end for end, _ in kept))
         object.__setattr__(self, "jumps", tuple(jump for _, jump in kept))
+        object.__setattr__(self, "native", self._compiled())
 
     @cached_property
     def linear(self) -> bool:
@@ -70,10 +74,11 @@ class Model:
     def reach(self) -> float:
         return float(self.kernels.REACH)
 
-    @cached_property
-    def record(self) -> tuple[str, tuple[float, ...], float, float, float]:
-        """The model as the compiled solvers take it."""
-        return self.kernels.__name__.rpartition(".")[2], self.parameters, self.m, self.zeta, self.reach
+    def _compiled(self) -> Any:
+        record = backend.record_of(self.kernels)
+        if backend.SOLVER is None or record is None:
+            return None
+        return backend.SOLVER.model(record, self.parameters, (self.mu, self.zeta), self.attached)
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""

@@ -1,14 +1,16 @@
 /* The solvers over rows (lam, r, delta_h, mu, zeta, F_0) of isolators, built by a test with samples of its own. */
-#define SF_TABLE sf_solvers_here
-#include "instances.h"
+#define SF_SOLVERS sf_solvers_here
+#include "solvers.h"
 
 void onset(const double *rows, long n, double *numbers, int *codes);
 void saddle_nodes(const double *rows, long n, double *numbers, int *codes);
 void peak(const double *rows, long n, double *numbers, int *codes);
 
+/* rows hold designs within their domain */
 static void prepare(const double *row, sf_model *model) {
-    rod_spring_coefficients(row[0], row[1], row[2], model->p);
-    rod_spring_solver_prepare(slow_flow_friction(row[3]), row[4], 1.0, model);
+    rod_spring_record.parameters_of(row, model->p);
+    rod_spring_record.damping_of(row + 3, model->damping);
+    sf_prepare(&rod_spring_record, model);
 }
 
 /* F_SN, Omega, A; status, kind */
@@ -19,7 +21,7 @@ void onset(const double *rows, long n, double *numbers, int *codes) {
         sf_model model;
         sf_onset found;
         prepare(rows + 6 * k, &model);
-        codes[2 * k] = rod_spring_solver_onset(&model, work, &found);
+        codes[2 * k] = sf_find_onset(&model, work, &found);
         codes[2 * k + 1] = found.kind;
         numbers[12 * k] = found.F_SN, numbers[12 * k + 1] = found.Omega, numbers[12 * k + 2] = found.A;
     }
@@ -34,7 +36,7 @@ void saddle_nodes(const double *rows, long n, double *numbers, int *codes) {
     for (k = 0; k < n && work != NULL; k++) {
         sf_model model;
         prepare(rows + 6 * k, &model);
-        codes[2 * k] = rod_spring_solver_saddle_nodes(&model, rows[6 * k + 5], work, &work->folds);
+        codes[2 * k] = sf_saddle_nodes(&model, rows[6 * k + 5], work, &work->folds);
         codes[2 * k + 1] = work->folds.n;
         for (i = 0; i < work->folds.n && i < 12; i++)
             numbers[12 * k + i] = work->folds.at[i].A;
@@ -49,7 +51,7 @@ void peak(const double *rows, long n, double *numbers, int *codes) {
     for (k = 0; k < n && work != NULL; k++) {
         sf_model model;
         prepare(rows + 6 * k, &model);
-        codes[2 * k] = rod_spring_solver_peak(&model, rows[6 * k + 5], work, &numbers[12 * k], &numbers[12 * k + 1]);
+        codes[2 * k] = sf_peak(&model, rows[6 * k + 5], work, &numbers[12 * k], &numbers[12 * k + 1]);
     }
     free(work);
 }

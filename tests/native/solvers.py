@@ -11,7 +11,7 @@ import numpy as np
 
 from tests.native.roots import FLAGS, HEADERS, HERE, ROOT, WARNINGS
 
-GENERATED = ROOT / "generated" / "c"
+INCLUDES = [f"-I{folder}" for folder in (HEADERS, ROOT / "generated" / "c", ROOT / "generated" / "native")]
 #: ten times as many samples as the package's, and nothing left out
 THOROUGH = ["-DSF_MOST_NODES=20000", "-DSF_STEP_DOWN=0.99", "-DSF_STEP_UP=1.01", "-DSF_STEP_NEAR=1.02", "-DSF_SKIP=0"]
 
@@ -24,7 +24,7 @@ def build(directory: Path, options: list[str]) -> Callable[[str, np.ndarray], An
     It gives numbers, shape (n, 12), and for each design a status and a kind or count, shape (n, 2).
     """
     library = Path(directory) / "solvers.so"
-    command = ["gcc", *WARNINGS, *FLAGS, *options, f"-I{HEADERS}", f"-I{GENERATED}", "-shared", "-fPIC"]
+    command = ["gcc", *WARNINGS, "-std=c11", *FLAGS, *options, *INCLUDES, "-shared", "-fPIC"]
     done = subprocess.run(
         [*command, str(HERE / "solver_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
     )

@@ -51,6 +51,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
     constants = {
+        "NAME": name,
         "PARAMETERS": tuple(map(str, mechanism.parameters)),
         "RATIOS": tuple(map(str, mechanism.ratios)),
         "REACH": mechanism.reach,

@@ -68,7 +68,7 @@ def _remark(model: Model, F_0: float) -> str:
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
-    status, Omega, A, up, corner = _solver().saddle_nodes(model.record, F_0)
+    status, Omega, A, up, corner = _solver().saddle_nodes(model.native, F_0)
     _check(status, F_0)
     message = _remark(model, F_0) if A.size else folds.NO_FOLD.format(F_0)
     return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model)
@@ -76,7 +76,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    status, F_SN, Omega, A, kind, at_rest = _solver().onset(model.record)
+    status, F_SN, Omega, A, kind, at_rest = _solver().onset(model.native)
     _check(status)
     if status == Status.UNBOUNDED:
         return SaddleNodeOnset(None, None, None, "", folds.NO_LOWEST.format(model.m))
@@ -88,7 +88,7 @@ def onset(model: Model) -> SaddleNodeOnset:
 
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
-    status, F_cr, Omega_cr, u_cr = _solver().detachment(model.record)
+    status, F_cr, Omega_cr, u_cr = _solver().detachment(model.native)
     if status == Status.NONE:
         return Detachment(None, None, None, folds.NO_DETACHMENT)
     return Detachment(F_cr, Omega_cr, u_cr, "")
@@ -96,7 +96,7 @@ def detachment(model: Model) -> Detachment:
 
 def peak(model: Model, F_0: float) -> Peak:
     """The highest peak at F_0 > m."""
-    status, A, Omega = _solver().peak(model.record, F_0)
+    status, A, Omega = _solver().peak(model.native, F_0)
     _check(status, F_0)
     if status == Status.UNBOUNDED:
         return Peak(None, None, F_0, folds.NO_PEAK)
@@ -105,14 +105,14 @@ def peak(model: Model, F_0: float) -> Peak:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
-    status, Omega, A, F_0, branch, _ = _solver().fold_locus(model.record, A_max, samples)
+    status, Omega, A, F_0, branch, _ = _solver().fold_locus(model.native, A_max, samples)
     _check(status)
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else folds.NO_LOCUS.format(A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    status, _, _, _, _, found = _solver().fold_locus(model.record, A_max, 0)
+    status, _, _, _, _, found = _solver().fold_locus(model.native, A_max, 0)
     _check(status)
     table = np.array(found, dtype=float).reshape(-1, 6)
     isola = table[:, 3] == 1
@@ -125,7 +125,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
-    status, Omega, A, stable, branch, isola = _solver().frequency_response(model.record, F_0, samples, *window)
+    status, Omega, A, stable, branch, isola = _solver().frequency_response(model.native, F_0, samples, *window)
     _check(status, F_0)
     message = _remark(model, F_0)
     if not A.size:
@@ -135,7 +135,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
-    status, at, A, stable = _solver().steady_states(model.record, F_0, Omega)
+    status, at, A, stable = _solver().steady_states(model.native, F_0, Omega)
     _check(status, F_0)
     missing = np.setdiff1d(Omega, at)
     remark = "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)

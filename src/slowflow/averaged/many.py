@@ -15,6 +15,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -81,44 +82,42 @@ class Peaks:
 class Designs:
     """Arrays of designs of one mechanism, and the questions about them.
 
-    make   -- one oscillator from its parameters, by name
-    name   -- the mechanism's name
-    values -- the parameters by name, mu and zeta last; real arrays that broadcast
+    make    -- one oscillator from its parameters, by name
+    kernels -- generated module of the mechanism
+    values  -- the parameters by name, mu and zeta last; real arrays that broadcast
     """
 
-    def __init__(self, make: Callable[..., Any], name: str, values: dict[str, Any]) -> None:
+    def __init__(self, make: Callable[..., Any], kernels: ModuleType, values: dict[str, Any]) -> None:
         self._make = make
-        self._name = name
+        self._record = backend.record_of(kernels)
         self._values = {key: validate.real_array(key, value) for key, value in values.items()}
         self.shape = validate.common_shape(self._values)
 
     def detachment(self) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; status 3 for a mechanism without breakpoints."""
-        return Detachments(*self._ask("detachment", _detachment))
+        return Detachments(*self._ask(DETACHMENT))
 
     def saddle_node_onset(self) -> Onsets:
         """F_SN of every design, with its Omega and A."""
-        return Onsets(*self._ask("onset", _onset))
+        return Onsets(*self._ask(ONSET))
 
     def saddle_nodes(self, F_0: Any, places: int = 6) -> Folds:
         """Every fold at F_0, which broadcasts with the designs; status 6 where there are more than `places`."""
         places = validate.count("places", places, least=1)
-        return Folds(*self._ask("saddle_nodes", _saddle_nodes, F_0, places))
+        return Folds(*self._ask(SADDLE_NODES, F_0, places))
 
     def peak(self, F_0: Any) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""
-        return Peaks(*self._ask("peak", _peak, F_0))
+        return Peaks(*self._ask(PEAK, F_0))
 
-    def _ask(self, question: str, one: One, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
+    def _ask(self, question: Question, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
         values = dict(self._values) if F_0 is None else {**self._values, "F_0": validate.real_array("F_0", F_0)}
         shape = validate.common_shape(values)
-        outputs: list[npt.NDArray[Any]] = [
-            np.empty((*shape, *inner), kind) for inner, kind in _OUTPUTS[question](places)
-        ]
-        if backend.SOLVER is not None:
-            getattr(backend.SOLVER, f"many_{question}_{self._name}")(*values.values(), out=tuple(outputs))
+        outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
+        if backend.SOLVER is not None and self._record is not None:
+            question.batch(backend.SOLVER)(self._record)(*values.values(), out=tuple(outputs))
         else:
-            self._loop(one, list(np.broadcast_arrays(*values.values())), F_0 is not None, places, outputs)
+            self._loop(question.one, list(np.broadcast_arrays(*values.values())), F_0 is not None, places, outputs)
         return outputs
 
     def _loop(
@@ -149,15 +148,6 @@ class Designs:
             return (*blank, Status.NO_BOUND)
         except ArithmeticError:
             return (*blank, Status.UNRESOLVED)
-
-
-_Layout = Callable[[int], list[tuple[tuple[int, ...], type]]]
-_OUTPUTS: dict[str, _Layout] = {
-    "detachment": lambda _: [*[((), float)] * 3, ((), np.int8)],
-    "onset": lambda _: [*[((), float)] * 3, *[((), np.int8)] * 2],
-    "saddle_nodes": lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 2],
-    "peak": lambda _: [*[((), float)] * 2, ((), np.int8)],
-}
 
 
 # ---- one design, None for a blank answer
@@ -198,3 +188,42 @@ def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     if not found or found.A is None:
         return np.nan, np.nan, Status.UNBOUNDED
     return found.A, found.Omega, Status.OK
+
+
+# ---- the questions
+
+
+@dataclass(frozen=True)
+class Question:
+    """A question about many designs.
+
+    one     -- the answer of one design
+    outputs -- shape behind the designs' and type of each part of the answer, from the number of places
+    batch   -- from the compiled solvers what gives the generalised ufunc of a record
+    """
+
+    one: One
+    outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
+    batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]]
+
+
+DETACHMENT = Question(
+    _detachment,
+    lambda _: [*[((), float)] * 3, ((), np.int8)],
+    lambda native: native.many_detachment,
+)
+ONSET = Question(
+    _onset,
+    lambda _: [*[((), float)] * 3, *[((), np.int8)] * 2],
+    lambda native: native.many_onset,
+)
+SADDLE_NODES = Question(
+    _saddle_nodes,
+    lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 2],
+    lambda native: native.many_saddle_nodes,
+)
+PEAK = Question(
+    _peak,
+    lambda _: [*[((), float)] * 2, ((), np.int8)],
+    lambda native: native.many_peak,
+)

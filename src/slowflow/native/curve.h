@@ -1,10 +1,14 @@
-/* The response curve at one forcing, for one mechanism. Included as scan.h is.
+/* The response curve at one forcing: in goes a model, out come its pieces, points along them, states at a frequency.
  *
  * Its events are zeros of SF_PEAK and SF_REST; between them each root is an arc, and the folds cut an arc into pieces
  * along which Omega is monotone too. So a piece holds at most one state at any frequency, and one stability.
  */
+#ifndef SF_CURVE_H
+#define SF_CURVE_H
 
-static void SF_M(add_response_event)(const sf_zero *zero, int biquadratic, sf_graph *graph) {
+#include "locus.h"
+
+static void sf_add_response_event(const sf_zero *zero, int biquadratic, sf_graph *graph) {
     const int up = zero->rising ? 1 : -1;
     if (zero->question == SF_REST) /* h^2 rises with h - c, and falls as h + c rises */
         sf_add_event(graph, zero->A, 0, SF_TO_ZERO, biquadratic == (zero->channel == 0) ? up : -up);
@@ -15,17 +19,17 @@ static void SF_M(add_response_event)(const sf_zero *zero, int biquadratic, sf_gr
 }
 
 /* Whether F is biquadratic in Omega with a minimum inside: then it is a second root that comes from Omega = 0. */
-static int SF_M(is_biquadratic)(const sf_model *model, double F_0, double A) {
+static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
     sf_sample at;
     sf_isolated q;
-    SF_M(sample)(model, A, &at);
+    sf_sample_at(model, A, &at);
     sf_isolate_response(&q, A, at.h, model->m, model->zeta, F_0);
     return q.exist && q.w1 == 0;
 }
 
 /* Needs the charts of work. */
-static void SF_M(response_graph)(const sf_model *model, double F_0, sf_work *work) {
-    const SF_M(curve) curve = {model, F_0};
+static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
+    const sf_curve curve = {model, F_0};
     sf_graph *graph = &work->response;
     sf_zeros *zeros = &work->zeros;
     int i, k;
@@ -33,11 +37,11 @@ static void SF_M(response_graph)(const sf_model *model, double F_0, sf_work *wor
     sf_add_event(graph, 0, HUGE_VAL, SF_CUT, 0);
     for (i = 0; i < work->charts; i++) {
         zeros->n = 0, zeros->status = SF_OK;
-        SF_M(zeros)(model, SF_PEAK, F_0, &work->chart[i], zeros);
-        SF_M(zeros)(model, SF_REST, F_0, &work->chart[i], zeros);
+        sf_find_zeros(model, SF_PEAK, F_0, &work->chart[i], zeros);
+        sf_find_zeros(model, SF_REST, F_0, &work->chart[i], zeros);
         sf_sort_zeros(zeros);
         for (k = 0; k < zeros->n; k++)
-            SF_M(add_response_event)(&zeros->at[k], SF_M(is_biquadratic)(model, F_0, zeros->at[k].A), graph);
+            sf_add_response_event(&zeros->at[k], sf_is_biquadratic(model, F_0, zeros->at[k].A), graph);
         if (zeros->status != SF_OK)
             graph->status = zeros->status;
         if (i + 1 < work->charts)
@@ -46,40 +50,40 @@ static void SF_M(response_graph)(const sf_model *model, double F_0, sf_work *wor
     sf_add_event(graph, work->A_max, 0, SF_CUT, 0);
     sf_merge_events(graph);
     if (graph->status == SF_OK)
-        SF_M(make_arcs)(&curve, graph);
+        sf_trace_arcs(&curve, graph);
 }
 
 /* The arc that a fold lies on, or -1. */
-static int SF_M(arc_of_fold)(const sf_model *model, double F_0, const sf_graph *graph, const sf_fold *fold) {
+static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *graph, const sf_fold *fold) {
     double nearest = HUGE_VAL;
     int i, found = -1;
     sf_sample at;
-    SF_M(sample)(model, fold->A, &at);
+    sf_sample_at(model, fold->A, &at);
     for (i = 0; i < graph->arcs; i++) {
         const sf_arc *arc = &graph->arc[i];
         double off;
         if (fold->corner || !(arc->A[0] <= fold->A && fold->A <= arc->A[1]))
             continue; /* an arc ends at every breakpoint already */
-        off = fabs(SF_M(response_branch)(model, &at, F_0, arc->count, arc->index) - fold->Omega);
+        off = fabs(sf_response_branch(model, &at, F_0, arc->count, arc->index) - fold->Omega);
         if (off < nearest)
             nearest = off, found = i;
     }
     return found;
 }
 
-static int SF_M(is_stable)(const sf_model *model, double F_0, const sf_piece *piece) {
+static int sf_is_stable(const sf_model *model, double F_0, const sf_piece *piece) {
     sf_sample at;
-    SF_M(sample)(model, 0.5 * (piece->A[0] + piece->A[1]), &at);
-    return sf_half_F_A(model, &at, SF_M(response_branch)(model, &at, F_0, piece->count, piece->index)) > 0;
+    sf_sample_at(model, 0.5 * (piece->A[0] + piece->A[1]), &at);
+    return sf_half_F_A(model, &at, sf_response_branch(model, &at, F_0, piece->count, piece->index)) > 0;
 }
 
-static void SF_M(add_piece)(const sf_model *model, double F_0, sf_skeleton *out, sf_piece piece) {
-    piece.stable = SF_M(is_stable)(model, F_0, &piece);
+static void sf_add_piece(const sf_model *model, double F_0, sf_skeleton *out, sf_piece piece) {
+    piece.stable = sf_is_stable(model, F_0, &piece);
     out->piece[out->pieces++] = piece;
 }
 
 /* The pieces of one step of a tour: its arc cut at its folds, in order along the curve. */
-static void SF_M(add_step)(const sf_model *model, double F_0, const sf_arc *arc, int upward, int curve,
+static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, int upward, int curve,
                            const sf_folds *folds, const int *arc_of, int number, sf_skeleton *out) {
     sf_piece piece;
     double A = arc->A[1 - upward], Omega = arc->Omega[1 - upward];
@@ -96,29 +100,29 @@ static void SF_M(add_step)(const sf_model *model, double F_0, const sf_arc *arc,
         A = next < 0 ? arc->A[upward] : folds->at[next].A;
         Omega = next < 0 ? arc->Omega[upward] : folds->at[next].Omega;
         piece.A[upward] = A, piece.Omega[upward] = Omega;
-        SF_M(add_piece)(model, F_0, out, piece);
+        sf_add_piece(model, F_0, out, piece);
         if (next < 0)
             return;
     }
 }
 
-static sf_status SF_M(skeleton)(const sf_model *model, double F_0, sf_work *work) {
+static sf_status sf_make_skeleton(const sf_model *model, double F_0, sf_work *work) {
     sf_skeleton *out = &work->skeleton;
     int arc_of[SF_MOST_FOLDS], i, c;
-    sf_status status = SF_M(saddle_nodes)(model, F_0, work, &work->folds);
+    sf_status status = sf_saddle_nodes(model, F_0, work, &work->folds);
     out->pieces = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
         return status;
-    SF_M(response_graph)(model, F_0, work);
+    sf_response_graph(model, F_0, work);
     if (work->response.status != SF_OK)
         return work->response.status;
     sf_make_tour(&work->response, &work->tour);
     for (i = 0; i < work->folds.n; i++)
-        arc_of[i] = SF_M(arc_of_fold)(model, F_0, &work->response, &work->folds.at[i]);
+        arc_of[i] = sf_arc_of_fold(model, F_0, &work->response, &work->folds.at[i]);
     for (c = 0; c < work->tour.curves; c++) {
         for (i = work->tour.start[c]; i < work->tour.start[c + 1]; i++) {
             const int arc = work->tour.step[i] / 2;
-            SF_M(add_step)(model, F_0, &work->response.arc[arc], work->tour.step[i] % 2, c, &work->folds, arc_of, arc,
+            sf_add_step(model, F_0, &work->response.arc[arc], work->tour.step[i] % 2, c, &work->folds, arc_of, arc,
                            out);
         }
         out->closed[c] = work->tour.closed[c];
@@ -131,14 +135,14 @@ static sf_status SF_M(skeleton)(const sf_model *model, double F_0, sf_work *work
 /* ==== Points ======================================================================================================= */
 
 /* An amplitude below the state at Omega of the branch that comes from A = 0, Omega = inf. */
-static double SF_M(tail_amplitude)(const sf_model *model, double F_0, const sf_piece *piece, double Omega) {
+static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_piece *piece, double Omega) {
     double A = sqrt((F_0 - model->m) * (F_0 + model->m)) / (Omega * Omega + 1);
     int i;
     A = fmin(A, 0.5 * piece->A[1]);
     for (i = 0; i < 500; i++) {
         sf_sample at;
-        SF_M(sample)(model, A, &at);
-        if (SF_M(response_branch)(model, &at, F_0, piece->count, piece->index) > Omega)
+        sf_sample_at(model, A, &at);
+        if (sf_response_branch(model, &at, F_0, piece->count, piece->index) > Omega)
             break;
         A *= 0.25;
     }
@@ -146,7 +150,7 @@ static double SF_M(tail_amplitude)(const sf_model *model, double F_0, const sf_p
 }
 
 /* A last Newton step on F at fixed Omega, where F_A leaves one; the residual is in double-double. */
-static double SF_M(polish_amplitude)(const sf_model *model, double F_0, double Omega, const sf_sample *at) {
+static double sf_polish_amplitude(const sf_model *model, double F_0, double Omega, const sf_sample *at) {
     sf_quartic s;
     double size, step;
     s.kind = SF_RESPONSE;
@@ -156,7 +160,7 @@ static double SF_M(polish_amplitude)(const sf_model *model, double F_0, double O
 }
 
 /* The amplitude at which a piece has the given Omega, which must lie in its range. */
-static double SF_M(amplitude_on)(const sf_model *model, double F_0, const sf_piece *piece, double Omega) {
+static double sf_amplitude_on(const sf_model *model, double F_0, const sf_piece *piece, double Omega) {
     const int falls = piece->Omega[0] > piece->Omega[1];
     double lo = piece->A[0], hi = piece->A[1], last, A;
     sf_sample at;
@@ -164,7 +168,7 @@ static double SF_M(amplitude_on)(const sf_model *model, double F_0, const sf_pie
     if (Omega == piece->Omega[0] || Omega == piece->Omega[1])
         return Omega == piece->Omega[0] ? lo : hi;
     if (lo == 0) {
-        lo = SF_M(tail_amplitude)(model, F_0, piece, Omega);
+        lo = sf_tail_amplitude(model, F_0, piece, Omega);
         A = lo;
     } else {
         A = lo + (hi - lo) * ((Omega - piece->Omega[0]) / (piece->Omega[1] - piece->Omega[0]));
@@ -174,8 +178,8 @@ static double SF_M(amplitude_on)(const sf_model *model, double F_0, const sf_pie
         double w, slope, next, moved;
         if (!(A > lo && A < hi))
             A = 0.5 * (lo + hi);
-        SF_M(sample)(model, A, &at);
-        w = SF_M(response_branch)(model, &at, F_0, piece->count, piece->index);
+        sf_sample_at(model, A, &at);
+        w = sf_response_branch(model, &at, F_0, piece->count, piece->index);
         if ((w > Omega) == falls)
             lo = A;
         else
@@ -192,24 +196,24 @@ static double SF_M(amplitude_on)(const sf_model *model, double F_0, const sf_pie
         last = fabs(next - A);
         A = next;
     }
-    A = SF_M(polish_amplitude)(model, F_0, Omega, &at);
+    A = sf_polish_amplitude(model, F_0, Omega, &at);
     return fmin(fmax(A, piece->A[0]), piece->A[1]);
 }
 
-static int SF_M(holds)(const sf_piece *piece, double Omega) {
+static int sf_holds(const sf_piece *piece, double Omega) {
     return fmin(piece->Omega[0], piece->Omega[1]) <= Omega && Omega <= fmax(piece->Omega[0], piece->Omega[1]);
 }
 
 /* No fewer than the number of steady states at Omega. */
-static int SF_M(most_states)(const sf_work *work, double Omega) {
+static int sf_most_states(const sf_work *work, double Omega) {
     int i, n = 0;
     for (i = 0; i < work->skeleton.pieces; i++)
-        n += SF_M(holds)(&work->skeleton.piece[i], Omega);
+        n += sf_holds(&work->skeleton.piece[i], Omega);
     return n;
 }
 
 /* A state among those by rising A; a point where two pieces meet is one state, and a fold is not stable. */
-static int SF_M(add_state)(double found, int is_stable, int n, double *A, unsigned char *stable) {
+static int sf_add_state(double found, int is_stable, int n, double *A, unsigned char *stable) {
     int i, j;
     for (i = n; i > 0 && A[i - 1] > found; i--)
         ;
@@ -225,13 +229,13 @@ static int SF_M(add_state)(double found, int is_stable, int n, double *A, unsign
 }
 
 /* The steady states at Omega by rising A; returns their number. */
-static int SF_M(states)(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
+static int sf_states(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
                         unsigned char *stable) {
     int i, n = 0;
     for (i = 0; i < work->skeleton.pieces; i++) {
         const sf_piece *piece = &work->skeleton.piece[i];
-        if (SF_M(holds)(piece, Omega))
-            n = SF_M(add_state)(SF_M(amplitude_on)(model, F_0, piece, Omega), piece->stable, n, A, stable);
+        if (sf_holds(piece, Omega))
+            n = sf_add_state(sf_amplitude_on(model, F_0, piece, Omega), piece->stable, n, A, stable);
     }
     return n;
 }
@@ -239,7 +243,7 @@ static int SF_M(states)(const sf_model *model, double F_0, const sf_work *work, 
 /* ==== The window =================================================================================================== */
 
 /* The part of a piece between two frequencies; 0 if there is none. */
-static int SF_M(clip)(const sf_model *model, double F_0, const sf_piece *piece, double low, double high,
+static int sf_clip(const sf_model *model, double F_0, const sf_piece *piece, double low, double high,
                       sf_piece *out) {
     int end;
     *out = *piece;
@@ -248,14 +252,14 @@ static int SF_M(clip)(const sf_model *model, double F_0, const sf_piece *piece, 
     for (end = 0; end < 2; end++) {
         const double edge = fmin(fmax(piece->Omega[end], low), high);
         if (edge != piece->Omega[end]) {
-            out->A[end] = SF_M(amplitude_on)(model, F_0, piece, edge);
+            out->A[end] = sf_amplitude_on(model, F_0, piece, edge);
             out->Omega[end] = edge;
         }
     }
     return 1;
 }
 
-static void SF_M(close_run)(sf_skeleton *shown, int closed) {
+static void sf_close_run(sf_skeleton *shown, int closed) {
     if (shown->start[shown->curves] < shown->pieces) {
         shown->closed[shown->curves++] = closed;
         shown->start[shown->curves] = shown->pieces;
@@ -263,7 +267,7 @@ static void SF_M(close_run)(sf_skeleton *shown, int closed) {
 }
 
 /* One curve inside the window: a curve that leaves it is split there. */
-static void SF_M(show_curve)(const sf_model *model, double F_0, const sf_skeleton *all, int curve, double low,
+static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *all, int curve, double low,
                              double high, sf_skeleton *shown) {
     const int first = all->start[curve], n = all->start[curve + 1] - first;
     int i, shift = 0, whole = 1;
@@ -279,31 +283,31 @@ static void SF_M(show_curve)(const sf_model *model, double F_0, const sf_skeleto
         shift = 0;
     for (i = 0; i < n; i++) {
         const sf_piece *p = &all->piece[first + (i + shift) % n];
-        if (!SF_M(clip)(model, F_0, p, low, high, &piece)) {
-            SF_M(close_run)(shown, 0);
+        if (!sf_clip(model, F_0, p, low, high, &piece)) {
+            sf_close_run(shown, 0);
             continue;
         }
         piece.curve = shown->curves;
         shown->piece[shown->pieces++] = piece;
         if (sf_last_of(&piece, piece.Omega) != sf_last_of(p, p->Omega))
-            SF_M(close_run)(shown, 0);
+            sf_close_run(shown, 0);
     }
-    SF_M(close_run)(shown, all->closed[curve] && whole);
+    sf_close_run(shown, all->closed[curve] && whole);
 }
 
 /* ==== Samples ====================================================================================================== */
 
 /* Weight of a piece in the sharing out of points: its extent in Omega and A, with a floor for short ones. */
-static double SF_M(weight)(const sf_piece *piece) {
+static double sf_weight(const sf_piece *piece) {
     return fabs(piece->Omega[1] - piece->Omega[0]) + fabs(piece->A[1] - piece->A[0]) + 1e-3;
 }
 
-static int SF_M(steps_of)(const sf_piece *piece, double samples, double total) {
-    return (int)ceil(samples * SF_M(weight)(piece) / total);
+static int sf_steps_of(const sf_piece *piece, double samples, double total) {
+    return (int)ceil(samples * sf_weight(piece) / total);
 }
 
 /* The shown pieces in a window, and the number of points on them. */
-static long SF_M(show)(const sf_model *model, double F_0, double low, double high, double samples, sf_work *work,
+static long sf_show(const sf_model *model, double F_0, double low, double high, double samples, sf_work *work,
                        double *total) {
     sf_skeleton *shown = &work->shown;
     long points = 0;
@@ -311,23 +315,23 @@ static long SF_M(show)(const sf_model *model, double F_0, double low, double hig
     *total = 0;
     shown->pieces = shown->curves = 0, shown->start[0] = 0;
     for (i = 0; i < work->skeleton.curves; i++)
-        SF_M(show_curve)(model, F_0, &work->skeleton, i, low, high, shown);
+        sf_show_curve(model, F_0, &work->skeleton, i, low, high, shown);
     for (i = 0; i < shown->pieces; i++)
-        *total += SF_M(weight)(&shown->piece[i]);
+        *total += sf_weight(&shown->piece[i]);
     for (i = 0; i < shown->pieces; i++)
-        points += SF_M(steps_of)(&shown->piece[i], samples, *total);
+        points += sf_steps_of(&shown->piece[i], samples, *total);
     return points + shown->curves;
 }
 
 /* Points of all shown pieces in order; they crowd towards the ends of a piece, where A or Omega may stand still. */
-static void SF_M(draw)(const sf_model *model, double F_0, double samples, double total, const sf_skeleton *shown,
+static void sf_draw(const sf_model *model, double F_0, double samples, double total, const sf_skeleton *shown,
                        double *Omega, double *A, unsigned char *stable, long long *branch) {
-    const SF_M(curve) curve = {model, F_0};
+    const sf_curve curve = {model, F_0};
     long at = 0, point;
     int i, k;
     for (i = 0; i < shown->pieces; i++) {
         const sf_piece *piece = &shown->piece[i];
-        const int n = SF_M(steps_of)(piece, samples, total), starts = i == shown->start[piece->curve];
+        const int n = sf_steps_of(piece, samples, total), starts = i == shown->start[piece->curve];
         const long first = at;
         if (starts)
             A[at] = sf_first_of(piece, piece->A), Omega[at++] = sf_first_of(piece, piece->Omega);
@@ -335,11 +339,13 @@ static void SF_M(draw)(const sf_model *model, double F_0, double samples, double
             const double share = 0.5 - 0.5 * cos(3.14159265358979312 * (piece->upward ? k : n - k) / n);
             sf_sample sample;
             A[at] = piece->A[0] + (piece->A[1] - piece->A[0]) * share;
-            SF_M(sample)(model, A[at], &sample);
-            Omega[at++] = SF_M(branch_at)(&curve, &sample, piece->count, piece->index);
+            sf_sample_at(model, A[at], &sample);
+            Omega[at++] = sf_branch_at(&curve, &sample, piece->count, piece->index);
         }
         A[at] = sf_last_of(piece, piece->A), Omega[at++] = sf_last_of(piece, piece->Omega);
         for (point = first; point < at; point++)
             stable[point] = (unsigned char)piece->stable, branch[point] = piece->curve;
     }
 }
+
+#endif

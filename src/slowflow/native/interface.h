@@ -1,25 +1,13 @@
-/* The solvers of all mechanisms as tables of functions: what the binding to Python calls. */
+/* The solvers and the records as tables: what the binding to Python calls. */
 #ifndef SF_INTERFACE_H
 #define SF_INTERFACE_H
 
-#include <fenv.h>
-
 #include "work.h"
-
-/* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A, Omega) */
-typedef struct {
-    double F_0, Omega, A;
-    int isola, minimum, saddle;
-} sf_extremum;
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
 
-enum { SF_MANY_DETACHMENT, SF_MANY_ONSETS, SF_MANY_FOLDS, SF_MANY_PEAKS, SF_MANY };
-
+/* All that was built for one target: the questions about one oscillator, those about many, and the records. */
 typedef struct {
-    const char *name;
-    int parameters, design_size;
-    void (*prepare)(double m, double zeta, double reach, sf_model *model); /* model->p is set before */
     sf_status (*onset)(const sf_model *, sf_work *, sf_onset *);
     sf_status (*detachment)(const sf_model *, double *F_cr, double *Omega_cr, double *u_cr);
     sf_status (*peak)(const sf_model *, double F_0, sf_work *, double *A, double *Omega);
@@ -35,12 +23,12 @@ typedef struct {
     sf_extremum (*extremum)(const sf_model *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
                        long long *branch);
-    sf_many many[SF_MANY];
-} sf_solver;
+    sf_many many_detachment, many_onsets, many_folds, many_peaks;
+    const sf_mechanism *const *records;
+    int count;
+} sf_solvers;
 
-/* mechanisms, and behind those that a user designs the scenes of one; the second table is for processors with fma */
-enum { SF_ROD_SPRING, SF_DUFFING, SF_ROD_SPRING_EXACT, SF_DESIGNED, SF_ROD_SPRING_ATTACHED = SF_DESIGNED, SF_MECHANISMS };
-extern const sf_solver *const sf_solvers_baseline[SF_MECHANISMS];
-extern const sf_solver *const sf_solvers_fma[SF_MECHANISMS];
+/* for any processor, and for those with fma */
+extern const sf_solvers sf_solvers_baseline, sf_solvers_fma;
 
 #endif

@@ -1,48 +1,53 @@
-/* All solvers of one mechanism. Included once for each, with
+/* One equation of motion as the solvers take it: a record of all that they know of it.
  *
- *   SF_M(name)        the name of this mechanism's function
- *   SF_KERNEL(name)   the generated kernel
- *   SF_DESIGN_SIZE    how many numbers a user gives beside mu and zeta, SF_IS_DESIGN(design) whether they are allowed,
- *                     SF_PARAMETERS_OF(design, p) the mechanism's parameters from them
- *   SF_PARAMETERS, SF_BREAKPOINTS, SF_REACH
+ * The derivation writes the records of its mechanisms (records.h among the generated headers). A record compiled
+ * elsewhere is as good: the solvers know none by name.
+ *
+ * Numbers are dimensionless. `p` holds the mechanism's parameters, `damping` what the slow flow needs of the damping.
  */
-#include "scan.h"
+#ifndef SF_MECHANISM_H
+#define SF_MECHANISM_H
 
-#include "locus.h"
+#include <stddef.h>
 
-#include "onset.h"
-
-#include "curve.h"
-
-#include "many.h"
-
-static const sf_solver SF_M(solver) = {
-    SF_NAME,
-    SF_PARAMETERS,
-    SF_DESIGN_SIZE,
-    SF_M(prepare),
-    SF_M(onset),
-    SF_M(detachment),
-    SF_M(peak),
-    SF_M(saddle_nodes),
-    SF_M(fold_locus),
-    SF_M(range),
-    SF_M(skeleton),
-    SF_M(show),
-    SF_M(draw),
-    SF_M(most_states),
-    SF_M(states),
-    SF_M(extremum),
-    SF_M(draw_locus),
-    {SF_M(many_detachment), SF_M(many_onsets), SF_M(many_folds), SF_M(many_peaks)},
+enum {
+    SF_FORM = 1, /* of the record below; one of another form is refused */
+    SF_MOST_DESIGN = 16,
+    SF_MOST_DAMPING = 2,
+    SF_MOST_PARAMETERS = 16,
+    SF_MOST_BREAKS = 4
 };
 
-#undef SF_M
-#undef SF_KERNEL
-#undef SF_NAME
-#undef SF_DESIGN_SIZE
-#undef SF_IS_DESIGN
-#undef SF_PARAMETERS_OF
-#undef SF_PARAMETERS
-#undef SF_BREAKPOINTS
-#undef SF_REACH
+typedef struct sf_mechanism {
+    int form;
+    const char *name;
+    /* how many: numbers that a user gives for the spring and for the damping, parameters, breakpoints */
+    int design_size, damping_size, parameters, breakpoints;
+    double reach;                        /* largest amplitude that it can take, or infinite */
+    const struct sf_mechanism *attached; /* its first piece alone, for a response that cannot leave it; or NULL */
+
+    /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. */
+    int (*parameters_of)(const double *design, double *p);
+    int (*damping_of)(const double *given, double *damping);
+    int (*is_forcing)(double F_0);
+
+    /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just above. */
+    void (*ends)(const double *p, double *b);
+    void (*jumps)(const double *p, double *jump);
+
+    /* Spring: h and its derivatives along A at n amplitudes; derivative k at amplitude i goes to out[k*n + i].
+     * averaged gives h, h_A, h_AA, h_AAA, averaged_2 the first two. */
+    void (*averaged)(ptrdiff_t n, const double *A, const double *p, double *out);
+    void (*averaged_2)(ptrdiff_t n, const double *A, const double *p, double *out);
+
+    /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
+    double (*dissipation)(double Omega, double A, const double *damping);
+
+    /* Excitation: the forcing for which (Omega, A) is a steady state (24). */
+    double (*level)(double Omega, double A, const double *damping, double h);
+
+    /* Mean B of the motion u = B + A cos psi; |B| + A is the largest displacement. */
+    double (*mean_offset)(double A, const double *p);
+} sf_mechanism;
+
+#endif

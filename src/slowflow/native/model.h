@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "isolate.h"
+#include "mechanism.h"
 #include "slow_flow.h"
 #include "slow_flow_mu0.h"
 #include "slow_flow_zeta0.h"
@@ -30,13 +31,17 @@ typedef enum {
 
 typedef enum { SF_NO_KIND = 0, SF_CUSP_KIND = 1, SF_ISOLA_KIND = 2, SF_CORNER_KIND = 3 } sf_onset_kind;
 
-enum { SF_MOST_BREAKS = 4, SF_MOST_PARAMETERS = 16 };
-
-/* reach: largest amplitude of the mechanism, or infinite; breaks: number of breakpoints b > 0, by rising size;
- * jump: force just below less force just above */
+/* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; breaks: number of breakpoints b > 0,
+ * by rising size; jump: force just below less force just above */
 typedef struct {
+    const sf_mechanism *mechanism;
     double p[SF_MOST_PARAMETERS];
-    double m, zeta, reach;
+    union {
+        double damping[SF_MOST_DAMPING];
+        struct {
+            double m, zeta;
+        };
+    };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
     int breaks;
 } sf_model;
@@ -48,6 +53,21 @@ typedef struct {
 typedef struct {
     double Omega, A;
 } sf_point;
+
+/* The rest of a model whose parameters and damping are set. */
+static inline void sf_prepare(const sf_mechanism *mechanism, sf_model *model) {
+    double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
+    int i;
+    model->mechanism = mechanism;
+    model->breaks = 0;
+    mechanism->ends(model->p, b);
+    mechanism->jumps(model->p, jump);
+    for (i = 0; i < mechanism->breakpoints; i++)
+        if (b[i] > 0) { /* a piece of no width is no piece */
+            model->b[model->breaks] = b[i];
+            model->jump[model->breaks++] = jump[i];
+        }
+}
 
 /* F's derivatives at a sample: the generated slow flow, scaled by powers of two. */
 static inline double sf_half_F_A(const sf_model *model, const sf_sample *at, double w) {
@@ -74,7 +94,12 @@ static inline double sf_quarter_F_OmegaOmega(const sf_model *model, const sf_sam
 
 /* The forcing for which (Omega, A) is a steady state. */
 static inline double sf_level(const sf_model *model, const sf_sample *at, double w) {
-    return slow_flow_level(w, at->A, model->m, model->zeta, at->h);
+    return model->mechanism->level(w, at->A, model->damping, at->h);
+}
+
+/* Whether the forcing leaves the mass at rest (27). */
+static inline int sf_sticks(const sf_model *model, double F_0) {
+    return !(F_0 > model->mechanism->dissipation(0, 0, model->damping));
 }
 
 static inline int sf_opposite(double a, double b) { return (a < 0) != (b < 0); }

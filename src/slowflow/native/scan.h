@@ -1,29 +1,31 @@
-/* Zeros along the amplitude, for one mechanism: in go a range of A and a question, out come all its zeros.
- *
- * Included once per mechanism, with SF_M(name) naming this mechanism's functions and SF_KERNEL(name) the generated ones.
+/* Zeros along the amplitude: in go a range of A and a question, out come all its zeros.
  *
  * A chart spaces the samples as the force varies: evenly in log A below the first breakpoint, and above a breakpoint b
  * by A = b (y + 1/y)/2, y = 1 + e, evenly in log e: the averaged force is analytic in sqrt(A^2 - b^2), not in A.
  */
+#ifndef SF_SCAN_H
+#define SF_SCAN_H
 
-static void SF_M(sample)(const sf_model *model, double A, sf_sample *at) {
+#include "zeros.h"
+
+static void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
     double out[4];
-    SF_KERNEL(averaged)(A, model->p, out);
+    model->mechanism->averaged(1, &A, model->p, out);
     at->A = A;
     at->h = out[0], at->h_A = out[1], at->h_AA = out[2], at->h_AAA = out[3];
 }
 
 /* Whether h, h_A and h_AA have the signs that they have far below, where the lowest power of A rules. */
-static int SF_M(has_first_signs)(const sf_model *model, const sf_sample *at) {
+static int sf_has_first_signs(const sf_model *model, const sf_sample *at) {
     sf_sample below;
-    SF_M(sample)(model, 0x1p-10 * at->A, &below);
+    sf_sample_at(model, 0x1p-10 * at->A, &below);
     return !sf_opposite(at->h, below.h) && !sf_opposite(at->h_A, below.h_A) && !sf_opposite(at->h_AA, below.h_AA);
 }
 
 /* Whether nothing but the response's upper end is left at this amplitude of the first piece and below: F_AA > 0 for all
  * Omega, because h_A or damping outweighs terms that vanish with A^2. Then F_A > 0, there is no fold, and each extremum
  * of F over Omega rises with A; below F_0 (if it is given, > 0) it stays below. */
-static int SF_M(quiet_below)(const sf_model *model, double F_0, const sf_sample *at) {
+static int sf_quiet_below(const sf_model *model, double F_0, const sf_sample *at) {
     const double zz = 4 * model->zeta * model->zeta, h_A = at->h_A, bend = fabs(at->A * at->h_AA);
     const double along = fabs(at->h_AA * (at->A * h_A - at->h));
     const int steady = bend < 0.25 * fabs(h_A); /* h is nearly linear from here down */
@@ -31,7 +33,7 @@ static int SF_M(quiet_below)(const sf_model *model, double F_0, const sf_sample 
     const int no_root = steady && 0.25 * bend * (bend + 2 * zz) + along < -0.25 * zz * (h_A + 0.25 * zz);
     const int positive = fabs(at->h * at->h_AA) < 0.25 * h_A * h_A;
     const int negative = steady && positive && bend < 0.5 * (h_A + 0.5 * zz);
-    const int damped = fabs(h_A) + bend < 0.25 * zz && at->h * at->h_AA >= 0 && SF_M(has_first_signs)(model, at);
+    const int damped = fabs(h_A) + bend < 0.25 * zz && at->h * at->h_AA >= 0 && sf_has_first_signs(model, at);
     sf_answer peak;
     if (!(no_root || negative || damped || (model->zeta == 0 && at->A < SF_DEEP)))
         return 0;
@@ -43,15 +45,15 @@ static int SF_M(quiet_below)(const sf_model *model, double F_0, const sf_sample 
 
 /* Samples from the lowest amplitude that matters, at F_0 or, with F_0 = 0, to the fold locus, up to `end`, within (0, b]
  * of the first piece. */
-static sf_status SF_M(nodes_from_zero)(const sf_model *model, double F_0, double end, sf_nodes *nodes) {
+static sf_status sf_nodes_from_zero(const sf_model *model, double F_0, double end, sf_nodes *nodes) {
     double A = end;
     int n = 0, i;
     for (;;) {
         sf_sample *at = &nodes->at[n++];
-        SF_M(sample)(model, A, at);
+        sf_sample_at(model, A, at);
         if (n == SF_MOST_NODES)
             return SF_NO_BOUND;
-        if (n > 1 && (SF_M(quiet_below)(model, F_0, at) || A < SF_DEEPEST))
+        if (n > 1 && (sf_quiet_below(model, F_0, at) || A < SF_DEEPEST))
             break;
         A *= SF_STEP_DOWN;
     }
@@ -66,20 +68,20 @@ static sf_status SF_M(nodes_from_zero)(const sf_model *model, double F_0, double
 
 /* Samples from just above the breakpoint up to `end`. Next to it the force is a power series in e, and its samples lie
  * further apart. */
-static sf_status SF_M(nodes_above)(const sf_model *model, double b, double end, sf_nodes *nodes) {
+static sf_status sf_nodes_above(const sf_model *model, double b, double end, sf_nodes *nodes) {
     const double first = nextafter(b, HUGE_VAL);
     double e = SF_FIRST_ABOVE, A = first;
     int n = 0;
     while (A < end) {
         if (n == SF_MOST_NODES - 1)
             return SF_NO_BOUND;
-        SF_M(sample)(model, A, &nodes->at[n++]);
+        sf_sample_at(model, A, &nodes->at[n++]);
         do {
             e *= e < SF_NEAR_BREAK ? SF_STEP_NEAR : SF_STEP_UP;
             A = b + b * e * e / (2 * (1 + e));
         } while (!(A > nodes->at[n - 1].A));
     }
-    SF_M(sample)(model, end, &nodes->at[n++]);
+    sf_sample_at(model, end, &nodes->at[n++]);
     nodes->n = n;
     return SF_OK;
 }
@@ -90,23 +92,23 @@ typedef struct {
     int channel;
     double F_0;
     sf_zeros *found;
-} SF_M(search);
+} sf_search;
 
 typedef struct {
     sf_sample at;
     sf_answer answer;
-} SF_M(probe);
+} sf_probe;
 
-static void SF_M(ask)(const SF_M(search) * search, double A, SF_M(probe) * probe) {
-    SF_M(sample)(search->model, A, &probe->at);
+static void sf_probe_at(const sf_search *search, double A, sf_probe *probe) {
+    sf_sample_at(search->model, A, &probe->at);
     sf_ask(search->question, search->model, search->F_0, &probe->at, &probe->answer);
 }
 
 /* The zero between two probes with values on either side of it: Newton's steps, kept in the bracket. */
-static void SF_M(bracketed_zero)(const SF_M(search) * search, const SF_M(probe) * a, const SF_M(probe) * b) {
+static void sf_bracketed_zero(const sf_search *search, const sf_probe *a, const sf_probe *b) {
     const int c = search->channel, rising = a->answer.y[c] < 0;
     double lo = a->at.A, hi = b->at.A, last = hi - lo;
-    SF_M(probe) probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? *a : *b;
+    sf_probe probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? *a : *b;
     int i;
     for (i = 0; i < 200; i++) {
         double next = probe.at.A - probe.answer.y[c] / probe.answer.dy[c];
@@ -120,7 +122,7 @@ static void SF_M(bracketed_zero)(const SF_M(search) * search, const SF_M(probe) 
                 break;
         }
         last = moved;
-        SF_M(ask)(search, next, &probe);
+        sf_probe_at(search, next, &probe);
         if (!probe.answer.exists[c])
             break;
         if ((probe.answer.y[c] < 0) == rising)
@@ -133,7 +135,7 @@ static void SF_M(bracketed_zero)(const SF_M(search) * search, const SF_M(probe) 
 }
 
 /* Whether the interval between two probes has to be looked at more closely. */
-static int SF_M(suspicious)(const SF_M(search) * search, const SF_M(probe) * a, const SF_M(probe) * b, int depth) {
+static int sf_suspicious(const sf_search *search, const sf_probe *a, const sf_probe *b, int depth) {
     const sf_answer *x = &a->answer, *y = &b->answer;
     const int c = search->channel;
     if (x->exists[c] && y->exists[c]) {
@@ -152,27 +154,27 @@ static int SF_M(suspicious)(const SF_M(search) * search, const SF_M(probe) * a, 
     return depth < 40 && sf_may_exist(c, x, y, b->at.A - a->at.A);
 }
 
-static void SF_M(between)(const SF_M(search) * search, const SF_M(probe) * a, const SF_M(probe) * b, int depth) {
+static void sf_between(const sf_search *search, const sf_probe *a, const sf_probe *b, int depth) {
     const int c = search->channel;
-    if (depth < 60 && SF_M(suspicious)(search, a, b, depth)) {
+    if (depth < 60 && sf_suspicious(search, a, b, depth)) {
         const double A = 0.5 * (a->at.A + b->at.A);
         if (A > a->at.A && A < b->at.A) {
-            SF_M(probe) middle;
-            SF_M(ask)(search, A, &middle);
-            SF_M(between)(search, a, &middle, depth + 1);
-            SF_M(between)(search, &middle, b, depth + 1);
+            sf_probe middle;
+            sf_probe_at(search, A, &middle);
+            sf_between(search, a, &middle, depth + 1);
+            sf_between(search, &middle, b, depth + 1);
             return;
         }
     }
     if (a->answer.exists[c] && b->answer.exists[c] && sf_opposite(a->answer.y[c], b->answer.y[c]))
-        SF_M(bracketed_zero)(search, a, b);
+        sf_bracketed_zero(search, a, b);
 }
 
 /* All zeros of a question's channels between the first and the last of the nodes. */
-static void SF_M(zeros)(const sf_model *model, sf_question question, double F_0, const sf_nodes *nodes,
+static void sf_find_zeros(const sf_model *model, sf_question question, double F_0, const sf_nodes *nodes,
                         sf_zeros *found) {
-    SF_M(search) search;
-    SF_M(probe) low, high;
+    sf_search search;
+    sf_probe low, high;
     int i;
     search.model = model, search.question = question, search.F_0 = F_0, search.found = found;
     for (i = 0; i < nodes->n; i++) {
@@ -180,7 +182,9 @@ static void SF_M(zeros)(const sf_model *model, sf_question question, double F_0,
         sf_ask(question, model, F_0, &high.at, &high.answer);
         if (i > 0)
             for (search.channel = 0; search.channel < sf_channels(question); search.channel++)
-                SF_M(between)(&search, &low, &high, 0);
+                sf_between(&search, &low, &high, 0);
         low = high;
     }
 }
+
+#endif

@@ -27,6 +27,12 @@ typedef struct {
     double rest; /* lowest level at which the fold locus ends at Omega = 0, or infinite */
 } sf_onset;
 
+/* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A, Omega) */
+typedef struct {
+    double F_0, Omega, A;
+    int isola, minimum, saddle;
+} sf_extremum;
+
 /* A stretch of curve monotone in A and in Omega, with one stability. Ends 0 and 1 by rising A; upward: whether A rises
  * along the curve; root `index` of `count` */
 typedef struct {

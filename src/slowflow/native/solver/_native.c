@@ -1,6 +1,9 @@
-/* The extension module slowflow._native: compiled solvers as generalised ufuncs. */
+/* The extension module slowflow._native: records, models, and the compiled solvers over them. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
+
+/* before NumPy, whose complex.h takes the name I */
+#include "solver.h"
 
 #define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
 #define NPY_TARGET_VERSION NPY_2_0_API_VERSION
@@ -8,7 +11,6 @@
 #include <numpy/ufuncobject.h>
 
 #include "build.h"
-#include "solver.h"
 
 /* Every generalised ufunc of the solver: one line here, its loop in solver.h. */
 static const struct {
@@ -46,7 +48,7 @@ static int fill(PyObject *self)
         if (failed)
             return -1;
     }
-    if (sf_add_answers(self) < 0)
+    if (sf_add_records(self) < 0 || sf_add_answers(self) < 0 || sf_add_batches(self) < 0)
         return -1;
     return sf_add_build(self, SF_FMA_BUILDS, SF_FMA_CHOSEN);
 }

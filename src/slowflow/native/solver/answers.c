@@ -1,66 +1,15 @@
-/* The questions about one oscillator as Python functions, and those about many as generalised ufuncs.
- *
- * The functions take the mechanism's name, its parameters, m, zeta and reach, and give a status and arrays; the words are
- * slowflow's. The solvers run without the GIL, in a workspace of their own.
+/* The questions about one oscillator as Python functions: in go a model (records.c) and numbers, out come a status and
+ * arrays; the words are slowflow's. The solvers run without the GIL, in a workspace of their own.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
 /* before NumPy, whose complex.h takes the name I */
-#include "interface.h"
+#include "solver.h"
 
 #define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
 #define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #include <numpy/arrayobject.h>
-#include <numpy/ufuncobject.h>
-
-#include "solver.h"
-
-static const sf_solver *const *solvers;
-
-static void choose_solvers(void)
-{
-    solvers = sf_solvers_baseline;
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
-        __builtin_cpu_supports("bmi2"))
-        solvers = sf_solvers_fma;
-#endif
-}
-
-/* ==== One oscillator =============================================================================================== */
-
-static const sf_solver *find_solver(const char *name)
-{
-    for (int i = 0; i < SF_MECHANISMS; i++)
-        if (strcmp(solvers[i]->name, name) == 0)
-            return solvers[i];
-    PyErr_Format(PyExc_NotImplementedError, "no mechanism %s", name);
-    return NULL;
-}
-
-/* An oscillator, given as (name, parameters, m, zeta, reach). */
-static const sf_solver *read_model(PyObject *given, sf_model *model)
-{
-    const char *name;
-    PyObject *parameters;
-    double m, zeta, reach;
-    if (!PyArg_ParseTuple(given, "sO!ddd", &name, &PyTuple_Type, &parameters, &m, &zeta, &reach))
-        return NULL;
-    const sf_solver *solver = find_solver(name);
-    if (solver == NULL)
-        return NULL;
-    if (PyTuple_Size(parameters) != solver->parameters) {
-        PyErr_Format(PyExc_ValueError, "%s has %d parameters", name, solver->parameters);
-        return NULL;
-    }
-    for (int i = 0; i < solver->parameters; i++)
-        model->p[i] = PyFloat_AsDouble(PyTuple_GetItem(parameters, i));
-    if (PyErr_Occurred())
-        return NULL;
-    solver->prepare(m, zeta, reach, model);
-    return solver;
-}
 
 static sf_work *new_work(void)
 {
@@ -116,17 +65,16 @@ static PyObject *saddle_nodes(PyObject *self, PyObject *args)
 {
     PyObject *given;
     double F_0;
-    sf_model model;
     sf_work *work;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL || (work = new_work()) == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = solver->saddle_nodes(&model, F_0, work, &work->folds);
+    status = sf_here()->saddle_nodes(model, F_0, work, &work->folds);
     Py_END_ALLOW_THREADS
     PyObject *result = fold_arrays(status, &work->folds);
     free(work);
@@ -136,18 +84,17 @@ static PyObject *saddle_nodes(PyObject *self, PyObject *args)
 static PyObject *onset(PyObject *self, PyObject *args)
 {
     PyObject *given;
-    sf_model model;
     sf_work *work;
     sf_onset found;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "O", &given))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL || (work = new_work()) == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = solver->onset(&model, work, &found);
+    status = sf_here()->onset(model, work, &found);
     Py_END_ALLOW_THREADS
     free(work);
     return Py_BuildValue("idddid", (int)status, found.F_SN, found.Omega, found.A, (int)found.kind, found.rest);
@@ -157,14 +104,13 @@ static PyObject *detachment(PyObject *self, PyObject *args)
 {
     PyObject *given;
     double F_cr, Omega_cr, u_cr;
-    sf_model model;
     (void)self;
     if (!PyArg_ParseTuple(args, "O", &given))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL)
         return NULL;
-    const sf_status status = solver->detachment(&model, &F_cr, &Omega_cr, &u_cr);
+    const sf_status status = sf_here()->detachment(model, &F_cr, &Omega_cr, &u_cr);
     return Py_BuildValue("iddd", (int)status, F_cr, Omega_cr, u_cr);
 }
 
@@ -172,17 +118,16 @@ static PyObject *peak(PyObject *self, PyObject *args)
 {
     PyObject *given;
     double F_0, A, Omega;
-    sf_model model;
     sf_work *work;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL || (work = new_work()) == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = solver->peak(&model, F_0, work, &A, &Omega);
+    status = sf_here()->peak(model, F_0, work, &A, &Omega);
     Py_END_ALLOW_THREADS
     free(work);
     return Py_BuildValue("idd", (int)status, A, Omega);
@@ -192,25 +137,24 @@ static PyObject *amplitude_bound(PyObject *self, PyObject *args)
 {
     PyObject *given;
     double F_0, A_max;
-    sf_model model;
     (void)self;
     if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL)
         return NULL;
-    const sf_status status = solver->range(&model, F_0, &A_max);
+    const sf_status status = sf_here()->range(model, F_0, &A_max);
     return Py_BuildValue("id", (int)status, A_max);
 }
 
-static PyObject *extrema_list(const sf_solver *solver, const sf_model *model, const sf_zeros *extrema)
+static PyObject *extrema_list(const sf_model *model, const sf_zeros *extrema)
 {
     PyObject *list = PyList_New(0);
     for (int i = 0; list != NULL && i < extrema->n; i++) {
         const sf_zero *zero = &extrema->at[i];
         if (zero->question == SF_UNDAMPED && zero->channel == 1)
             continue; /* there the locus only touches the backbone */
-        const sf_extremum found = solver->extremum(model, zero);
+        const sf_extremum found = sf_here()->extremum(model, zero);
         PyObject *item = Py_BuildValue("dddiii", found.F_0, found.Omega, found.A, found.isola, found.minimum,
                                        found.saddle);
         if (item == NULL || PyList_Append(list, item) < 0)
@@ -225,7 +169,6 @@ static PyObject *fold_locus(PyObject *self, PyObject *args)
 {
     PyObject *given;
     long samples, n = 0;
-    sf_model model;
     sf_work *work;
     sf_status status;
     double A_max, *Omega, *A, *F_0;
@@ -233,21 +176,21 @@ static PyObject *fold_locus(PyObject *self, PyObject *args)
     (void)self;
     if (!PyArg_ParseTuple(args, "Odl", &given, &A_max, &samples))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL || (work = new_work()) == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     work->A_max = A_max;
     Py_BEGIN_ALLOW_THREADS
-    status = solver->fold_locus(&model, 0, A_max, work);
+    status = sf_here()->fold_locus(model, 0, A_max, work);
     if (status == SF_OK && samples > 0)
-        n = solver->draw_locus(&model, samples, work, NULL, NULL, NULL, NULL);
+        n = sf_here()->draw_locus(model, samples, work, NULL, NULL, NULL, NULL);
     Py_END_ALLOW_THREADS
     PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_DOUBLE, &F_0),
                          new_array(n, NPY_INT64, &branch),
-                         extrema_list(solver, &model, &work->extrema)};
+                         extrema_list(model, &work->extrema)};
     if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
         Py_BEGIN_ALLOW_THREADS
-        solver->draw_locus(&model, samples, work, Omega, A, F_0, (long long *)branch);
+        sf_here()->draw_locus(model, samples, work, Omega, A, F_0, (long long *)branch);
         Py_END_ALLOW_THREADS
     }
     free(work);
@@ -270,26 +213,25 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     long n = 0;
     npy_bool *stable;
     npy_int64 *branch;
-    sf_model model;
     sf_work *work;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "Odddd", &given, &F_0, &samples, &low, &high))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL || (work = new_work()) == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     work->shown.curves = 0;
     Py_BEGIN_ALLOW_THREADS
-    status = solver->skeleton(&model, F_0, work);
+    status = sf_here()->skeleton(model, F_0, work);
     if (status == SF_OK)
-        n = solver->show(&model, F_0, low, high, samples, work, &total);
+        n = sf_here()->show(model, F_0, low, high, samples, work, &total);
     Py_END_ALLOW_THREADS
     PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable),
                          new_array(n, NPY_INT64, &branch), closed_flags(&work->shown)};
     if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
         Py_BEGIN_ALLOW_THREADS
-        solver->draw(&model, F_0, samples, total, &work->shown, Omega, A, stable, (long long *)branch);
+        sf_here()->draw(model, F_0, samples, total, &work->shown, Omega, A, stable, (long long *)branch);
         Py_END_ALLOW_THREADS
     }
     free(work);
@@ -297,12 +239,12 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
 }
 
 /* All states at the frequencies asked for; Omega, A and stable have room for as many as most_states says. */
-static npy_intp all_states(const sf_solver *solver, const sf_model *model, double F_0, const sf_work *work,
+static npy_intp all_states(const sf_model *model, double F_0, const sf_work *work,
                            const double *asked, npy_intp asked_n, double *Omega, double *A, npy_bool *stable)
 {
     npy_intp n = 0;
     for (npy_intp i = 0; i < asked_n; i++) {
-        const int here = solver->states(model, F_0, work, asked[i], A + n, stable + n);
+        const int here = sf_here()->states(model, F_0, work, asked[i], A + n, stable + n);
         for (int j = 0; j < here; j++)
             Omega[n++] = asked[i];
     }
@@ -325,14 +267,13 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
     PyObject *given, *frequencies, *result = NULL;
     double F_0;
     npy_intp n = 0, most = 0;
-    sf_model model;
     sf_work *work;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "OdO", &given, &F_0, &frequencies))
         return NULL;
-    const sf_solver *solver = read_model(given, &model);
-    if (solver == NULL)
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL)
         return NULL;
     PyArrayObject *array = (PyArrayObject *)PyArray_FROMANY(frequencies, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
     if (array == NULL)
@@ -344,9 +285,9 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
     const double *asked = PyArray_DATA(array);
     const npy_intp asked_n = PyArray_DIM(array, 0);
     Py_BEGIN_ALLOW_THREADS
-    status = solver->skeleton(&model, F_0, work);
+    status = sf_here()->skeleton(model, F_0, work);
     for (npy_intp i = 0; status == SF_OK && i < asked_n; i++)
-        most += solver->most_states(work, asked[i]);
+        most += sf_here()->most_states(work, asked[i]);
     Py_END_ALLOW_THREADS
     double *Omega = malloc((size_t)most * sizeof *Omega + 1), *A = malloc((size_t)most * sizeof *A + 1);
     npy_bool *stable = malloc((size_t)most + 1);
@@ -355,7 +296,7 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
     } else {
         Py_BEGIN_ALLOW_THREADS
         if (most > 0)
-            n = all_states(solver, &model, F_0, work, asked, asked_n, Omega, A, stable);
+            n = all_states(model, F_0, work, asked, asked_n, Omega, A, stable);
         Py_END_ALLOW_THREADS
         PyObject *items[] = {array_of(n, NPY_DOUBLE, Omega, sizeof *Omega), array_of(n, NPY_DOUBLE, A, sizeof *A),
                              array_of(n, NPY_BOOL, stable, sizeof *stable)};
@@ -382,69 +323,9 @@ static PyMethodDef functions[] = {
     {NULL, NULL, 0, NULL},
 };
 
-/* ==== Many oscillators ============================================================================================= */
-
-#define D NPY_DOUBLE
-#define B NPY_INT8
-
-/* outputs behind the design, mu, zeta and, where `forced`, F_0 */
-static const struct {
-    const char *name, *out, *doc;
-    int loop, forced, outputs;
-    char types[5];
-} batches[] = {
-    {"detachment", "(),(),(),()", "design, mu, zeta -> F_cr, Omega_cr, u_cr, status", SF_MANY_DETACHMENT, 0, 4,
-     {D, D, D, B}},
-    {"onset", "(),(),(),(),()", "design, mu, zeta -> F_SN, Omega, A, kind, status", SF_MANY_ONSETS, 0, 5,
-     {D, D, D, B, B}},
-    {"saddle_nodes", "(k),(k),(k),(),()", "design, mu, zeta, F_0 -> Omega, A, kind, count, status", SF_MANY_FOLDS, 1, 5,
-     {D, D, B, B, B}},
-    {"peak", "(),(),()", "design, mu, zeta, F_0 -> A, Omega, status", SF_MANY_PEAKS, 1, 3, {D, D, B}},
-};
-
-enum { BATCHES = sizeof batches / sizeof batches[0], MOST_OPERANDS = 16 };
-
-static struct {
-    PyUFuncGenericFunction loop;
-    void *data;
-    char name[64], signature[96], types[MOST_OPERANDS];
-} made[SF_DESIGNED][BATCHES];
-
-/* The ufunc many_<question>_<mechanism>. */
-static int add_batch(PyObject *module, int mechanism, int k)
-{
-    const sf_solver *solver = solvers[mechanism];
-    const int inputs = solver->design_size + 2 + batches[k].forced;
-    made[mechanism][k].loop = (PyUFuncGenericFunction)solver->many[batches[k].loop];
-    PyOS_snprintf(made[mechanism][k].name, sizeof made[mechanism][k].name, "many_%s_%s", batches[k].name, solver->name);
-    strcpy(made[mechanism][k].signature, "()");
-    for (int i = 1; i < inputs; i++)
-        strcat(made[mechanism][k].signature, ",()");
-    strcat(made[mechanism][k].signature, "->");
-    strcat(made[mechanism][k].signature, batches[k].out);
-    for (int i = 0; i < inputs; i++)
-        made[mechanism][k].types[i] = D;
-    memcpy(made[mechanism][k].types + inputs, batches[k].types, (size_t)batches[k].outputs);
-    PyObject *ufunc = PyUFunc_FromFuncAndDataAndSignature(
-        &made[mechanism][k].loop, &made[mechanism][k].data, made[mechanism][k].types, 1, inputs, batches[k].outputs,
-        PyUFunc_None, made[mechanism][k].name, batches[k].doc, 0, made[mechanism][k].signature);
-    if (ufunc == NULL)
-        return -1;
-    const int failed = PyModule_AddObjectRef(module, made[mechanism][k].name, ufunc);
-    Py_DECREF(ufunc);
-    return failed;
-}
-
 int sf_add_answers(PyObject *module)
 {
-    if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
+    if (PyArray_ImportNumPyAPI() < 0)
         return -1;
-    choose_solvers();
-    if (PyModule_AddFunctions(module, functions) < 0)
-        return -1;
-    for (int i = 0; i < SF_DESIGNED; i++)
-        for (int k = 0; k < BATCHES; k++)
-            if (add_batch(module, i, k) < 0)
-                return -1;
-    return 0;
+    return PyModule_AddFunctions(module, functions);
 }

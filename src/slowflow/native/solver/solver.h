@@ -1,16 +1,27 @@
-/* The inner loops of the solver's generalised ufuncs: NumPy's operands in, the solvers' answers out. */
+/* What the files of the binding know of each other: capsules, loops of ufuncs, and the members that a file adds. */
 #ifndef SF_SOLVER_H
 #define SF_SOLVER_H
 
 #include <stddef.h>
+
+#include "interface.h"
 
 /* Addresses, number of elements and core sizes, strides of the elements and then of the core axes in bytes. */
 typedef void sf_gufunc_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
 
 sf_gufunc_loop sf_response_roots_loop, sf_fold_roots_loop, sf_peak_roots_loop;
 
-/* The solvers of whole questions (answers.c) as further members of a module, a PyObject; -1 with an exception set. */
+/* The solvers for this processor. */
+const sf_solvers *sf_here(void);
+
+/* What a capsule holds, or NULL with an exception set; a PyObject. */
 struct _object;
+const sf_mechanism *sf_record_in(struct _object *capsule);
+const sf_model *sf_model_in(struct _object *capsule);
+
+/* Members of a module: records and models, questions about one oscillator, those about many; -1 with an exception set. */
+int sf_add_records(struct _object *module);
 int sf_add_answers(struct _object *module);
+int sf_add_batches(struct _object *module);
 
 #endif

@@ -1,3 +1,3 @@
 /* The solvers for any processor. */
-#define SF_TABLE sf_solvers_baseline
-#include "instances.h"
+#define SF_SOLVERS sf_solvers_baseline
+#include "solvers.h"

@@ -2,5 +2,5 @@
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #pragma GCC target("avx2,fma,bmi,bmi2,lzcnt")
 #endif
-#define SF_TABLE sf_solvers_fma
-#include "instances.h"
+#define SF_SOLVERS sf_solvers_fma
+#include "solvers.h"

@@ -1,0 +1,268 @@
+/* A record of every mechanism, as the solvers of src/slowflow/native take it.
+
+   Written by `make derive`; never edit.
+   Input: the headers included below, and the domains stated in derivations/mechanisms
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   The functions do nothing but call the headers. */
+
+#ifndef RECORDS_H
+#define RECORDS_H
+
+#include <math.h>
+
+#include "mechanism.h"
+
+#include "slow_flow.h"
+#include "duffing.h"
+#include "rod_spring_attached.h"
+#include "rod_spring.h"
+#include "rod_spring_exact.h"
+
+/* mu, zeta -> m, zeta */
+static int records_damping_of(const double *given, double *damping)
+{
+    if (!(given[0] >= 0.0 && given[0] < INFINITY && given[1] >= 0.0 && given[1] < INFINITY))
+        return 0;
+    damping[0] = slow_flow_friction(given[0]);
+    damping[1] = given[1];
+    return 1;
+}
+
+static int records_is_forcing(double F_0)
+{
+    return F_0 > 0.0 && F_0 < INFINITY;
+}
+
+static double records_dissipation(double Omega, double A, const double *damping)
+{
+    return slow_flow_I(Omega, A, damping[0], damping[1]);
+}
+
+static double records_level(double Omega, double A, const double *damping, double h)
+{
+    return slow_flow_level(Omega, A, damping[0], damping[1], h);
+}
+
+/* An odd force moves about its centre. */
+static double records_centred(double A, const double *p)
+{
+    (void)(A);
+    (void)(p);
+    return 0.0;
+}
+
+/* For a force of one piece. */
+static void records_no_breakpoint(const double *p, double *out)
+{
+    (void)(p);
+    (void)(out);
+}
+
+static int duffing_record_parameters_of(const double *design, double *p)
+{
+    if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY))
+        return 0;
+    p[0] = design[0];
+    p[1] = design[1];
+    return 1;
+}
+
+static int rod_spring_record_parameters_of(const double *design, double *p)
+{
+    if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
+          design[2] < 1.0))
+        return 0;
+    rod_spring_coefficients(design[0], design[1], design[2], p);
+    return 1;
+}
+
+static int rod_spring_exact_record_parameters_of(const double *design, double *p)
+{
+    if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
+          design[2] < 1.0))
+        return 0;
+    rod_spring_exact_coefficients(design[0], design[1], design[2], p);
+    return 1;
+}
+
+static void duffing_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        duffing_averaged(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+        out[2 * n + i] = h[2];
+        out[3 * n + i] = h[3];
+    }
+}
+
+static void duffing_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[2];
+        duffing_averaged_2(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+    }
+}
+
+static const sf_mechanism duffing_record = {
+    .form = SF_FORM,
+    .name = "duffing",
+    .design_size = 2,
+    .damping_size = 2,
+    .parameters = 2,
+    .breakpoints = 0,
+    .reach = INFINITY,
+    .attached = NULL,
+    .parameters_of = duffing_record_parameters_of,
+    .damping_of = records_damping_of,
+    .is_forcing = records_is_forcing,
+    .ends = records_no_breakpoint,
+    .jumps = records_no_breakpoint,
+    .averaged = duffing_record_averaged,
+    .averaged_2 = duffing_record_averaged_2,
+    .dissipation = records_dissipation,
+    .level = records_level,
+    .mean_offset = records_centred,
+};
+
+static void rod_spring_attached_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        rod_spring_attached_averaged(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+        out[2 * n + i] = h[2];
+        out[3 * n + i] = h[3];
+    }
+}
+
+static void rod_spring_attached_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[2];
+        rod_spring_attached_averaged_2(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+    }
+}
+
+static const sf_mechanism rod_spring_attached_record = {
+    .form = SF_FORM,
+    .name = "rod_spring_attached",
+    .design_size = 3,
+    .damping_size = 2,
+    .parameters = 4,
+    .breakpoints = 0,
+    .reach = 1.0,
+    .attached = NULL,
+    .parameters_of = rod_spring_record_parameters_of,
+    .damping_of = records_damping_of,
+    .is_forcing = records_is_forcing,
+    .ends = records_no_breakpoint,
+    .jumps = records_no_breakpoint,
+    .averaged = rod_spring_attached_record_averaged,
+    .averaged_2 = rod_spring_attached_record_averaged_2,
+    .dissipation = records_dissipation,
+    .level = records_level,
+    .mean_offset = records_centred,
+};
+
+static void rod_spring_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        rod_spring_averaged(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+        out[2 * n + i] = h[2];
+        out[3 * n + i] = h[3];
+    }
+}
+
+static void rod_spring_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[2];
+        rod_spring_averaged_2(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+    }
+}
+
+static const sf_mechanism rod_spring_record = {
+    .form = SF_FORM,
+    .name = "rod_spring",
+    .design_size = 3,
+    .damping_size = 2,
+    .parameters = 4,
+    .breakpoints = 1,
+    .reach = 1.0,
+    .attached = &rod_spring_attached_record,
+    .parameters_of = rod_spring_record_parameters_of,
+    .damping_of = records_damping_of,
+    .is_forcing = records_is_forcing,
+    .ends = rod_spring_breakpoints,
+    .jumps = rod_spring_jumps,
+    .averaged = rod_spring_record_averaged,
+    .averaged_2 = rod_spring_record_averaged_2,
+    .dissipation = records_dissipation,
+    .level = records_level,
+    .mean_offset = records_centred,
+};
+
+static void rod_spring_exact_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        rod_spring_exact_averaged(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+        out[2 * n + i] = h[2];
+        out[3 * n + i] = h[3];
+    }
+}
+
+static void rod_spring_exact_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[2];
+        rod_spring_exact_averaged_2(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+    }
+}
+
+static const sf_mechanism rod_spring_exact_record = {
+    .form = SF_FORM,
+    .name = "rod_spring_exact",
+    .design_size = 3,
+    .damping_size = 2,
+    .parameters = 3,
+    .breakpoints = 1,
+    .reach = 1.0,
+    .attached = NULL,
+    .parameters_of = rod_spring_exact_record_parameters_of,
+    .damping_of = records_damping_of,
+    .is_forcing = records_is_forcing,
+    .ends = rod_spring_exact_breakpoints,
+    .jumps = rod_spring_exact_jumps,
+    .averaged = rod_spring_exact_record_averaged,
+    .averaged_2 = rod_spring_exact_record_averaged_2,
+    .dissipation = records_dissipation,
+    .level = records_level,
+    .mean_offset = records_centred,
+};
+
+/* the whole mechanisms; each knows the record of its first piece alone */
+static const sf_mechanism *const records[] = {
+    &duffing_record,
+    &rod_spring_record,
+    &rod_spring_exact_record,
+};
+
+#endif

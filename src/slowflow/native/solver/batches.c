@@ -1,0 +1,130 @@
+/* The questions about many oscillators as generalised ufuncs: in goes a record, out comes its ufunc.
+ *
+ * A ufunc's loop is the same for all records and its data is the record. What is made once is kept.
+ */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+/* before NumPy, whose complex.h takes the name I */
+#include "solver.h"
+
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
+#include <numpy/arrayobject.h>
+#include <numpy/ufuncobject.h>
+
+#define D NPY_DOUBLE
+#define B NPY_INT8
+
+/* A question: the outputs behind the design, the damping and, where `forced`, F_0. */
+typedef struct {
+    const char *name, *out, *doc;
+    int forced, outputs;
+    char types[5];
+} question;
+
+static const question detachment = {
+    "many_detachment", "(),(),(),()", "design, damping -> F_cr, Omega_cr, u_cr, status", 0, 4, {D, D, D, B}};
+static const question onset = {
+    "many_onset", "(),(),(),(),()", "design, damping -> F_SN, Omega, A, kind, status", 0, 5, {D, D, D, B, B}};
+static const question saddle_nodes = {
+    "many_saddle_nodes", "(k),(k),(k),(),()", "design, damping, F_0 -> Omega, A, kind, count, status", 1, 5,
+    {D, D, B, B, B}};
+static const question peak = {"many_peak", "(),(),()", "design, damping, F_0 -> A, Omega, status", 1, 3, {D, D, B}};
+
+enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 1 + 5 };
+
+/* What NumPy keeps pointers to, for as long as the process lives. */
+typedef struct {
+    PyUFuncGenericFunction loop;
+    void *data;
+    char types[MOST_OPERANDS];
+} kept;
+
+static PyObject *new_batch(const sf_mechanism *record, const question *asked, sf_many loop)
+{
+    const int inputs = record->design_size + record->damping_size + asked->forced;
+    char signature[3 * MOST_OPERANDS + 32] = "()";
+    kept *own = malloc(sizeof *own);
+    if (own == NULL)
+        return PyErr_NoMemory();
+    own->loop = (PyUFuncGenericFunction)loop;
+    own->data = (void *)record;
+    for (int i = 1; i < inputs; i++)
+        strcat(signature, ",()");
+    strcat(strcat(signature, "->"), asked->out);
+    for (int i = 0; i < inputs; i++)
+        own->types[i] = D;
+    memcpy(own->types + inputs, asked->types, (size_t)asked->outputs);
+    PyObject *ufunc =
+        PyUFunc_FromFuncAndDataAndSignature(&own->loop, &own->data, own->types, 1, inputs, asked->outputs,
+                                            PyUFunc_None, asked->name, asked->doc, 0, signature);
+    if (ufunc == NULL)
+        free(own);
+    return ufunc;
+}
+
+/* The ufunc of a record for a question, made when it is first asked for; the cache is by the records' addresses. */
+static PyObject *batch(PyObject *cache, PyObject *capsule, const question *asked, sf_many loop)
+{
+    const sf_mechanism *record = sf_record_in(capsule);
+    if (record == NULL)
+        return NULL;
+    PyObject *address = PyLong_FromVoidPtr((void *)record);
+    if (address == NULL)
+        return NULL;
+    PyObject *ufunc = PyDict_GetItemWithError(cache, address);
+    if (ufunc != NULL) {
+        Py_INCREF(ufunc);
+    } else if (!PyErr_Occurred()) {
+        ufunc = new_batch(record, asked, loop);
+        if (ufunc != NULL && PyDict_SetItem(cache, address, ufunc) < 0)
+            Py_CLEAR(ufunc);
+    }
+    Py_DECREF(address);
+    return ufunc;
+}
+
+static PyObject *many_detachment(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &detachment, sf_here()->many_detachment);
+}
+
+static PyObject *many_onset(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &onset, sf_here()->many_onsets);
+}
+
+static PyObject *many_saddle_nodes(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &saddle_nodes, sf_here()->many_folds);
+}
+
+static PyObject *many_peak(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &peak, sf_here()->many_peaks);
+}
+
+static PyMethodDef functions[] = {
+    {"many_detachment", many_detachment, METH_O, "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
+    {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, status"},
+    {"many_saddle_nodes", many_saddle_nodes, METH_O,
+     "record -> ufunc of (design, damping, F_0) -> Omega, A, kind, count, status"},
+    {"many_peak", many_peak, METH_O, "record -> ufunc of (design, damping, F_0) -> A, Omega, status"},
+};
+
+int sf_add_batches(PyObject *module)
+{
+    if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
+        return -1;
+    for (size_t i = 0; i < sizeof functions / sizeof functions[0]; i++) {
+        PyObject *cache = PyDict_New();
+        PyObject *function = cache == NULL ? NULL : PyCFunction_New(&functions[i], cache);
+        const int failed = function == NULL || PyModule_AddObjectRef(module, functions[i].ml_name, function) < 0;
+        Py_XDECREF(cache);
+        Py_XDECREF(function);
+        if (failed)
+            return -1;
+    }
+    return 0;
+}

@@ -1,0 +1,117 @@
+/* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
+ *
+ *   RECORDS                                     name -> record, of the mechanisms that were compiled in
+ *   model(record, parameters, damping[, attached])  an oscillator, prepared for the questions about one
+ *
+ * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as anything
+ * made from it.
+ */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#include "solver.h"
+
+#define SF_RECORD "slowflow.mechanism"
+#define SF_MODEL "slowflow.model"
+
+const sf_solvers *sf_here(void)
+{
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+        __builtin_cpu_supports("bmi2"))
+        return &sf_solvers_fma;
+#endif
+    return &sf_solvers_baseline;
+}
+
+const sf_mechanism *sf_record_in(PyObject *capsule)
+{
+    const sf_mechanism *record = PyCapsule_GetPointer(capsule, SF_RECORD);
+    if (record == NULL)
+        return NULL;
+    if (record->form != SF_FORM || record->design_size > SF_MOST_DESIGN || record->damping_size > SF_MOST_DAMPING ||
+        record->parameters > SF_MOST_PARAMETERS || record->breakpoints > SF_MOST_BREAKS) {
+        PyErr_SetString(PyExc_ValueError, "the record was compiled for another form of mechanism.h");
+        return NULL;
+    }
+    return record;
+}
+
+const sf_model *sf_model_in(PyObject *capsule)
+{
+    return PyCapsule_GetPointer(capsule, SF_MODEL);
+}
+
+static void free_model(PyObject *capsule)
+{
+    free(PyCapsule_GetPointer(capsule, SF_MODEL));
+}
+
+/* As many numbers as the tuple has to hold; -1 with an exception set. */
+static int read_numbers(PyObject *tuple, int n, const char *name, const char *what, double *values)
+{
+    if (PyTuple_Size(tuple) != n) {
+        PyErr_Format(PyExc_ValueError, "%s takes %d %s, not %zd", name, n, what, PyTuple_Size(tuple));
+        return -1;
+    }
+    for (int i = 0; i < n; i++)
+        values[i] = PyFloat_AsDouble(PyTuple_GetItem(tuple, i));
+    return PyErr_Occurred() ? -1 : 0;
+}
+
+static PyObject *new_model(PyObject *self, PyObject *args)
+{
+    PyObject *capsule, *parameters, *given;
+    int attached = 0;
+    double damping[SF_MOST_DAMPING];
+    (void)self;
+    if (!PyArg_ParseTuple(args, "OO!O!|p", &capsule, &PyTuple_Type, &parameters, &PyTuple_Type, &given, &attached))
+        return NULL;
+    const sf_mechanism *record = sf_record_in(capsule);
+    if (record == NULL)
+        return NULL;
+    if (attached && record->attached == NULL)
+        return PyErr_Format(PyExc_ValueError, "%s has no record of its first piece alone", record->name);
+    if (attached)
+        record = record->attached;
+    sf_model *model = calloc(1, sizeof *model);
+    if (model == NULL)
+        return PyErr_NoMemory();
+    if (read_numbers(parameters, record->parameters, record->name, "parameters", model->p) == 0 &&
+        read_numbers(given, record->damping_size, record->name, "numbers of damping", damping) == 0) {
+        if (record->damping_of(damping, model->damping)) {
+            sf_prepare(record, model);
+            PyObject *made = PyCapsule_New(model, SF_MODEL, free_model);
+            if (made != NULL)
+                return made;
+        } else {
+            PyErr_Format(PyExc_ValueError, "%s: the damping is outside its domain", record->name);
+        }
+    }
+    free(model);
+    return NULL;
+}
+
+static PyMethodDef functions[] = {
+    {"model", new_model, METH_VARARGS,
+     "(record, parameters, damping, attached=False) -> an oscillator, or the first piece of its force alone"},
+    {NULL, NULL, 0, NULL},
+};
+
+int sf_add_records(PyObject *module)
+{
+    const sf_solvers *solvers = sf_here();
+    PyObject *records = PyDict_New();
+    if (records == NULL)
+        return -1;
+    int failed = PyModule_AddFunctions(module, functions) < 0;
+    for (int i = 0; i < solvers->count && !failed; i++) {
+        PyObject *capsule = PyCapsule_New((void *)solvers->records[i], SF_RECORD, NULL);
+        failed = capsule == NULL || PyDict_SetItemString(records, solvers->records[i]->name, capsule) < 0;
+        Py_XDECREF(capsule);
+    }
+    if (!failed)
+        failed = PyModule_AddObjectRef(module, "RECORDS", records) < 0;
+    Py_DECREF(records);
+    return failed ? -1 : 0;
+}

@@ -1,0 +1,28 @@
+/* All solvers and all records for one target: SF_SOLVERS is the name of the table that is defined here. */
+#include "curve.h"
+#include "interface.h"
+#include "many.h"
+#include "onset.h"
+#include "records.h"
+
+const sf_solvers SF_SOLVERS = {
+    sf_find_onset,
+    sf_detachment,
+    sf_peak,
+    sf_saddle_nodes,
+    sf_fold_locus,
+    sf_range,
+    sf_make_skeleton,
+    sf_show,
+    sf_draw,
+    sf_most_states,
+    sf_states,
+    sf_extremum_at,
+    sf_draw_locus,
+    sf_many_detachment,
+    sf_many_onsets,
+    sf_many_folds,
+    sf_many_peaks,
+    records,
+    sizeof records / sizeof records[0],
+};
