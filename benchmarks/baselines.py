@@ -18,11 +18,12 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from benchmarks import certified, jobs
+from slowflow.paper.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
-F_0, ZETA = certified.F_0, certified.TABLE_1["zeta"]
-M = float(slow_flow.friction(certified.TABLE_1["mu"]))
-P = tuple(float(x) for x in rod_spring.coefficients(*(certified.TABLE_1[key] for key in ("lam", "r", "delta_h"))))
+F_0, ZETA = certified.F_0, TABLE_1["zeta"]
+M = float(slow_flow.friction(TABLE_1["mu"]))
+P = tuple(float(x) for x in rod_spring.coefficients(*DESIGN))
 OMEGA_MAX = 2.0
 METHODS = ("numpy.roots", "bracketing", "the paper's recipe")
 Points = list[tuple[float, float]]

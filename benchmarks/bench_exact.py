@@ -15,17 +15,17 @@ import mpmath as mp
 import numpy as np
 from scipy.optimize import minimize_scalar, root
 
-from slowflow import Isolator
 from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import TURN, Forced, follow
+from slowflow.paper import example
+from slowflow.paper.example import TABLE_1
 from slowflow.paper.smoothed import direct_integration
 from slowflow_kernels import den_hartog
 from tests.oracles import exact_linear
 from tests.oracles.exact_cases import isolator, table_1
 from tests.oracles.exact_scipy import half_turn
 
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
 NAMES = {False: "truncated (6)", True: "untruncated (5)"}
 
@@ -139,7 +139,7 @@ def whole_curve(exact: bool, curve: Response) -> list[Row]:
 def approximations(exact: bool, curve: Response) -> list[Row]:
     """Averaging and the second approximation beside that curve: time, and the jumps' frequencies."""
     name = NAMES[exact]
-    iso = Isolator(**TABLE_1, force="untruncated" if exact else "truncated")
+    iso = example.isolator(force="untruncated" if exact else "truncated")
     out = []
     for title, asked in (("averaging", iso), ("second approximation", iso.second_approximation)):
         job = lambda asked=asked: (asked.frequency_response(0.04), asked.saddle_nodes(0.04))  # noqa: E731
@@ -158,10 +158,10 @@ def approximations(exact: bool, curve: Response) -> list[Row]:
 
 def frequency_at(exact: bool, F_0: float, A: float, guess: tuple[float, float]) -> float:
     """Omega of the motion of amplitude A near the guess (theta, Omega): no continuation, no heyoka in it."""
-    force, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), 0.012, 0.02, exact)[1]
+    force, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
 
     def mirrored(x: np.ndarray) -> tuple[float, float]:
-        u, v = half_turn(A, x[0], x[1], F_0, 0.012, 0.02, force, u_cr)
+        u, v = half_turn(A, x[0], x[1], F_0, TABLE_1["mu"], TABLE_1["zeta"], force, u_cr)
         return u + A, v
 
     return float(root(mirrored, guess, tol=1e-13).x[1])

@@ -24,10 +24,10 @@ from derivations.mechanisms import all_mechanisms
 from derivations.oscillator import oscillator
 from derivations.restoring import FAR, restoring
 from derivations.symbols import A
+from slowflow.paper.example import DESIGN
 from tests import backends
 
 U = 2.0**-53
-TABLE_1 = (3.0, 3747 / 1848, 1848 / (6 * 3747))
 Method = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
@@ -81,7 +81,7 @@ def rows(count: int = 10**6, repeats: int = 7, checked: int = 100, seed: int = 3
     mechanism = next(m for m in all_mechanisms() if m.name == "rod_spring")
     whole = restoring(oscillator(mechanism).polynomials, mechanism.breakpoints)
     numpy_kernels = backends.load("numpy")["rod_spring"]
-    p = tuple(float(value) for value in numpy_kernels.coefficients(*TABLE_1))
+    p = tuple(float(value) for value in numpy_kernels.coefficients(*DESIGN))
     kernels = {"NumPy": numpy_kernels}
     try:
         kernels = {"native": backends.load("native")["rod_spring"], **kernels}

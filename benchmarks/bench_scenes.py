@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import Isolator, backend
+from slowflow import backend
 from slowflow.averaged import solvers
 from slowflow.model import Model
+from slowflow.paper.example import TABLE_1, isolator
 from slowflow_kernels import duffing, rod_spring, rod_spring_attached
 
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 WINDOW = (0.0, 2.0)
 
 
@@ -43,12 +43,12 @@ def paired(general: Callable[[], Any], scene: Callable[[], Any], repeats: int) -
 def rows(repeats: int | None = None) -> list[dict[str, Any]]:
     """One row for each skip and question: names, seconds without and with it, ratio."""
     repeats = repeats or (300 if backend.SOLVER is not None else 15)
-    whole = Isolator(**TABLE_1).model
+    whole = isolator().model
     p, mu, zeta = whole.parameters, whole.mu, whole.zeta
     attached = Model(rod_spring_attached, p, mu, zeta, attached=True)
-    no_preload = Model(rod_spring, rod_spring.coefficients(3.0, TABLE_1["r"], 0.0), mu, zeta)
+    no_preload = Model(rod_spring, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), mu, zeta)
     linear = Model(duffing, (1.0, 0.0), mu, zeta)
-    knows = Isolator(**TABLE_1)
+    knows = isolator()
     knows.saddle_node_onset()
     Omega = np.array([0.8])
 

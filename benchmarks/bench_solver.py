@@ -22,8 +22,8 @@ import numpy as np
 
 from slowflow import Isolator, backend
 from slowflow.averaged.many import Designs
+from slowflow.paper.example import TABLE_1, isolator
 
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 F_0 = 0.04
 
 
@@ -46,17 +46,17 @@ def single() -> dict[str, tuple[Callable[[], Any], float | None]]:
     """Questions to one isolator, made anew each time, and the target in seconds."""
 
     def curve() -> Any:
-        return Isolator(**TABLE_1).frequency_response(F_0, samples=1000)
+        return isolator().frequency_response(F_0, samples=1000)
 
     def locus() -> Any:
-        isolator = Isolator(**TABLE_1)
-        return isolator.fold_locus(samples=1000), isolator.cusps()
+        iso = isolator()
+        return iso.fold_locus(samples=1000), iso.cusps()
 
     def folds() -> Any:
-        return Isolator(**TABLE_1).saddle_nodes(F_0)
+        return isolator().saddle_nodes(F_0)
 
     def onset() -> Any:
-        return Isolator(**TABLE_1).saddle_node_onset()
+        return isolator().saddle_node_onset()
 
     return {
         "curve, 1000 amplitudes": (curve, 0.5e-3),

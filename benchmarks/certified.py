@@ -16,9 +16,10 @@ from typing import Any
 import mpmath
 import numpy as np
 
+from slowflow.paper.example import TABLE_1
+
 DATA = Path(__file__).resolve().parents[1] / "tests" / "data"
 F_0 = 0.04
-TABLE_1 = {"lam": 3.0, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 DIGITS = 40
 U = 2.0**-53
 Number = Any

@@ -20,12 +20,12 @@ from benchmarks import validity
 from slowflow import Isolator
 from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state
 from slowflow.exact.integrate import default_integrator
+from slowflow.paper.example import TABLE_1, isolator
 from slowflow.paper.smoothed import direct_integration
 from slowflow_kernels import den_hartog
 
 RESULTS = Path(__file__).with_name("results") / "claims.json"
 
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 WINDOW = (0.5, 1.5)  # Appendix A
 STEPS = 300  # Appendix A
 BEYOND = (0.49, 1.52)  # exact curves reach further than what is held against them
@@ -150,13 +150,13 @@ def held(averaged: Isolator, F_0: float) -> dict[str, Any]:
 
 def figure_2b() -> list[dict[str, Any]]:
     """lam, delta_h = 1/(6 r) and zeta of the caption; mu/F_0 and F_0 vary. A < 1 as in the paper."""
-    found, u_cr = [], Isolator(**TABLE_1).u_cr
+    found, u_cr = [], isolator().u_cr
     for ratio in RATIOS_2B:
         resonant = [
             validity.forcing(ratio, TABLE_1["zeta"], TABLE_1["delta_h"], level * u_cr)[0] for level in LEVELS_2B
         ]
         for F_0 in (*FORCINGS_2B, *resonant):
-            averaged = Isolator(**{**TABLE_1, "mu": ratio * F_0})
+            averaged = isolator(mu=ratio * F_0)
             if averaged_side(averaged, F_0)["A"] < 1:
                 found.append({**held(averaged, F_0), "ratio": ratio})
     return found
@@ -164,7 +164,7 @@ def figure_2b() -> list[dict[str, Any]]:
 
 def figure_7a() -> dict[str, Any]:
     """Table 1 at the forcings of Table 2, and F_SN itself, which separates curves without folds from those with two."""
-    averaged = Isolator(**TABLE_1)
+    averaged = isolator()
     F_SN, F_cr = averaged.saddle_node_onset().F_SN, averaged.detachment().F_cr
     forcings = {"F_SN": F_SN, "0.025": 0.025, "F_cr": F_cr, "0.040": 0.04, "0.050": 0.05}
     off = validity.onset(averaged, F_SN)["exact"]

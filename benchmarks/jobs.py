@@ -16,6 +16,7 @@ from benchmarks import certified
 from benchmarks.bench_solver import random_designs, table_1_designs
 from slowflow import Isolator
 from slowflow.averaged.reference.roots import response_roots
+from slowflow.paper.example import isolator
 from slowflow_kernels import rod_spring
 
 Job = tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]
@@ -83,25 +84,20 @@ def of_onset(found: Any) -> dict[str, Any]:
 
 def response(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Every Omega at each amplitude."""
-    iso = table_1()
+    iso = isolator()
     h, _ = rod_spring.averaged_2(at, iso.alpha, iso.beta, iso.gamma, iso.u_cr)
     return response_roots(at, h, iso.sticking_forcing, iso.zeta, certified.F_0)
-
-
-def table_1() -> Isolator:
-    """Made for each question, since an isolator remembers some of its answers."""
-    return Isolator(**certified.TABLE_1)
 
 
 def prepare() -> dict[str, Job]:
     """Jobs by name."""
 
     def curve() -> tuple[Any, Any]:
-        iso = table_1()
+        iso = isolator()
         return iso.frequency_response(certified.F_0, samples=SAMPLES), iso.saddle_nodes(certified.F_0)
 
     def locus() -> tuple[Any, Any]:
-        iso = table_1()
+        iso = isolator()
         return iso.fold_locus(samples=SAMPLES), iso.cusps()
 
     jobs: dict[str, Job] = {
@@ -117,8 +113,8 @@ def prepare() -> dict[str, Job]:
         ),
     }
     jobs["response"] = partial(response, amplitudes(SAMPLES)), of_response
-    jobs["folds"] = lambda: table_1().saddle_nodes(certified.F_0), of_saddle_nodes
-    jobs["onset"] = lambda: table_1().saddle_node_onset(), of_onset
+    jobs["folds"] = lambda: isolator().saddle_nodes(certified.F_0), of_saddle_nodes
+    jobs["onset"] = lambda: isolator().saddle_node_onset(), of_onset
     for power in range(7):
         count = 10**power
         jobs[f"response {count}"] = partial(response, amplitudes(count)), lambda found: {"points": len(found[0])}

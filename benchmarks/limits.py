@@ -40,9 +40,9 @@ SOURCE = """
 """
 COUNTED = """
 import sys
-from slowflow import Isolator
-from benchmarks import certified, jobs
-iso, count = Isolator(**certified.TABLE_1), int(sys.argv[1])
+from benchmarks import jobs
+from slowflow.paper import example
+iso, count = example.isolator(), int(sys.argv[1])
 many = jobs.FAMILIES["random"](200)
 for _ in range(count):
     {}

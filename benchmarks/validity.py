@@ -23,6 +23,8 @@ from slowflow import Isolator
 from slowflow.exact import Response, SteadyState, exact_response
 from slowflow.exact.integrate import default_integrator
 from slowflow.mechanism import EquationOfMotion, Force
+from slowflow.paper import example
+from slowflow.paper.example import TABLE_1
 from slowflow.second import SecondApproximation
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -30,10 +32,9 @@ RESULTS = ROOT / "benchmarks/results/validity.json"
 TABLE = ROOT / "src/slowflow/measured/table.py"
 
 #: Table 1, but for what a map varies
-LAM, R_RATIO, DELTA_H, ZETA = 3, 3747 / 1848, 1848 / (6 * 3747), 0.02
 RATIOS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.74, 0.77)
 ZETAS = (0.005, 0.02, 0.05, 0.1)
-PRELOADS = (0.03, DELTA_H, 0.13)
+PRELOADS = (0.03, TABLE_1["delta_h"], 0.13)
 LEVELS = (0.8, 1.4)  # amplitude on the backbone over u_cr: attached, and as in the middle of Fig. 7a
 ONSET_RATIOS = (0.0, 0.2, 0.4, 0.5, 0.6, 0.65, 0.7)
 ONSET_ZETAS = (0.005, 0.02, 0.05)
@@ -55,7 +56,7 @@ FORCES = {"truncated": "truncated", "exact": "untruncated"}
 
 def isolator(ratio: float, zeta: float, delta_h: float, F_0: float) -> Isolator:
     """Table 1 with other damping and preload."""
-    return Isolator(lam=LAM, r=R_RATIO, delta_h=delta_h, mu=ratio * F_0, zeta=zeta)
+    return example.isolator(delta_h=delta_h, mu=ratio * F_0, zeta=zeta)
 
 
 def forcing(ratio: float, zeta: float, delta_h: float, A: float) -> tuple[float, float]:
@@ -157,7 +158,7 @@ def resonance() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """Errors of the largest amplitude and of both jumps, and the points of the curves."""
     cells, pool = [], []
     for delta_h in PRELOADS:
-        u_cr = isolator(0, ZETA, delta_h, 1.0).u_cr
+        u_cr = isolator(0, TABLE_1["zeta"], delta_h, 1.0).u_cr
         for zeta in ZETAS:
             for level in LEVELS:
                 for ratio in RATIOS:
@@ -246,7 +247,7 @@ def onsets() -> list[dict[str, Any]]:
         for zeta in ONSET_ZETAS:
             for ratio in ONSET_RATIOS:
                 cell: dict[str, Any] = {"delta_h": delta_h, "zeta": zeta, "ratio": ratio}
-                make = lambda mu, z=zeta, d=delta_h: Isolator(lam=LAM, r=R_RATIO, delta_h=d, mu=mu, zeta=z)  # noqa: E731
+                make = lambda mu, z=zeta, d=delta_h: example.isolator(delta_h=d, mu=mu, zeta=z)  # noqa: E731
                 reached = with_ratio(lambda mu, make=make: make(mu).detachment().F_cr, ratio)
                 if reached is not None:
                     cell["F_cr"] = detachment(make(reached[0]), reached[1])
@@ -310,7 +311,7 @@ def plane() -> list[dict[str, Any]]:
     out = []
     Omega = np.linspace(*PLANE_WINDOW, 141)[1:-1]
     for ratio in PLANE_RATIOS:
-        averaged = isolator(ratio, ZETA, DELTA_H, PLANE_FORCING)
+        averaged = isolator(ratio, TABLE_1["zeta"], TABLE_1["delta_h"], PLANE_FORCING)
         row: dict[str, Any] = {"ratio": ratio}
         curve = attempt(
             lambda averaged=averaged: averaged.exact_response(
@@ -351,15 +352,15 @@ def truncation() -> list[dict[str, Any]]:
     """
     out = []
     for delta_h in TRUNCATION_PRELOADS:
-        r = 0.5 / (LAM * delta_h)
-        free = Isolator(lam=LAM, r=r, delta_h=delta_h, zeta=ZETA)
+        r = 0.5 / (TABLE_1["lam"] * delta_h)
+        free = example.isolator(r=r, delta_h=delta_h, mu=0.0)
         for level in TRUNCATION_LEVELS:
             A = level * free.u_cr
             if A >= 1:
                 continue
             Omega = float(free.backbone(A))
-            F_0 = 2 * ZETA * A * Omega / (1 - 4 * 0.3 / math.pi)
-            averaged = Isolator(lam=LAM, r=r, delta_h=delta_h, mu=0.3 * F_0, zeta=ZETA)
+            F_0 = 2 * TABLE_1["zeta"] * A * Omega / (1 - 4 * 0.3 / math.pi)
+            averaged = example.isolator(r=r, delta_h=delta_h, mu=0.3 * F_0)
             found = compared(averaged, F_0, window(averaged, Omega))
             cell: dict[str, Any] = {"delta_h": delta_h, "level": level, "u_cr": free.u_cr}
             if found["truncated"] and found["exact"]:
@@ -374,7 +375,7 @@ def truncation() -> list[dict[str, Any]]:
 
 def table_2() -> list[dict[str, Any]]:
     """The paper's critical forcings and Table 2 by averaging, by the second approximation, and exact, with (5)."""
-    design = {"lam": LAM, "r": R_RATIO, "delta_h": DELTA_H, "mu": 0.012, "zeta": ZETA}
+    design = TABLE_1
     averaged = Isolator(**design)
     ways = {"averaged (6)": averaged, "averaged (5)": Isolator(**design, force="untruncated")}
     ways["second (5)"] = second_approximation(averaged)

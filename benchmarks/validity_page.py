@@ -12,16 +12,14 @@ import numpy as np
 
 from benchmarks import claims_page
 from derivations.ledger import figures, measured
-from slowflow import Isolator
 from slowflow.exact import EquationOfMotion, rod_spring_exact
-from slowflow.paper import figure_2
+from slowflow.paper import example, figure_2
 from slowflow.paper.figure_7 import RAMP
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
 
 TEMPLATE = Path(__file__).with_name("validity_template.md")
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 #: error from which on every answer at that mu/F_0 gets a remark
 REMARKED = 1 / 3
 #: errors in per cent between which the colours of a map run; the numbers in the cells have no limit
@@ -223,7 +221,7 @@ def rest(numbers: dict[str, Any]) -> Any:
 
 def overlay_7a() -> Any:
     """Fig. 7a: averaged curves dashed, exact ones solid with the untruncated force, dotted with the truncated one."""
-    isolator = Isolator(**TABLE_1)
+    isolator = example.isolator()
     onset, detachment = isolator.saddle_node_onset(), isolator.detachment()
     forcings = [value for value in (onset.F_SN, 0.025, detachment.F_cr, 0.04, 0.05) if value is not None]
     figure, axes = plt.subplots(1, 2, figsize=(14, 6), layout="constrained")
@@ -258,7 +256,7 @@ def figure_2b() -> Any:
     figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
     pairs = []
     for mu in (0.004, 0.012, 0.02, 0.028):
-        averaged = Isolator(**{**TABLE_1, "mu": mu})
+        averaged = example.isolator(mu=mu)
         force = rod_spring_exact(averaged.lam, averaged.r, averaged.delta_h)
         pairs.append((averaged, EquationOfMotion(force, mu, averaged.zeta)))
     figure_2.figure_2b(ax, tuple(pairs), 0.04, (0.4, 1.5))

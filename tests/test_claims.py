@@ -13,6 +13,7 @@ from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator
 from slowflow.exact import EquationOfMotion, exact_response, linear, questions, steady_state
 from slowflow.exact.integrate import ScipyIntegrator
+from slowflow.paper import example
 
 NUMBERS = measured.load()
 ROOT = Path(__file__).parents[1]
@@ -22,7 +23,7 @@ TABLE_2 = {row["forcing"]: row for row in NUMBERS["figure_7a"]["rows"]}
 
 
 def isolator(row):
-    return Isolator(**{**claims.TABLE_1, "mu": row["ratio"] * row["F_0"]})
+    return example.isolator(mu=row["ratio"] * row["F_0"])
 
 
 def motion(averaged):
@@ -130,7 +131,7 @@ def test_the_largest_amplitudes_of_figure_7a(forcing):
 
 def test_the_exact_onset_of_figure_7a():
     """The exact curve becomes vertical between forcings 0.2 per cent apart."""
-    averaged = Isolator(**claims.TABLE_1)
+    averaged = example.isolator()
     onset = NUMBERS["figure_7a"]["F_SN"]
     assert averaged.saddle_node_onset().F_SN == pytest.approx(onset["averaged"], rel=1e-5)
     exact = onset["averaged"] / (1 + onset["off"])

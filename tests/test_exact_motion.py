@@ -12,6 +12,7 @@ from slowflow import Duffing
 from slowflow.exact import EquationOfMotion, duffing, linear, rod_spring, rod_spring_exact, steady_state, sweep
 from slowflow.exact.integrate import Drive, HeyokaIntegrator, ScipyIntegrator, default_integrator
 from slowflow.exact.motion import Forced, follow
+from slowflow.paper.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import exact_brute, exact_linear
 from tests.oracles.exact_cases import isolator, random_cases, table_1
@@ -86,8 +87,8 @@ def test_integrators_agree_phase_by_phase():
         assert [(p.slip, p.region, p.event) for p in runs[0]] == [(p.slip, p.region, p.event) for p in runs[1]]
         for a, b in zip(*runs, strict=True):
             assert max(abs(a.end - b.end), abs(a.u_end - b.u_end), abs(a.v_end - b.v_end)) <= 1e-9
-    by_hand = isolator(3, 3747 / 1848, 1848 / (6 * 3747), 0.012, 0.02, exact=False)[1]
-    found, _ = exact_brute.follow(by_hand, 0.012, 0.02, 0.6, 0.2, 0.0, 0.0, 0.0, 3, 3000)
+    by_hand = isolator(**TABLE_1, exact=False)[1]
+    found, _ = exact_brute.follow(by_hand, TABLE_1["mu"], TABLE_1["zeta"], 0.6, 0.2, 0.0, 0.0, 0.0, 3, 3000)
     assert abs(found[-1][0] - runs[0][-1].u_end) <= 1e-8
     assert abs(found[-1][1] - runs[0][-1].v_end) <= 1e-8
 

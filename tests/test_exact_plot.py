@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from slowflow import Isolator
 from slowflow.exact.integrate import default_integrator
+from slowflow.paper.example import isolator
 from tests.oracles.exact_cases import table_1
 
 figure = pytest.importorskip("matplotlib.figure")
@@ -27,6 +27,6 @@ def test_figure_2():
         moving = np.isfinite(curve_y)
         inside = on & (x >= curve_x[moving].min()) & (x <= curve_x[moving].max())
         assert np.max(np.abs(np.interp(x[inside], curve_x[moving], curve_y[moving]) / y[inside] - 1)) <= 1e-3
-    averaged = Isolator(lam=3, r=3747 / 1848, delta_h=1848 / (6 * 3747), mu=0.012, zeta=0.02)
+    averaged = isolator()
     figure_2b(right, ((averaged, table_1(exact=True)),), 0.04, (0.6, 1.2))
     assert len(right.get_lines()) >= 3

@@ -7,17 +7,12 @@ import sys
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, exact
+from slowflow import Duffing, exact
 from slowflow.exact.integrate import default_integrator
+from slowflow.paper.example import isolator
 from slowflow_kernels import duffing as duffing_kernels
 
 pytestmark = pytest.mark.both_backends
-
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
-
-
-def isolator(**changes):
-    return Isolator(**{**TABLE_1, **changes})
 
 
 def test_each_averaged_state_leads_to_a_motion_beside_it():

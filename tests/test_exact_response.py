@@ -8,6 +8,7 @@ from scipy.optimize import minimize_scalar, root
 
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
 from slowflow.exact.integrate import ScipyIntegrator, default_integrator
+from slowflow.paper.example import TABLE_1
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.oracles.exact_scipy import half_turn
 
@@ -80,8 +81,8 @@ def test_curve_by_amplitude(curves, exact, F_0):
 
     Independent of continuation, switching and integrator; as many turns of Omega(A) as there are folds.
     """
-    mu, zeta = 0.012, 0.02
-    by_hand, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), mu, zeta, exact)[1]
+    mu, zeta = TABLE_1["mu"], TABLE_1["zeta"]
+    by_hand, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
     curve = curves[exact, F_0]
     top = int(np.argmax(curve.A))
     turns = 0
@@ -109,8 +110,8 @@ def test_peak_by_amplitude(curves, exact, F_0):
 
     The curves' own points miss it by up to 7e-5.
     """
-    mu, zeta = 0.012, 0.02
-    by_hand, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), mu, zeta, exact)[1]
+    mu, zeta = TABLE_1["mu"], TABLE_1["zeta"]
+    by_hand, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
     peak = curves[exact, F_0].peak
     near = [peak.A, float(peak.unknowns[1])]
 
@@ -146,7 +147,7 @@ def test_peak_of_the_linear_oscillator(zeta):
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 0.6])
 def test_a_peak_does_not_depend_on_the_step(ratio):
     """Light damping, a sharp peak, stops on the flanks: the points miss it by up to 9e-4, the peak does not."""
-    system = isolator(3, 3747 / 1848, 0.03, ratio * 0.005, 0.005, exact=True)[0]
+    system = isolator(3, TABLE_1["r"], 0.03, ratio * 0.005, 0.005, exact=True)[0]
     curves = [exact_response(system, 0.005, (0.7, 1.1), step=step) for step in (0.3, 0.1, 0.02)]
     finest = curves[-1].peak
     assert curves[0].A.max() < (1 - 1e-5) * finest.A
@@ -289,7 +290,7 @@ def test_a_trial_beyond_zero_frequency_is_none():
 @pytest.mark.parametrize("step", [0.01, 0.02, 0.05, 0.1])
 def test_kinds_of_folds_beside_a_sharp_peak(step):
     """Light damping: the curve folds just behind its peak, and a coarse step passes both at once."""
-    system = isolator(3, 3747 / 1848, 0.13, 0.0, 0.005, exact=True)[0]
+    system = isolator(3, TABLE_1["r"], 0.13, 0.0, 0.005, exact=True)[0]
     curve = exact_response(system, 0.00292, (0.4, 0.9), step=step)
     assert [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
 
@@ -300,8 +301,8 @@ def test_corner_fold_of_the_truncated_force():
 
     The same count and frequencies when solved amplitude by amplitude, independently.
     """
-    F_0, mu, zeta = 0.03006, 0.012, 0.02
-    by_hand, (u_cr,) = isolator(3, 3747 / 1848, 1848 / (6 * 3747), mu, zeta, False)[1]
+    F_0, mu, zeta = 0.03006, TABLE_1["mu"], TABLE_1["zeta"]
+    by_hand, (u_cr,) = isolator(**TABLE_1, exact=False)[1]
     curve = exact_response(table_1(exact=False), F_0, (0.8, 1.0), step=0.002)
     assert [fold.corner for fold in curve.folds] == [False, True, False, False]
     corner = curve.folds[1]

@@ -10,14 +10,9 @@ from hypothesis import Phase, assume, given, settings
 from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
+from slowflow.paper.example import isolator
 
 pytestmark = pytest.mark.both_backends
-
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
-
-
-def isolator(**changes):
-    return Isolator(**{**TABLE_1, **changes})
 
 
 # ---- refusals ------------------------------------------------------------------------------------------------------

@@ -26,13 +26,13 @@ import pytest
 from derivations.emit.arctangent import series
 from slowflow.averaged.reference import roots
 from slowflow.backend import KERNELS, SOLVER
+from slowflow.paper.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow
 from tests import backends
 from tests.native import clones, headers
 
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
-TABLE_1 = (3.0, 3747 / 1848, 1848 / (6 * 3747))
 RANGES = {
     "Omega": (0.1, 3), "A": (0.01, 1.5), "F_0": (0.01, 1), "m": (0, 0.1), "mu": (0, 0.1), "zeta": (0, 0.1),
     "h": (-2, 0.5), "h_A": (-2, 1), "h_AA": (-3, 3), "h_AAA": (-3, 3), "alpha": (-0.5, 1), "beta": (0, 3),
@@ -149,7 +149,7 @@ def rod_spring_signature(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
 
 @pytest.mark.both_backends
 def test_broadcasting_scalars_and_empty_arrays():
-    p = rod_spring.coefficients(*TABLE_1)
+    p = rod_spring.coefficients(*DESIGN)
     assert isinstance(rod_spring.H(0.1, *p), float)
     assert [type(value) for value in rod_spring.averaged_2(0.5, *p)] == [np.float64] * 2
     assert rod_spring.H(np.zeros((0, 3)), *p).shape == (0, 3)
@@ -171,7 +171,7 @@ def test_broadcasting_scalars_and_empty_arrays():
 @pytest.mark.parametrize("size", [1, 2, 7, 255, 256, 257, 1000])
 def test_strides(size):
     """Reversed, sliced and transposed arrays give what contiguous copies give."""
-    p = rod_spring.coefficients(*TABLE_1)
+    p = rod_spring.coefficients(*DESIGN)
     wide = np.random.default_rng(size).uniform(0.01, 1.2, (size, 3))
     for view in (wide[:, 1], wide[::-1, 0], wide[:, ::2], wide.T, np.broadcast_to(wide[:, :1], (size, 4))):
         for new, old in zip(rod_spring.averaged(view, *p), rod_spring.averaged(view.copy(), *p), strict=True):
@@ -181,7 +181,7 @@ def test_strides(size):
 @native_only
 @pytest.mark.parametrize("size", [1, 100, 1000])
 def test_out_and_in_place(size):
-    p = rod_spring.coefficients(*TABLE_1)
+    p = rod_spring.coefficients(*DESIGN)
     A = np.random.default_rng(size).uniform(0.01, 1.2, size)
     h, h_A = rod_spring.averaged_2(A, *p)
     both = np.full((size, 2), np.nan)
@@ -204,7 +204,7 @@ def test_out_and_in_place(size):
 @pytest.mark.both_backends
 def test_nan_passes_in_silence_and_invalid_arguments_do_not():
     """A NaN is no reason to warn, in any place of a block; the root of a negative number is."""
-    p = rod_spring.coefficients(*TABLE_1)
+    p = rod_spring.coefficients(*DESIGN)
     A = np.random.default_rng(1).uniform(0.01, 1.2, 600)
     A[::7] = np.nan
     with warnings.catch_warnings():
@@ -240,7 +240,7 @@ def test_subnormal_numbers_stay():
 @pytest.mark.parametrize("call", ["kernels", "solver"])
 def test_others_run_meanwhile(call):
     """The interpreter is free during a call: this thread goes on counting while another one computes."""
-    p = rod_spring.coefficients(*TABLE_1)
+    p = rod_spring.coefficients(*DESIGN)
     A = np.random.default_rng(0).uniform(0.01, 1.2, 2_000_000)
     h, h_A = rod_spring.averaged_2(A, *p)
 

@@ -10,17 +10,13 @@ import pytest
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import solvers
 from slowflow.model import Model
+from slowflow.paper.example import TABLE_1, isolator
 from slowflow_kernels import duffing, rod_spring
 
 pytestmark = pytest.mark.both_backends
 
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 RANDOM = json.loads((Path(__file__).parent / "data" / "random_isolators.json").read_text())
 SAMPLE = RANDOM[:: 1 if backend.SOLVER is not None else 40]
-
-
-def isolator(**changes):
-    return Isolator(**{**TABLE_1, **changes})
 
 
 def runs(plan):
@@ -113,7 +109,7 @@ def test_the_attached_scene_gives_what_the_whole_force_gives(record):
 
 def test_the_linear_scene_gives_what_the_whole_force_gives():
     linear = isolator(delta_h=0)
-    whole = Model(rod_spring, rod_spring.coefficients(3.0, TABLE_1["r"], 0.0), linear.mu, linear.zeta)
+    whole = Model(rod_spring, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), linear.mu, linear.zeta)
     Omega = np.linspace(0.3, 1.5, 25)
     one, other = linear.amplitudes(Omega=Omega, F_0=0.04), solvers.amplitudes(whole, Omega, 0.04)
     assert np.allclose(one.A, other.A, rtol=1e-13, atol=0) and np.allclose(one.phi, other.phi, rtol=1e-12, atol=0)

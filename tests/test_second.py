@@ -10,17 +10,13 @@ from mpmath import mp, mpf
 
 from derivations.second_approximation import friction_sum
 from slowflow import Duffing, Isolator
+from slowflow.paper.example import isolator
 from slowflow.results import joined
 from slowflow.second.balance import Balance
 from slowflow.second.curve import follow
 from slowflow_kernels import den_hartog, second_approximation
 
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 FORCES = ("truncated", "untruncated")
-
-
-def isolator(**changes):
-    return Isolator(**{**TABLE_1, **changes})
 
 
 @pytest.mark.parametrize("order", [0, 1, 2])
@@ -210,7 +206,7 @@ def test_the_frequency_turns_only_at_folds(design, F_0, force):
 def test_a_branch_ends_where_points_are_left_out():
     """A part of the curve that the second approximation does not have is no straight line."""
     with pytest.warns(UserWarning, match="negative stiffness"):
-        iso = Isolator(lam=3, r=3747 / 1848, delta_h=0.25, mu=0.012, zeta=0.02)
+        iso = isolator(delta_h=0.25)
     curve = iso.second_approximation.frequency_response(0.05)
     assert "left out" in curve.message
     assert len(curve.isola) == len(np.unique(curve.branch)) and curve.branch.max() == len(curve.isola) - 1

@@ -16,12 +16,12 @@ import pytest
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import compiled
 from slowflow.averaged.reference import folds, locus, response
+from slowflow.paper.example import TABLE_1, isolator
 from tests.native.roots import why_not
 from tests.native.solvers import THOROUGH, build
 
 DATA = Path(__file__).parent / "data"
 UNIT = 2.0**-53
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 compiled_only = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers")
 
 
@@ -356,7 +356,7 @@ def test_without_damping_the_folds_are_those_of_the_closed_form():
 
 @pytest.mark.both_backends
 def test_the_fold_locus_passes_the_folds_of_every_forcing():
-    oscillator = Isolator(**TABLE_1)
+    oscillator = isolator()
     points = oscillator.fold_locus(samples=200)
     assert points.A.min() < oscillator.u_cr < points.A.max() and points.branch.max() >= 1
     model = oscillator.model

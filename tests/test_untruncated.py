@@ -12,6 +12,7 @@ from mpmath import mp, mpf
 from scipy.special import roots_legendre
 
 from slowflow import Isolator
+from slowflow.paper.example import DESIGN
 from slowflow_kernels import rod_spring, rod_spring_exact
 
 pytestmark = pytest.mark.both_backends
@@ -192,7 +193,7 @@ def test_vanishing_preload_is_linear():
         assert (np.abs(h + A) <= bound + 2e-16 * A).all()
 
 
-@pytest.mark.parametrize(("lam", "r", "delta_h"), [(3, 3747 / 1848, 1848 / (6 * 3747)), (4, 2.0, 0.125)])
+@pytest.mark.parametrize(("lam", "r", "delta_h"), [DESIGN, (4, 2.0, 0.125)])
 def test_truncation_is_of_seventh_order(lam, r, delta_h):
     """h - h_truncated = -(35/64)(5/8) beta A^7 (1 + O(A^2)): the term of u^7 in (5) is (5/8) beta."""
     exact, truncated = rod_spring_exact.coefficients(lam, r, delta_h), rod_spring.coefficients(lam, r, delta_h)

@@ -10,14 +10,9 @@ from slowflow import Duffing, Isolator
 from slowflow.exact.integrate import default_integrator
 from slowflow.measured import table as validity_table
 from slowflow.measured.validity import near_sticking
+from slowflow.paper.example import isolator
 
 pytestmark = pytest.mark.both_backends
-
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
-
-
-def isolator(**changes):
-    return Isolator(**{**TABLE_1, **changes})
 
 
 def test_the_table_has_a_size_for_every_bin():

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slowflow.exact import EquationOfMotion, rod_spring, rod_spring_exact
+from slowflow.paper.example import TABLE_1
 from tests.oracles import exact_brute
 
 
@@ -35,7 +36,7 @@ def isolator(lam, r, delta_h, mu, zeta, exact):
 
 def table_1(exact):
     """The paper's isolator."""
-    return isolator(3, 3747 / 1848, 1848 / (6 * 3747), 0.012, 0.02, exact)[0]
+    return isolator(**TABLE_1, exact=exact)[0]
 
 
 def random_cases(count, seed):

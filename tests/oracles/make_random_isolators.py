@@ -20,6 +20,7 @@ from typing import Any
 
 from flint import arb
 
+from slowflow.paper import published
 from tests.oracles.averaged import BITS, CORNER, Duffing, Number, Oscillator, Point, RodSpring, digits
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
@@ -258,16 +259,9 @@ def negative_case(index: int) -> dict:
 
 def table_1_cases() -> list[dict]:
     """The paper's isolator: as exact rationals with exact decimal forcings, and as the nearest doubles."""
-    fractions = {
-        "lam": Fraction(3),
-        "r": Fraction(3747, 1848),
-        "delta_h": Fraction(1848, 6 * 3747),
-        "mu": Fraction(12, 1000),
-        "zeta": Fraction(2, 100),
-    }
     cases = []
     for convert in (Fraction, float):
-        parameters: dict[str, Number] = {k: convert(v) for k, v in fractions.items()}
+        parameters: dict[str, Number] = {k: convert(v) for k, v in published.TABLE_1.items()}
         F_cr = _float(RodSpring(**parameters).detachment().F_0)
         chosen: list[tuple[Number, str]] = [
             (convert(Fraction(text)), "given") for text in ("0.025", "0.03", "0.03005", "0.0301", "0.04", "0.05")

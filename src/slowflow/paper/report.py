@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from slowflow.isolator import Isolator
-from slowflow.paper import published
+from slowflow.paper import example
 from slowflow.results import SaddleNodes
 
 #: frequencies and amplitudes shown in Fig. 7
@@ -35,12 +35,6 @@ class Row:
     printed: str
     derived: float
     verdict: str
-
-
-def table_1_isolator() -> Isolator:
-    """The isolator of Table 1."""
-    values: dict[str, Any] = {name: float(value) for name, value in published.TABLE_1.items()}
-    return Isolator(**values)
 
 
 def rows(isolator: Isolator, ledger: dict[str, Any]) -> Iterator[Row]:
@@ -79,7 +73,7 @@ def _row(what: str, value: float | None, judged: dict[str, str]) -> Row:
 
 def report(ledger: dict[str, Any]) -> Iterator[str]:
     """Lines: Table 2 published / derived / verdict, the ledger's counts, its findings."""
-    table = list(rows(table_1_isolator(), ledger))
+    table = list(rows(example.isolator(), ledger))
     width = max(len(row.what) for row in table)
     yield f"{'':{width}}  {'published':>9}  {'derived':>15}  verdict"
     for row in table:
@@ -113,7 +107,7 @@ def draw(folder: Path) -> list[Path]:
 
     from slowflow.paper import figure_7 as plot
 
-    isolator = table_1_isolator()
+    isolator = example.isolator()
     onset, detachment = isolator.saddle_node_onset(), isolator.detachment()
     forcings = [value for value in (onset.F_SN, 0.025, detachment.F_cr, 0.04, 0.05) if value is not None]
     folder.mkdir(parents=True, exist_ok=True)
