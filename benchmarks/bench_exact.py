@@ -113,7 +113,7 @@ def whole_curve(exact: bool, curve: Response) -> list[Row]:
     """Time, residual on every point, and the folds three ways."""
     system, name = table_1(exact), NAMES[exact]
     elapsed = best(lambda: exact_response(system, 0.04), 5)
-    states = [curve.steady_state(Omega=i) for i in range(curve.Omega.size)]
+    states = [curve.steady_state(i) for i in range(curve.Omega.size)]
     touching = [i for i, point in enumerate(curve.states) if point.role in ("border", "corner")]
     elsewhere = max(state.residual for i, state in enumerate(states) if i not in touching)
     fine = exact_response(system, 0.04, step=0.007)

@@ -258,8 +258,6 @@ def test_errors_in_words():
         exact_response(system, 0.012)
     with pytest.raises(ValueError, match="Omega must be a non-empty list"):
         sweep(system, 0.04, [])
-    with pytest.raises(ValueError, match="tolerance"):
-        sweep(system, 0.04, [0.9], tolerance=0.0)
 
 
 @heyoka

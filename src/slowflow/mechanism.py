@@ -84,7 +84,7 @@ class EquationOfMotion:
 
 def linear() -> Force:
     """f(u) = u: the isolator without preload (delta_h = 0), Den Hartog's oscillator."""
-    return Force((Piece(_identity, ()),), ())
+    return rod_spring(0.0, 0.0, 0.0, 0.0)
 
 
 def duffing(alpha: float, beta: float) -> Force:
@@ -126,7 +126,3 @@ class _Single:
 
     def __call__(self, *arguments: Any) -> Any:
         return self.body(*arguments)[0]
-
-
-def _identity(u: Any) -> Any:
-    return u

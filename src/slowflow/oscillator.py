@@ -45,8 +45,9 @@ class Oscillator(Averaged):
     ) -> exact.SteadyState:
         """A periodic motion of the equation of motion (3) itself: series, harmonics, stops, multipliers, residual.
 
-        A     -- the motion near the averaged state whose amplitude is nearest to A, stable or not, or what that state
-                 settles to where there is none; without it the motion that a mass at rest comes to
+        A     -- the motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its
+                 states at Omega, its folds beside it, and A itself; where none of them leads to a motion near it, what
+                 the averaged state nearest to A settles to. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
 
         Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError if nothing periodic is found.
@@ -76,16 +77,17 @@ class Oscillator(Averaged):
 
         return questions.exact_response(self, self.restoring_force(force), F_0, Omega, start, step)
 
-    def sweep(self, *, Omega: Any, F_0: float, tolerance: float = 1e-9, force: str | None = None) -> exact.Sweep:
+    def sweep(self, *, Omega: Any, F_0: float, force: str | None = None) -> exact.Sweep:
         """What an experiment sees that steps through the frequencies `Omega` in their order: amplitudes and jumps.
 
-        (u, v) has settled once a turn of the forcing changes it by no more than `tolerance`; `force` as in
-        `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError where the motion
-        escapes a softening spring.
+        The motion is followed at each frequency until it is shown to tend to a stable periodic one, whose amplitude is
+        given, and goes on from there; where it does not within 2000 turns of the forcing, `.settled` says so. `force`
+        as in `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError where the
+        motion escapes a softening spring.
         """
         from slowflow.exact import questions
 
-        return questions.sweep(self, self.restoring_force(force), Omega, F_0, tolerance)
+        return questions.sweep(self, self.restoring_force(force), Omega, F_0)
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
-from slowflow.exact.integrate import Integrator, default_integrator
+from slowflow.exact.integrate import Integrator, default_integrator, limited
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
 from slowflow.mechanism import EquationOfMotion
@@ -88,7 +88,8 @@ class Response:
 
         A is stationary there along the curve, or it is at a border or at an end of the range.
         """
-        point = _highest(self.F_0, self.states)
+        with limited():
+            point = _highest(self.F_0, self.states)
         return describe(point.cycle, point.z, self.F_0, point.equations)
 
 
@@ -110,6 +111,7 @@ class _Point(NamedTuple):
         return float(self.equations.of_A[:-1] @ self.tangent)
 
 
+@limited()
 def exact_response(
     system: EquationOfMotion,
     F_0: float,

@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.integrate import FAR, Drive, Integrator
+from slowflow.exact.integrate import FAR, PHASE_WORK, Drive, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
 
@@ -87,6 +87,7 @@ class Cycle:
         """
         system, integrator, phases = self.system, self.integrator, self.signature
         k = len(phases)
+        spend(PHASE_WORK * k)
         Omega = float(z[-1])
         forced = Forced(system, Omega, F_0, integrator)
         u, v, theta = float(z[0]), 0.0, float(z[1])
@@ -337,8 +338,6 @@ class Cycle:
     ) -> tuple[Array, Equations] | None:
         last = math.inf
         for _ in range(most):
-            if not z[-1] > 0.0:  # a step beyond Omega = 0
-                return None
             try:
                 found = self.equations(z, F_0)
                 if extra is None:
@@ -353,6 +352,9 @@ class Cycle:
             size = float(np.max(np.abs(step)))
             error = float(np.max(np.abs(residual)))
             if not math.isfinite(size) or size > 2.0:
+                return None
+            # towards Omega = 0 a turn takes ever longer: a trial that goes half the way is none
+            if extra is not None and not abs(step[-1]) < 0.5 * z[-1]:
                 return None
             if error <= tolerance or (error <= 100.0 * tolerance and size >= 0.5 * last):
                 return z, found

@@ -9,9 +9,12 @@ SciPy's DOP853 elsewhere; both offer what `Integrator` lists and agree to 1e-9.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import operator
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -24,7 +27,47 @@ Array = NDArray[np.float64]
 
 TIME, STOP, EDGE = 0, 1, 2
 FAR = 1e6  # stands for "no breakpoint ahead": no motion of an isolator comes near
-MOST = 5000  # calls by SciPy or steps by heyoka, and as many for each unit of time: a motion takes a tenth of it
+MOST_STEPS = 200_000  # of one integration, or calls by SciPy: a slip takes some tens, hundreds at low frequency
+MOST_WORK = 3_000_000  # steps or calls of one question, twenty times what a curve of 300 points takes
+PHASE_WORK = 30  # steps that take as long as all else that is done for a phase of a motion
+CHUNK = 20_000  # steps between two looks at Ctrl-C: some hundredths of a second
+
+
+class _OutOfWork(Exception):
+    """The question has used up its steps. No ArithmeticError: a trial that fails is replaced by another."""
+
+
+_left: ContextVar[list[int] | None] = ContextVar("steps that the question has left", default=None)
+
+
+@contextlib.contextmanager
+def limited(most: int = MOST_WORK) -> Iterator[None]:
+    """Bounds the steps of one question, inner questions included. Raises ArithmeticError where they do not suffice."""
+    if _left.get() is not None:
+        yield
+        return
+    token = _left.set([most])
+    try:
+        yield
+    except _OutOfWork:
+        raise ArithmeticError(f"given up after {most} integration steps, more than an answer should take") from None
+    finally:
+        _left.reset(token)
+
+
+def steps_left() -> int:
+    """The steps that one integration may take now."""
+    left = _left.get()
+    return MOST_STEPS if left is None else min(MOST_STEPS, left[0] + 1)
+
+
+def spend(steps: int) -> None:
+    """Counts steps of an integrator against what the question has left."""
+    left = _left.get()
+    if left is not None:
+        left[0] -= steps
+        if left[0] < 0:
+            raise _OutOfWork
 
 
 class Drive(NamedTuple):
@@ -90,13 +133,11 @@ _UFUNCS: dict[str, Callable[..., Any]] = {
 }
 
 
-def _most(theta: float, end: float, Omega: float) -> int:
-    """Steps or calls after which an integration is given up: a trial may have run into ever faster motion."""
-    return MOST + int(MOST * abs(end - theta) / Omega)
+class HeyokaIntegrator(threading.local):
+    """Taylor series of order 20, error per step of one rounding; each expression is compiled once, in about 0.4 s.
 
-
-class HeyokaIntegrator:
-    """Taylor series of order 20, error per step of one rounding; each expression is compiled once, in about 0.4 s."""
+    Its compiled integrators hold state: every thread has its own, whichever motions share this object.
+    """
 
     name = "heyoka"
 
@@ -143,6 +184,16 @@ class HeyokaIntegrator:
         integrator.pars[:] = (*drive, slip, edge, *piece.constants)[: len(integrator.pars)]
         integrator.time = theta
 
+    def _propagated(self, integrator: Any, end: float) -> Any:
+        """heyoka's outcome at `end` or at an event; in chunks, as it is deaf to Ctrl-C."""
+        left = MOST_STEPS
+        while True:
+            outcome, _, _, steps, *_ = integrator.propagate_until(end, max_steps=min(CHUNK, left))
+            spend(int(steps))
+            left -= int(steps)
+            if outcome != self._heyoka.taylor_outcome.step_limit or left <= 0:
+                return outcome
+
     def advance(
         self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
     ) -> tuple[float, float, Array]:
@@ -151,7 +202,7 @@ class HeyokaIntegrator:
         self._set(integrator, piece, drive, 0.0, FAR, theta)
         state = integrator.state
         state[:] = (u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-        if integrator.propagate_until(end, max_steps=_most(theta, end, drive.Omega))[0] != self._end:
+        if self._propagated(integrator, end) != self._end:
             raise ArithmeticError(f"the integration from theta = {theta} to {end} failed at theta = {integrator.time}")
         return float(state[0]), float(state[1]), state[2:].reshape(2, 4).copy()
 
@@ -164,7 +215,7 @@ class HeyokaIntegrator:
         state = integrator.state
         state[:] = (u, v)
         integrator.reset_cooldowns()
-        outcome = integrator.propagate_until(end, max_steps=_most(theta, end, drive.Omega))[0]
+        outcome = self._propagated(integrator, end)
         if outcome == self._end:
             event = TIME
         else:
@@ -183,7 +234,7 @@ class HeyokaIntegrator:
         integrator.reset_cooldowns()
         states: list[Array] = []
         for at in grid:
-            integrator.propagate_until(at)
+            self._propagated(integrator, at)
             states.append(integrator.state.copy())
         return np.array(states).reshape(-1, 2)
 
@@ -226,7 +277,7 @@ class ScipyIntegrator:
         start = np.array([u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0])
         if end == theta:
             return u, v, start[2:].reshape(2, 4)
-        y = self._solve(variational, Omega, (theta, end), start).y[:, -1]
+        y = self._solve(variational, (theta, end), start).y[:, -1]
         return float(y[0]), float(y[1]), y[2:].reshape(2, 4)
 
     def until(
@@ -244,19 +295,17 @@ class ScipyIntegrator:
             event.terminal = True  # type: ignore[attr-defined]
             event.direction = direction  # type: ignore[attr-defined]
         field = self._field(piece, drive)
-        solution = self._solve(field, drive.Omega, (theta, end), np.array([u, v]), events=[stop, arrival])
+        solution = self._solve(field, (theta, end), np.array([u, v]), events=[stop, arrival])
         for code, times in ((STOP, solution.t_events[0]), (EDGE, solution.t_events[1])):
             if times.size:
-                return self._refined(field, drive.Omega, edge, solution, float(times[0]), code)
+                return self._refined(field, edge, solution, float(times[0]), code)
         return end, float(solution.y[0, -1]), float(solution.y[1, -1]), TIME
 
-    def _refined(
-        self, field: Any, Omega: float, edge: float, solution: Any, at: float, code: int
-    ) -> tuple[float, float, float, int]:
+    def _refined(self, field: Any, edge: float, solution: Any, at: float, code: int) -> tuple[float, float, float, int]:
         """The event's time by Newton from the start of its step: the dense output alone is too coarse."""
         begin, start = float(solution.t[-2]), solution.y[:, -2]
         for _ in range(8):
-            u, v = self._solve(field, Omega, (begin, at), start).y[:, -1] if at != begin else start
+            u, v = self._solve(field, (begin, at), start).y[:, -1] if at != begin else start
             u_dot, v_dot = field(at, np.array([u, v]))
             change = v / v_dot if code == STOP else (u - edge) / u_dot
             if not abs(change) > 1e-15 * max(1.0, abs(at)):
@@ -271,15 +320,16 @@ class ScipyIntegrator:
         y = np.array([u, v])
         for i, at in enumerate(times):  # step by step: the dense output is too coarse
             if at > theta:
-                y = self._solve(self._field(piece, drive), drive.Omega, (theta, float(at)), y).y[:, -1]
+                y = self._solve(self._field(piece, drive), (theta, float(at)), y).y[:, -1]
             theta, states[i] = float(at), y
         return states[where]
 
-    def _solve(self, field: Any, Omega: float, span: tuple[float, float], start: Array, **options: Any) -> Any:
-        left = _most(*span, Omega)
+    def _solve(self, field: Any, span: tuple[float, float], start: Array, **options: Any) -> Any:
+        left = MOST_STEPS
 
         def counted(theta: float, y: Array) -> Any:
             nonlocal left
+            spend(1)
             left -= 1
             if left < 0:
                 raise ArithmeticError(f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}")

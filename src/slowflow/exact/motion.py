@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from slowflow.exact.integrate import EDGE, FAR, STOP, TIME, Drive, Integrator
+from slowflow.exact.integrate import EDGE, FAR, PHASE_WORK, STOP, TIME, Drive, Integrator, spend
 from slowflow.mechanism import EquationOfMotion, Piece
 
 TURN = 2.0 * math.pi
@@ -134,6 +134,7 @@ def follow(
         if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
             region += slip
             continue
+        spend(PHASE_WORK)
         piece, drive = forced.piece(region), forced.drive(slip)
         from_theta, from_u, from_v = theta, u, v
         if v == 0.0:

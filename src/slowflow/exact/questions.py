@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 #: distance, relative in amplitude and frequency, from which on the averaged points are those of another curve
 APART = 0.1
 
+#: largest relative distance of an averaged fold from the frequency at which motions near it are looked for
+BESIDE = 0.05
+
 OTHER = (
     "another curve is not part of this one: averaging has it at Omega = {Omega:.4g}, A = {A:.4g}; "
     "start = steady_state(Omega={Omega:.4g}, F_0={F_0:.4g}, A={A:.4g}) leads to it"
@@ -36,7 +39,12 @@ def steady_state(averaged: Averaged, force: Force, Omega: float, F_0: float, A: 
     system = EquationOfMotion(force, averaged.mu, averaged.zeta)
     if wanted is None:
         return _from_rest(averaged, system, Omega, F_0)
-    return shooting.steady_state(system, Omega, F_0, _guess(averaged, Omega, F_0, wanted))
+    shooting.check_forcing(system, Omega, F_0)
+    guesses = _guesses(averaged, Omega, F_0, wanted)
+    found = [motion for motion in (shooting.near(system, Omega, F_0, guess) for guess in guesses) if motion is not None]
+    if found:
+        return min(found, key=lambda motion: abs(motion.A - wanted))
+    return shooting.steady_state(system, Omega, F_0, guesses[0])
 
 
 def exact_response(
@@ -80,28 +88,38 @@ def _others(averaged: Averaged, found: continuation.Response, window: tuple[floa
     return "; ".join(remarks)
 
 
-def sweep(averaged: Averaged, force: Force, Omega: Any, F_0: float, tolerance: float) -> Sweep:
+def sweep(averaged: Averaged, force: Force, Omega: Any, F_0: float) -> Sweep:
     """See `slowflow.oscillator.Oscillator.sweep`."""
     F_0 = validate.number("F_0", F_0, above=0.0)
     frequencies = validate.positive_array("Omega", Omega)
-    tolerance = validate.number("tolerance", tolerance, above=0.0)
-    return stepped(EquationOfMotion(force, averaged.mu, averaged.zeta), F_0, frequencies, tolerance=tolerance)
+    return stepped(EquationOfMotion(force, averaged.mu, averaged.zeta), F_0, frequencies)
 
 
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:
-    """What a mass at rest comes to; where averaging knows of one state only, that one, without waiting for it."""
-    states = averaged.states(Omega, F_0)
-    if states.A.size == 1:
-        found = shooting.steady_state(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])))
-        if found.stable:  # about u = 0 it need not be, where the stiffness is negative
-            return found
-    return shooting.steady_state(system, Omega, F_0)
+    """What a mass at rest comes to, followed; where that takes too many turns, the only one that averaging knows of."""
+    try:
+        return shooting.steady_state(system, Omega, F_0)
+    except shooting.NotSettled:
+        states = averaged.states(Omega, F_0)
+        if states.A.size == 1:
+            found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])))
+            if found is not None and found.stable:
+                return found
+        raise
 
 
-def _guess(averaged: Averaged, Omega: float, F_0: float, A: float) -> tuple[float, float] | None:
-    """(A, phi) of the averaged state nearest to A, or None: then from rest."""
-    states = averaged.states(Omega, F_0)
-    if not states.A.size:
-        return None
-    nearest = int(np.argmin(np.abs(states.A - A)))
-    return float(states.A[nearest]), float(states.phi[nearest])
+def _guesses(averaged: Averaged, Omega: float, F_0: float, A: float) -> list[tuple[float, float]]:
+    """(A, phi) from which Newton's iteration may come to a motion of amplitude A, the averaged state nearest first.
+
+    Averaging's folds lie beside the exact ones: where it has no such state the motion may still be there, so the folds
+    next to Omega are tried, and the amplitude itself with the phase that averaging gives it.
+    """
+    model = averaged.model
+    states, folds = averaged.states(Omega, F_0), averaged.folds(F_0)
+    beside = np.abs(folds.Omega / Omega - 1.0) < BESIDE
+    amplitudes = np.concatenate((folds.A[beside], [A]))
+    frequencies = np.concatenate((folds.Omega[beside], [Omega]))
+    h = model.averaged(amplitudes)[0]
+    phases = model.flow.phase(frequencies, amplitudes, model.m, model.zeta, h)
+    known = sorted(zip(states.A, states.phi, strict=True), key=lambda state: abs(state[0] - A))
+    return [(float(a), float(phi)) for a, phi in (*known[:1], *zip(amplitudes, phases, strict=True))]

@@ -2,6 +2,8 @@
 
 In:  an oscillator, Omega, F_0, perhaps a guess.
 Out: `SteadyState`: one period, its harmonics, stops, Floquet multipliers and the residual of its periodicity.
+
+Time stepping ends where it is shown that the motion approaches the one that Newton's iteration found (`_approaches`).
 """
 
 from __future__ import annotations
@@ -9,12 +11,13 @@ from __future__ import annotations
 import functools
 import math
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.exact.cycle import Cycle, Equations, closed_cycle
-from slowflow.exact.integrate import Integrator, default_integrator
+from slowflow.exact.integrate import Integrator, default_integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
 
@@ -23,6 +26,10 @@ Array = NDArray[np.float64]
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
 HALF_TURNS = (1, 2, 3, 4, 6)  # lengths of a cycle that are tried: the forcing's period, then subharmonics
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
+
+
+class NotSettled(ArithmeticError):
+    """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
 
 
 @dataclass(frozen=True)
@@ -110,6 +117,7 @@ class SteadyState:
         return sign * out[:, 0], sign * out[:, 1]
 
 
+@limited()
 def steady_state(
     system: EquationOfMotion,
     Omega: float,
@@ -145,15 +153,45 @@ def steady_state(
             return found
         theta, u = float(z[1]), float(z[0])
     elif guess is not None:
-        A, phi = guess
-        if not (math.isfinite(A) and A > 0 and math.isfinite(phi)):
-            raise ValueError(f"guess = (A, phi) = {guess} must be finite, A positive")
-        theta, u = (-phi) % TURN, float(A)
-        for n in tries[:2]:
-            found = _from_start(forced, theta, u, n)
-            if found is not None and abs(found.A - A) <= 0.5 * A:
-                return found
+        theta, u = _start(guess)
+        found = _near(forced, theta, u, tries)
+        if found is not None:
+            return found
     return _by_time_stepping(forced, theta, u, tries)
+
+
+@limited()
+def near(
+    system: EquationOfMotion, Omega: float, F_0: float, guess: tuple[float, float], integrator: Integrator | None = None
+) -> SteadyState | None:
+    """The motion, stable or not, that Newton's iteration finds near u = A cos(Omega tau + phi), guess = (A, phi).
+
+    None if it finds none of half to one and a half times that amplitude, or the mass released there escapes. Raises
+    ValueError for parameters out of range.
+    """
+    check_forcing(system, Omega, F_0)
+    theta, u = _start(guess)
+    try:
+        return _near(Forced(system, float(Omega), float(F_0), integrator or default_integrator()), theta, u, HALF_TURNS)
+    except ArithmeticError:
+        return None
+
+
+def _start(guess: tuple[float, float]) -> tuple[float, float]:
+    """theta and u of the highest point of u = A cos(Omega tau + phi)."""
+    A, phi = guess
+    if not (math.isfinite(A) and A > 0 and math.isfinite(phi)):
+        raise ValueError(f"guess = (A, phi) = {guess} must be finite, A positive")
+    return (-phi) % TURN, float(A)
+
+
+def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState | None:
+    """The motion of about that amplitude that Newton's iteration finds from rest at (theta, u)."""
+    for n in tries[:2]:
+        found = _from_start(forced, theta, u, n)
+        if found is not None and abs(found.A - u) <= 0.5 * u:
+            return found
+    return None
 
 
 def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
@@ -239,37 +277,98 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
     return None
 
 
-def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState:
-    """Follows the motion until it settles; Newton's iteration ends it once it is close."""
-    v = 0.0
+class Settled(NamedTuple):
+    """Where time stepping ends: the motion that is approached, None if none was found; the turns that were followed.
+
+    u, v   -- the state at the start of a turn: that of the motion found, else the last one
+    phases -- the last turn followed
+    change -- of (u, v), over the last turn or the last turns of a subharmonic
+    """
+
+    found: SteadyState | None
+    turns: int
+    u: float
+    v: float
+    phases: list[Phase]
+    change: float
+
+
+def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, ...], most_turns: int) -> Settled:
+    """Follows the motion from (theta, u, v) until it is shown to approach a stable periodic one.
+
+    tries -- half turns of the cycles that are looked for, see `steady_state`
+    Raises ArithmeticError if the motion escapes or chatters.
+    """
     history = [(u, v)]
+    phases: list[Phase] = []
     change = math.inf
-    while len(history) <= MOST_TURNS:
-        for _ in range(8):
-            last = follow(forced, theta, u, v, theta + TURN)[-1]
-            u, v = last.u_end, last.v_end
-            history.append((u, v))
+    ask = 1
+    while len(history) <= most_turns:
+        phases = follow(forced, theta, u, v, theta + TURN)
+        u, v = phases[-1].u_end, phases[-1].v_end
+        history.append((u, v))
+        if len(history) <= ask:
+            continue
+        ask += min(ask, 8)
+        scale = 1e-2 * _largest(phases)
+        change = math.inf
         for n in tries:
             turns = n if n % 2 else n // 2
             if turns >= len(history):
                 continue
             before = history[-1 - turns]
-            change = max(abs(u - before[0]), abs(v - before[1]))
-            if change < 1e-2 * max(abs(u), abs(v), 1e-3):
-                found = _from_start(forced, theta, u, n, v)
-                if found is not None and found.stable and _near(found, theta, u, v, 10.0 * change + 1e-9):
-                    return found
-    raise ArithmeticError(
-        f"no steady state at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {MOST_TURNS} turns of the forcing the "
-        f"motion comes back only to within {change:.1e}; it may be chaotic, or a subharmonic of another order than "
-        f"half_turns = {tries} allow"
+            change = min(change, max(abs(u - before[0]), abs(v - before[1])))
+            if change >= scale:
+                continue
+            found = _from_start(forced, theta, u, n, v)
+            if found is not None and found.stable:
+                there = _passed(found, theta, u, v)
+                if _approaches(forced, found, theta, (u, v), there):
+                    return Settled(found, len(history) - 1, *there, phases, change)
+    return Settled(None, len(history) - 1, u, v, phases, change)
+
+
+def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState:
+    """The motion that the one from rest at (theta, u) settles to."""
+    settled = settle(forced, theta, u, 0.0, tries, MOST_TURNS)
+    if settled.found is not None:
+        return settled.found
+    drifts = settled.change < 1e-3 * _largest(settled.phases)
+    raise NotSettled(
+        f"no steady state found at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {settled.turns} turns of the "
+        f"forcing the motion comes back only to within {settled.change:.1e}; "
+        + (
+            "it still drifts, too slowly to be followed to where it settles"
+            if drifts
+            else f"it may be chaotic, or a subharmonic of another order than half_turns = {tries} allow"
+        )
     )
 
 
-def _near(found: SteadyState, theta: float, u: float, v: float, distance: float) -> bool:
-    """Whether the motion found is the one that the time stepping approaches, by the multipliers' rate of approach."""
-    # a subharmonic may pass here in any turn of its period
+def _passed(found: SteadyState, theta: float, u: float, v: float) -> tuple[float, float]:
+    """The state of the motion found at theta that lies nearest to (u, v): a subharmonic passes in any of its turns."""
     turns: Array = TURN * np.arange(found.cycle.half_turns, dtype=np.float64)
     there_u, there_v = found._at(theta + turns)
-    rate = 1.0 - float(np.max(np.abs(found.multipliers)))
-    return float(np.min(np.maximum(np.abs(there_u - u), np.abs(there_v - v)))) <= distance / max(rate, 1e-3)
+    nearest = int(np.argmin(np.maximum(np.abs(there_u - u), np.abs(there_v - v))))
+    return float(there_u[nearest]), float(there_v[nearest])
+
+
+def _approaches(
+    forced: Forced, found: SteadyState, theta: float, state: tuple[float, float], there: tuple[float, float]
+) -> bool:
+    """Whether the motion through `state` tends to the stable one found, which passes `there`.
+
+    It does where the map over a period is near its linear part, so that the multipliers' rate of approach holds: the
+    way that `state` makes in a period differs from ten times the way of a state ten times as near by less than half.
+    A motion that merely lingers, or drifts too slowly to be seen, fails this whatever its distance.
+    """
+    away = np.subtract(state, there)
+    if np.max(np.abs(away)) <= 1e-8 * found.A:
+        return True
+    end = theta + found.Omega * found.period
+    ways = []
+    for share in (1.0, 0.1):
+        u, v = there + share * away
+        last = follow(forced, theta, float(u), float(v), end)[-1]
+        ways.append(np.array([last.u_end - u, last.v_end - v]) / share)
+    return bool(np.max(np.abs(ways[0] - ways[1])) <= 0.5 * np.max(np.abs(ways[1])))

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.integrate import Integrator, default_integrator
-from slowflow.exact.motion import TURN, Forced, follow, stops
-from slowflow.exact.shooting import check_forcing
+from slowflow.exact.integrate import Integrator, default_integrator, limited
+from slowflow.exact.motion import Forced, stops
+from slowflow.exact.shooting import HALF_TURNS, check_forcing, settle
 from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
@@ -28,10 +28,10 @@ class Sweep:
     """What a stepped sweep shows; arrays in the order of the frequencies.
 
     Omega   -- the frequencies
-    A       -- largest |u| over the last turn of the forcing at each
-    stops   -- rests in that turn
-    turns   -- turns of the forcing spent there
-    settled -- whether the state then changed by no more than the tolerance from turn to turn
+    A       -- largest |u| of the stable motion that is settled to; where none is, over the last turn of the forcing
+    stops   -- rests in one period of it, or in that turn
+    turns   -- turns of the forcing followed before it was shown that the motion tends there
+    settled -- whether it was, within the turns that are followed at most
     jumps   -- pairs (Omega before, Omega after) between which the motion left its branch
     """
 
@@ -49,23 +49,20 @@ def sweep(
     F_0: float,
     Omega: Sequence[float] | Array,
     *,
-    tolerance: float = 1e-9,
     most_turns: int = 2000,
     integrator: Integrator | None = None,
 ) -> Sweep:
     """Follows the motion from rest through the frequencies, keeping its state and the forcing's phase at each step.
 
-    tolerance -- a motion has settled once (u, v) comes back to within it after a turn of the forcing
     most_turns -- at one frequency
 
+    At each frequency the motion is followed until it is shown to tend to a periodic one; from that one it goes on.
     A jump is a change of amplitude by more than 10 %, and more than three times what either neighbouring step shows.
     Raises ValueError for parameters out of range, ArithmeticError where the motion escapes or chatters.
     """
     frequencies = np.asarray(Omega, dtype=float)
     if frequencies.ndim != 1 or frequencies.size == 0:
         raise ValueError(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
-    if not tolerance > 0:
-        raise ValueError(f"tolerance = {tolerance} must be positive")
     for frequency in frequencies:
         check_forcing(system, float(frequency), F_0)
     integrator = integrator or default_integrator()
@@ -73,17 +70,14 @@ def sweep(
     settled = np.zeros(frequencies.size, bool)
     u, v = 0.0, 0.0
     for i, frequency in enumerate(frequencies):
-        forced = Forced(system, float(frequency), F_0, integrator)
-        turns = 0
-        while turns < most_turns and not settled[i]:
-            phases = follow(forced, 0.0, u, v, TURN)
-            last = phases[-1]
-            settled[i] = max(abs(last.u_end - u), abs(last.v_end - v)) <= tolerance
-            u, v = last.u_end, last.v_end
-            turns += 1
-        A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
-        rests[i] = stops(phases)
-        spent[i] = turns
+        with limited():
+            end = settle(Forced(system, float(frequency), F_0, integrator), 0.0, u, v, HALF_TURNS, most_turns)
+        u, v, spent[i], settled[i] = end.u, end.v, end.turns, end.found is not None
+        if end.found is None:
+            A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in end.phases)
+            rests[i] = stops(end.phases)
+        else:
+            A[i], rests[i] = end.found.A, end.found.stops
     return Sweep(F_0, frequencies, A, rests, spent, settled, _jumps(frequencies, A))
 
 
