@@ -1,4 +1,4 @@
-"""In: what `benchmarks.claims` measured, and generated/ledger.json. Out: their section of docs/validity.md."""
+"""In: what `benchmarks.claims` measured, and the ledger. Out: their section of docs/validity.md."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from derivations.ledger import measured
 from derivations.ledger.figures import percent
 
-LEDGER = Path(__file__).resolve().parents[1] / "generated" / "ledger.json"
+LEDGER = Path(__file__).resolve().parents[1] / "generated" / "slowflow_kernels" / "ledger.json"
 
 Row = dict[str, Any]
 

@@ -56,7 +56,7 @@ def files(results: Results) -> dict[str, str]:
 
 @pytest.fixture(scope="module")
 def written(files: dict[str, str]) -> dict[str, Any]:
-    return json.loads(files["ledger.json"])
+    return json.loads(files["slowflow_kernels/ledger.json"])
 
 
 @pytest.fixture(scope="module")

@@ -45,5 +45,6 @@ def files(results: Results) -> dict[str, str]:
         cost = truncation.cost(facts)
     return {
         "LEDGER.md": render.markdown(rows, found, table_2, cost),
-        "ledger.json": render.machine_readable(rows, found, table_2, cost),
+        # beside the kernels, so that it ships with them: `slowflow paper` reads it
+        "slowflow_kernels/ledger.json": render.machine_readable(rows, found, table_2, cost),
     }

@@ -1,4 +1,4 @@
-"""The paper's example beside slowflow's: in go the ledger and a folder, out come Table 2 with verdicts, and Fig. 7.
+"""The paper's example beside slowflow's: in goes a folder, out come Table 2 with verdicts, and Fig. 7.
 
 The numbers are the runtime's; the verdicts are the ledger's, which has the same numbers certified. Where the two
 disagree the report fails.
@@ -10,6 +10,7 @@ import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -81,7 +82,7 @@ def report(ledger: dict[str, Any]) -> Iterator[str]:
         verdict = "rounds to it" if row.verdict == "identical" else row.verdict
         yield f"{row.what:{width}}  {row.printed:>9}  {derived:>15}  {verdict}"
     yield ""
-    yield "The ledger: everything published, held against what is derived (generated/LEDGER.md)"
+    yield "The ledger: everything published, held against what is derived (in words: generated/LEDGER.md of the sources)"
     for kind, counts in ledger["counts"].items():
         told = ", ".join(f"{number} {verdict}" for verdict, number in counts.items() if number)
         yield f"  {kind + 's:':10} {told}"
@@ -90,11 +91,10 @@ def report(ledger: dict[str, Any]) -> Iterator[str]:
         yield f"  {number:2d}. {finding['title']}"
 
 
-def read_ledger(path: Path) -> dict[str, Any]:
-    """The ledger for programs. Raises FileNotFoundError with the way to make it."""
-    if not path.is_file():
-        raise FileNotFoundError(f"{path} is not there: `make derive` writes it")
-    ledger: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+def read_ledger() -> dict[str, Any]:
+    """The ledger for programs, as the derivation wrote it beside the kernels."""
+    text = resources.files("slowflow_kernels").joinpath("ledger.json").read_text(encoding="utf-8")
+    ledger: dict[str, Any] = json.loads(text)
     return ledger
 
 

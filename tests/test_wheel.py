@@ -1,0 +1,104 @@
+"""The package as a user gets it: a wheel, in an environment of its own, run in an empty folder."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import math
+import os
+import shutil
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+import pytest
+
+from slowflow import backend
+from slowflow.paper.example import TABLE_1
+
+pytestmark = pytest.mark.slow
+ROOT = Path(__file__).parents[1]
+SOURCES = ("pyproject.toml", "setup.py", "MANIFEST.in", "README.md", "LICENSE")
+NEEDED = ("numpy", "scipy")
+#: Matplotlib and what it imports
+PLOTTING = ("matplotlib", "contourpy", "cycler", "fonttools", "kiwisolver", "packaging", "pillow", "pyparsing",
+            "python-dateutil", "six")  # fmt: skip
+
+
+def run(command: list[str | Path], folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run a command in a folder, without anything in the environment that could lead it to the sources."""
+    ours = ("PYTHON", "SLOWFLOW", "VIRTUAL_ENV")
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(ours)}
+    return subprocess.run(command, cwd=folder, env=kept, capture_output=True, text=True)
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A wheel of the sources as they are, built aside, so that nothing of an earlier build gets into it."""
+    folder = tmp_path_factory.mktemp("wheel")
+    sources = folder / "sources"
+    for name in ("src", "generated"):
+        shutil.copytree(ROOT / name, sources / name, ignore=shutil.ignore_patterns("*.so", "__pycache__", "*.egg-info"))
+    for name in SOURCES:
+        shutil.copy(ROOT / name, sources)
+    command = [sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-index", "--no-build-isolation", "."]
+    done = run([*command, "--wheel-dir", folder], sources)
+    assert done.returncode == 0, done.stdout + done.stderr
+    (built,) = folder.glob("*.whl")
+    return built
+
+
+def environment(folder: Path, wheel: Path, distributions: tuple[str, ...]) -> Path:
+    """A fresh environment with the wheel, and with these distributions as they are installed here; its programs."""
+    venv.create(folder, symlinks=True)
+    site = next(folder.glob("lib/python*/site-packages"))
+    for distribution in distributions:
+        try:
+            files = importlib.metadata.distribution(distribution).files or ()
+        except importlib.metadata.PackageNotFoundError:
+            continue
+        for top in {file.parts[0] for file in files} - {"..", "__pycache__"}:
+            (site / top).symlink_to(Path(str(files[0].locate())).parents[len(files[0].parts) - 1] / top)
+    command = [sys.executable, "-m", "pip", "--python", folder / "bin" / "python", "install", "--no-deps", "--no-index"]
+    done = run([*command, wheel], folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return folder / "bin"
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory, wheel: Path) -> Path:
+    """The programs of an environment with NumPy, SciPy and the wheel."""
+    return environment(tmp_path_factory.mktemp("plain"), wheel, NEEDED)
+
+
+def test_the_report_is_printed_in_any_folder_and_says_what_it_cannot_draw(installed: Path, tmp_path: Path) -> None:
+    done = run([installed / "slowflow", "paper"], tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    lines = done.stdout.splitlines()
+    u_cr = math.sqrt(1 - (1 - TABLE_1["delta_h"]) ** 2)
+    assert lines[1].split() == ["u_cr", "0.3970", f"{u_cr:.12f}", "rounds", "to", "it"]
+    assert any(line.startswith("Findings:") for line in lines)
+    assert lines[-1] == "Figures: not drawn, since matplotlib is not installed: pip install 'slowflow[plot]'"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_with_matplotlib_figure_7_is_drawn(wheel: Path, tmp_path: Path) -> None:
+    programs = environment(tmp_path / "environment", wheel, NEEDED + PLOTTING)
+    (tmp_path / "empty").mkdir()
+    done = run([programs / "slowflow", "paper", "--out", "here"], tmp_path / "empty")
+    assert done.returncode == 0, done.stderr
+    drawn = sorted(path.name for path in (tmp_path / "empty" / "here").iterdir())
+    assert drawn == ["fig_7a.png", "fig_7a.svg", "fig_7b.png", "fig_7b.svg"]
+
+
+def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> None:
+    """As here: a machine without a compiler makes a wheel that runs on NumPy."""
+    code = "import slowflow, pathlib; from slowflow import backend; folder = pathlib.Path(slowflow.__file__).parent;"
+    done = run(
+        [installed / "python", "-W", "ignore", "-c", code + "print(backend.NAME, folder, *folder.glob('py.typed'))"],
+        tmp_path,
+    )
+    name, folder, typed = done.stdout.split()
+    assert name == ("numpy" if backend.SOLVER is None else "native")
+    assert Path(folder).is_relative_to(installed.parent) and Path(typed).name == "py.typed"
