@@ -1,57 +1,75 @@
-# make paper   set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
-# make test    everything that CI runs (second command)
-# make derive  write generated/ anew and build what is compiled from it; make check: compare generated/ with a fresh derivation; make bench: the benchmarks
-# make validity  averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
-#                docs/validity.md, some ten minutes
-# make bench-peers  other tools on the same problem, each installed into an environment of its own under .venv-peers
+# make paper      set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
+# make test       everything that CI runs (second command); make test-fast: without the slow tests, under two minutes
+# make derive     write generated/ anew and build what is compiled from it
+# make check      compare generated/ with fresh derivations
+# make lint       ruff and mypy
+# make bench      the benchmarks, docs/benchmarks.md; make bench-peers: other tools on the same problem, each installed
+#                 into an environment of its own under .venv-peers
+# make validity   averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
+#                 docs/validity.md, some ten minutes
 
 PYTHON ?= python3
 BIN := .venv/bin
+PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check install
+# stamps: the package with what derives and draws, compiled from the C as it is now; what tests and benchmarks need besides
 INSTALLED := .venv/installed
+DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/solver/*.[ch] generated/c/*.h generated/native/*.[ch])
+PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper test derive check lint bench bench-peers validity clean
+.PHONY: paper test test-fast derive check lint bench bench-peers validity clean
 .DELETE_ON_ERROR:
 
 paper: derive
 	$(BIN)/slowflow paper --out output
 
-test: $(INSTALLED) check lint
+test: $(DEVELOPED) lint
 	$(BIN)/slowflow info
-	$(BIN)/python -m pytest -n auto --dist worksteal
-	SLOWFLOW_BACKEND=numpy $(BIN)/python -m pytest -n auto --dist worksteal -m both_backends
+	$(PYTEST)
+	SLOWFLOW_BACKEND=numpy $(PYTEST) -m both_backends
 
+test-fast: $(DEVELOPED)
+	$(PYTEST) -m "not slow"
+
+# in a make of its own, which sees the C that was written
 derive: $(INSTALLED)
 	$(BIN)/python -m derivations
-	$(BIN)/python setup.py --quiet build_ext --inplace
-	@touch $(INSTALLED)
+	@$(MAKE) --no-print-directory $(INSTALLED)
 
 check: $(INSTALLED)
 	$(BIN)/python -m derivations --check
 
-lint: $(INSTALLED)
+lint: $(DEVELOPED)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-bench: $(INSTALLED)
+bench: $(DEVELOPED)
 	$(BIN)/python -m benchmarks
 	$(BIN)/python -m benchmarks.bench_scenes
 	@if $(BIN)/python -c 'import heyoka' 2>/dev/null; then $(BIN)/python -m benchmarks.bench_exact; \
 	else echo "exact motions: not measured, heyoka is not installed (pip install -e '.[exact]')"; fi
 
-validity: $(INSTALLED)
+validity: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.claims
 	$(BIN)/python -m derivations
 	$(BIN)/python -m benchmarks.validity
 
-bench-peers: $(INSTALLED)
+bench-peers: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.peers
 
-$(INSTALLED): pyproject.toml setup.py $(NATIVE)
+.venv/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "slowflow needs Python 3.11 or newer: make PYTHON=python3.12"; exit 1; }
-	@test -x $(BIN)/python || $(PYTHON) -m venv .venv || { echo "no venv module: on Debian, apt install python3-venv"; exit 1; }
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev]"
+	@$(PYTHON) -m venv .venv || { echo "no venv module: on Debian, apt install python3-venv"; exit 1; }
+	$(PIP) --upgrade setuptools numpy
+
+# what is imported is compiled to bytecode then; all of SymPy would take longer than the derivation
+$(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py $(NATIVE)
+	$(PIP) --no-compile --no-build-isolation --editable ".[paper]"
+	@touch $@
+
+$(DEVELOPED): $(INSTALLED)
+	$(PIP) --no-compile "slowflow[dev]"
 	@touch $@
 
 clean:
