@@ -50,22 +50,25 @@ def judge() -> dict[str, str]:
     return ledger.files(derive())
 
 
-def check(folder: Path) -> list[str]:
-    """What differs between `folder` and what the derivation writes now: once if it is the same under each hash seed."""
+def regenerate(scratch: Path) -> None:
+    """Fresh processes, one under each hash seed, write into folders named after it."""
+    started = [
+        subprocess.Popen(
+            [sys.executable, "-m", "derivations", "--out", str(scratch / seed)],
+            cwd=ROOT,
+            env={**os.environ, "PYTHONHASHSEED": seed},
+        )
+        for seed in HASH_SEEDS
+    ]
+    for process in started:
+        if process.wait():
+            raise subprocess.CalledProcessError(process.returncode, process.args)
+
+
+def report(folder: Path, scratch: Path) -> list[str]:
+    """What differs between a folder and what was written anew: once if it is the same under each hash seed."""
     found = on_disk(folder)
-    with tempfile.TemporaryDirectory() as scratch:
-        started = [
-            subprocess.Popen(
-                [sys.executable, "-m", "derivations", "--out", f"{scratch}/{seed}"],
-                cwd=ROOT,
-                env={**os.environ, "PYTHONHASHSEED": seed},
-            )
-            for seed in HASH_SEEDS
-        ]
-        for process in started:
-            if process.wait():
-                raise subprocess.CalledProcessError(process.returncode, process.args)
-        reports = [differences(on_disk(Path(scratch) / seed), found, folder.name) for seed in HASH_SEEDS]
+    reports = [differences(on_disk(scratch / seed), found, folder.name) for seed in HASH_SEEDS]
     if all(report == reports[0] for report in reports):
         return reports[0]
     by_seed = zip(HASH_SEEDS, reports, strict=True)
@@ -79,9 +82,11 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--check", action="store_true", help="compare DIR with fresh derivations, do not write it")
     options = parser.parse_args(arguments)
     if options.check:
-        report = check(options.out)
-        sys.stdout.writelines(report)
-        return 1 if report else 0
+        with tempfile.TemporaryDirectory() as scratch:
+            regenerate(Path(scratch))
+            differing = report(options.out, Path(scratch))
+        sys.stdout.writelines(differing)
+        return 1 if differing else 0
     write(generate(), options.out)
     return 0
 

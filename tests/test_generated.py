@@ -4,35 +4,54 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
+from derivations import __main__ as pipeline
 from derivations.emit.write import MANIFEST, differences, on_disk, write
 
 ROOT = Path(__file__).parents[1]
 GENERATED = ROOT / "generated"
 
 
-def derivations(*arguments: str) -> subprocess.CompletedProcess:
-    command = [sys.executable, "-m", "derivations", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
+@pytest.fixture
+def check(once, monkeypatch, capsys):
+    """`python -m derivations --check --out FOLDER`: a folder in, exit code and report out.
+
+    Two fresh processes under two hash seeds write anew, once for all tests; `change` may alter what they wrote.
+    """
+    written = once("regenerated", pipeline.regenerate)
+
+    def check(folder, change=lambda scratch: None):
+        def regenerate(scratch):
+            shutil.copytree(written, scratch, dirs_exist_ok=True)
+            change(scratch)
+
+        monkeypatch.setattr(pipeline, "regenerate", regenerate)
+        return pipeline.main(["--check", "--out", str(folder)]), capsys.readouterr().out
+
+    return check
 
 
-def test_check_sees_a_hand_edit_a_missing_and_a_stale_file(tmp_path):
-    """Two fresh processes under two hash seeds regenerate; what is not reported is equal byte for byte."""
+@pytest.mark.slow
+def test_what_is_committed_is_what_the_derivation_writes(check):
+    """Byte for byte, under either hash seed."""
+    assert check(GENERATED) == (0, "")
+
+
+@pytest.mark.slow
+def test_check_sees_a_hand_edit_a_missing_and_a_stale_file(check, tmp_path):
     copy = tmp_path / "generated"
     shutil.copytree(GENERATED, copy, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
     edited = copy / "c" / "slow_flow.h"
     edited.write_text(edited.read_text().replace("1.2732395447351628", "1.2732395447351629"))
-    (copy / "slowflow_kernels" / "duffing_mu0.py").unlink()
+    (copy / "slowflow_kernels" / "duffing.py").unlink()
     (copy / "slowflow_kernels" / "hardening.py").write_text("")
-    done = derivations("--check", "--out", str(copy))
-    assert done.returncode == 1, done.stderr
-    report = done.stdout.splitlines()
-    assert report[0] == "missing: generated/slowflow_kernels/duffing_mu0.py"
+    code, text = check(copy)
+    report = text.splitlines()
+    assert code == 1
+    assert report[0] == "missing: generated/slowflow_kernels/duffing.py"
     assert report[1] == "stale: generated/slowflow_kernels/hardening.py"
     assert report[2:4] == ["--- generated/c/slow_flow.h", "+++ regenerated/c/slow_flow.h"]
     changed = [line for line in report[4:] if line[0] in "+-"]
@@ -40,10 +59,15 @@ def test_check_sees_a_hand_edit_a_missing_and_a_stale_file(tmp_path):
     assert "1.2732395447351629" in changed[0] and "1.2732395447351628" in changed[1]
 
 
-def test_check_passes_on_what_is_committed():
-    done = derivations("--check")
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert done.stdout == ""
+@pytest.mark.slow
+def test_check_sees_what_depends_on_the_hash_seed(check):
+    def by_chance(scratch):
+        (scratch / pipeline.HASH_SEEDS[1] / "slowflow_kernels" / "duffing.py").write_text("in another order\n")
+
+    code, text = check(GENERATED, by_chance)
+    assert code == 1
+    told = [line for line in text.splitlines() if line.startswith("hash seed")]
+    assert told == [f"hash seed {seed}:" for seed in pipeline.HASH_SEEDS]
 
 
 def test_differences():
