@@ -46,22 +46,31 @@ def equation_of_motion(k_v: sp.Expr, x: sp.Expr, x_dot: sp.Expr, x_ddot: sp.Expr
     return m * x_ddot + c * x_dot + k_v * x + F_c * sign_u_dot - F * cos_forcing
 
 
-def dimensionless_groups(mechanism: Mechanism) -> dict[sp.Symbol, sp.Expr]:
-    """(1), (3), (4): put x = L u, d/dt = omega_n d/dtau, divide by k_v L, and read the groups off the coefficients."""
-    k_v, length = mechanism.k_v, mechanism.length
+def scaled_motion(k_v: sp.Expr, length: sp.Expr) -> sp.Expr:
+    """(1) with x = L u and d/dt = omega_n d/dtau, over k_v L: what F_k/(k_v L) adds to zero."""
     natural = sp.sqrt(k_v / m)
     motion = equation_of_motion(k_v, length * u, length * natural * u_dot, length * natural**2 * u_ddot)
     scaled = sp.expand(motion / (k_v * length))
     if scaled.coeff(u_ddot) != 1 or scaled.coeff(u) != 1:
-        raise ArithmeticError(f"{mechanism.name}: the scaling does not normalise inertia and vertical stiffness")
+        raise ArithmeticError("the scaling does not normalise inertia and vertical stiffness")
+    return scaled
+
+
+def groups(k_v: sp.Expr, length: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+    """(4): the dimensionless groups of every mechanism, read off the scaled motion's coefficients."""
+    scaled = scaled_motion(k_v, length)
     return {
-        omega_n: natural,
+        omega_n: sp.sqrt(k_v / m),
         Omega: omega / omega_n,
         zeta: sp.powdenest(scaled.coeff(u_dot) / 2, force=True),
         mu: scaled.coeff(sign_u_dot),
         F_0: -scaled.coeff(cos_forcing),
-        **mechanism.ratios,
     }
+
+
+def dimensionless_groups(mechanism: Mechanism) -> dict[sp.Symbol, sp.Expr]:
+    """(4): those of every mechanism, and its own ratios."""
+    return groups(mechanism.k_v, mechanism.length) | mechanism.ratios
 
 
 def dimensionless_force(mechanism: Mechanism, dimensional: sp.Expr) -> sp.Expr:

@@ -16,6 +16,7 @@ from derivations.den_hartog import DenHartog, den_hartog
 from derivations.harmonics import Harmonics, harmonics
 from derivations.loci import Along, along
 from derivations.mechanisms import Mechanism, all_mechanisms
+from derivations.motion import Motion, Smoothed, motion, smoothed
 from derivations.oscillator import Oscillator, oscillator
 from derivations.restoring import Restoring, restoring
 from derivations.resultants import Elimination
@@ -51,6 +52,8 @@ class OfMechanism:
 class Results:
     """The whole derivation.
 
+    motion     -- the equation of motion (3)
+    smoothed   -- (A1), (A2)
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
     loci       -- what vanishes along the amplitude, by scene
@@ -60,6 +63,8 @@ class Results:
     mechanisms -- by name
     """
 
+    motion: Motion
+    smoothed: Smoothed
     averaged: Averaged
     flows: dict[str, SlowFlow]
     loci: dict[str, Along]
@@ -86,9 +91,12 @@ def of_mechanism(mechanism: Mechanism, flows: dict[str, SlowFlow]) -> OfMechanis
 
 def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     """Everything, for the given mechanisms or for all of `mechanisms/`."""
+    sharp = motion()
     equations = averaged()
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
     return Results(
+        sharp,
+        smoothed(sharp),
         equations,
         flows,
         {scene: along(flow) for scene, flow in flows.items()},

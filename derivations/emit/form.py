@@ -50,6 +50,8 @@ class Kernel:
     returns    -- "scalar", "tuple" or "stack" (one array, coefficients along its first axis)
     equation   -- number in the paper, or what it is derived from
     domain     -- where it holds
+    generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
+                  floats, complex numbers, arrays, an integrator's symbols
     """
 
     name: str
@@ -60,6 +62,7 @@ class Kernel:
     domain: str
     parameters: int = 0
     returns: str = "scalar"
+    generic: bool = False
 
     @property
     def width(self) -> int:
@@ -98,6 +101,7 @@ class Module:
     family     -- name of the module whose h they call
     reexports  -- names taken over from another module of the same mechanism, as (module, names)
     constants  -- Python constants (name, value)
+    pieces     -- tables of generic kernels by name: for each piece of a force, the names of those of force and slope
     """
 
     name: str
@@ -110,6 +114,12 @@ class Module:
     reexports: tuple[str, tuple[str, ...]] = ("", ())
     constants: dict[str, object] = field(default_factory=dict)
     mechanism: Mechanism | None = None
+    pieces: dict[str, tuple[tuple[str, ...], ...]] = field(default_factory=dict)
+
+    @property
+    def loops(self) -> bool:
+        """Whether anything in it is compiled into loops over arrays."""
+        return bool(self.compositions) or any(not kernel.generic for kernel in self.kernels)
 
 
 def plain(

@@ -200,6 +200,24 @@ static inline double duffing_untruncated_force(double u, double kappa_1, double 
     return kappa_1 * u + kappa_3 * u3 + u;
 }
 
+/* Piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (6). Domain: where it holds.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double duffing_force_1(double u, double alpha, double beta)
+{
+    return u * (alpha + beta * u * u);
+}
+
+/* d/du of piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (6). Domain: where it holds.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double duffing_force_1_u(double u, double alpha, double beta)
+{
+    return alpha + 3.0 * beta * u * u;
+}
+
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
    Equation (33). Domain: roots with A > 0.
    Operations: 137 structured, 78 common subexpressions, 53 power chains

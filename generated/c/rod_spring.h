@@ -1308,6 +1308,109 @@ static inline double rod_spring_untruncated_force(double u, double lam, double r
     return rod_spring_untruncated_force_piece_2(u, lam, r, delta_h);
 }
 
+/* Piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (6). Domain: where it holds.
+   Operations: 7 structured, 6 common subexpressions, 6 power chains
+ */
+static inline double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    (void)(u_cr);
+    const double t0 = u * u;
+    return u * (alpha + t0 * (beta + gamma * t0));
+}
+
+/* d/du of piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (6). Domain: where it holds.
+   Operations: 8 structured, 7 common subexpressions, 7 power chains
+ */
+static inline double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    (void)(u_cr);
+    const double t0 = u * u;
+    return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
+}
+
+/* Piece 2 of the whole restoring force u + F_k(u).
+   Equation (3), (6). Domain: where it holds.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    (void)(alpha);
+    (void)(beta);
+    (void)(gamma);
+    (void)(u_cr);
+    return u;
+}
+
+/* d/du of piece 2 of the whole restoring force u + F_k(u).
+   Equation (3), (6). Domain: where it holds.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    (void)(u);
+    (void)(alpha);
+    (void)(beta);
+    (void)(gamma);
+    (void)(u_cr);
+    return 1.0;
+}
+
+/* Piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 15 structured, 11 common subexpressions, 11 power chains
+ */
+static inline double rod_spring_untruncated_force_1(double u, double lam, double r, double delta_h)
+{
+    const double t0 = u * u;
+    const double t1 = sqrt(1.0 - t0);
+    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u;
+}
+
+/* d/du of piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 40 structured, 30 common subexpressions, 29 power chains
+ */
+static inline double rod_spring_untruncated_force_1_u(double u, double lam, double r, double delta_h)
+{
+    const double u2 = u * u;
+    const double root_1 = sqrt(1.0 - u2);
+    const double t0 = root_1 + 1.0;
+    const double t1 = u2 / t0;
+    const double t2 = 1.0 / root_1;
+    const double t3 = lam * r * t2;
+    const double t4 = delta_h - t1;
+    const double u3 = u * u2;
+    return -lam * r * t2 * t4 + 2.0 * t1 * t3 - t2 * u * (lam * r * t4 * u / (root_1 * root_1) - t3 * u3 / (t0 *
+        t0)) + 1.0;
+}
+
+/* Piece 2 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_untruncated_force_2(double u, double lam, double r, double delta_h)
+{
+    (void)(lam);
+    (void)(r);
+    (void)(delta_h);
+    return u;
+}
+
+/* d/du of piece 2 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_untruncated_force_2_u(double u, double lam, double r, double delta_h)
+{
+    (void)(u);
+    (void)(lam);
+    (void)(r);
+    (void)(delta_h);
+    return 1.0;
+}
+
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
    Equation (33). Domain: roots with 0 < A <= u_cr.
    Operations: 718 structured, 299 common subexpressions, 253 power chains

@@ -11280,6 +11280,58 @@ static inline double rod_spring_exact_untruncated_force(double u, double lam, do
     return rod_spring_exact_untruncated_force_piece_2(u, lam, r, delta_h);
 }
 
+/* Piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 16 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double rod_spring_exact_force_1(double u, double alpha, double beta, double u_cr)
+{
+    (void)(u_cr);
+    const double t0 = sqrt((1.0 - u) * (u + 1.0));
+    return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
+}
+
+/* d/du of piece 1 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 30 structured, 23 common subexpressions, 23 power chains
+ */
+static inline double rod_spring_exact_force_1_u(double u, double alpha, double beta, double u_cr)
+{
+    (void)(u_cr);
+    const double root_1 = sqrt((1.0 - u) * (u + 1.0));
+    const double t0 = root_1 + 1.0;
+    const double t1 = 1.0 / t0;
+    const double t2 = u * u;
+    const double t3 = t2 / root_1;
+    const double t4 = 2.0 * beta;
+    return alpha + 6.0 * beta * t1 * t3 - t3 * (-t3 * t4 / (t0 * t0) - t1 * t2 * t4 / (root_1 * root_1));
+}
+
+/* Piece 2 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_exact_force_2(double u, double alpha, double beta, double u_cr)
+{
+    (void)(alpha);
+    (void)(beta);
+    (void)(u_cr);
+    return u;
+}
+
+/* d/du of piece 2 of the whole restoring force u + F_k(u).
+   Equation (3), (5). Domain: where it holds.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_exact_force_2_u(double u, double alpha, double beta, double u_cr)
+{
+    (void)(u);
+    (void)(alpha);
+    (void)(beta);
+    (void)(u_cr);
+    return 1.0;
+}
+
 /* Cosine balance, -F_0 cos phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0. */
 static inline double rod_spring_exact_R(double Omega, double A, double mu, double zeta, const double *p)

@@ -6,6 +6,7 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain and the operations after each pass.
+FORCE: force and slope of each piece, for any kind of number that has arithmetic.
 """
 
 # a formatter would spread each polynomial over a page
@@ -23,6 +24,7 @@ REACH_REASON = ""
 HARMONICS_UP_TO = float("inf")
 
 __all__ = [
+    "FORCE",
     "F_A",
     "F_AA",
     "F_AAA",
@@ -48,6 +50,8 @@ __all__ = [
     "coefficients",
     "equivalent_damping",
     "force",
+    "force_1",
+    "force_1_u",
     "h",
     "h_A",
     "h_AA",
@@ -260,6 +264,24 @@ def untruncated_force(u, kappa_1, kappa_3):
     u2 = u * u
     u3 = u * u2
     return kappa_1 * u + kappa_3 * u3 + u
+
+
+def force_1(u, alpha, beta):
+    """Piece 1 of the whole restoring force u + F_k(u).
+
+    Equation (3), (6). Domain: where it holds.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    return u * (alpha + beta * u * u)
+
+
+def force_1_u(u, alpha, beta):
+    """d/du of piece 1 of the whole restoring force u + F_k(u).
+
+    Equation (3), (6). Domain: where it holds.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    return alpha + 3.0 * beta * u * u
 
 
 def saddle_node_onset(m, zeta, alpha, beta):
@@ -501,5 +523,7 @@ def equivalent_damping(Omega, A, mu, zeta):
     """
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
+
+FORCE = ((force_1, force_1_u),)
 
 globals().update(compiled("duffing"))

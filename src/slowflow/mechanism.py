@@ -1,9 +1,9 @@
-"""The restoring force as the integrators want it: pieces in |u|, each a generated expression with its constants.
+"""The restoring force as the integrators want it: pieces in |u|, each two generated expressions with their constants.
 
 In:  the generated kernels of a mechanism, its parameters.
 Out: `Force` (pieces and breakpoints) and `EquationOfMotion` (force, friction, damping), both immutable and hashable.
 
-A piece's expression is plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
+A piece's expressions are plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
 numbers and an integrator's symbols. Integrators compile an expression once; constants are run-time parameters.
 """
 
@@ -11,23 +11,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
+from slowflow_kernels import duffing as duffing_kernels
 from slowflow_kernels import rod_spring as rod_spring_kernels
 
 Expression = Callable[..., Any]
 
-COMPLEX_STEP = 1e-100  # the derivative of an analytic expression is exact to rounding for any step this small
-
 
 @dataclass(frozen=True)
 class Piece:
-    """One smooth piece of the force: f(u) = expression(u, *constants), odd in u."""
+    """One smooth piece of the force: f(u) = expression(u, *constants), odd in u, and df/du likewise."""
 
     expression: Expression
+    by_u: Expression
     constants: tuple[float, ...]
 
     def __call__(self, u: Any) -> Any:
@@ -40,7 +39,7 @@ class Piece:
 
     def slope(self, u: float) -> float:
         """df/du, dimensionless."""
-        return float(self(complex(u, COMPLEX_STEP)).imag) / COMPLEX_STEP
+        return float(self.by_u(u, *self.constants))
 
 
 @dataclass(frozen=True)
@@ -88,41 +87,29 @@ def linear() -> Force:
 
 
 def duffing(alpha: float, beta: float) -> Force:
-    """f(u) = alpha u + beta u^3 without an end: the attached piece of (6) with gamma = 0, as it was generated."""
-    return Force((rod_spring(alpha, beta, 0.0, 1.0).pieces[0],), ())
+    """f(u) = alpha u + beta u^3 without an end."""
+    return from_kernels(duffing_kernels.FORCE, (float(alpha), float(beta)), ())
 
 
 def rod_spring(alpha: float, beta: float, gamma: float, u_cr: float) -> Force:
     """Truncated force (6): alpha u + beta u^3 + gamma u^5 up to u_cr, u beyond; it jumps at u_cr."""
     constants = (float(alpha), float(beta), float(gamma), float(u_cr))
-    return from_kernels(rod_spring_kernels, "force", constants, (constants[-1],))
+    return from_kernels(rod_spring_kernels.FORCE, constants, (constants[-1],))
 
 
 def rod_spring_exact(lam: float, r: float, delta_h: float) -> Force:
     """Untruncated force (5) plus u; the springs detach at u_cr (7)."""
     u_cr = float(rod_spring_kernels.coefficients(lam, r, delta_h)[-1])
-    return from_kernels(rod_spring_kernels, "untruncated_force", (float(lam), float(r), float(delta_h)), (u_cr,))
+    return from_kernels(rod_spring_kernels.UNTRUNCATED_FORCE, (float(lam), float(r), float(delta_h)), (u_cr,))
 
 
-def from_kernels(kernels: ModuleType, name: str, constants: tuple[float, ...], breakpoints: tuple[float, ...]) -> Force:
-    """The pieces that the derivation generated for `name` ("force" or "untruncated_force").
+def from_kernels(
+    table: tuple[tuple[Expression, Expression], ...], constants: tuple[float, ...], breakpoints: tuple[float, ...]
+) -> Force:
+    """The force whose pieces, each with its slope, a generated module lists as FORCE or UNTRUNCATED_FORCE.
 
-    A breakpoint at 0 (no preload) leaves only what lies beyond. Raises AttributeError if the module has no such pieces.
+    A breakpoint at 0 (no preload) leaves only what lies beyond.
     """
-    # The one place that knows how the generated module calls its pieces.
-    pieces = []
-    for i in range(len(breakpoints) + 1):
-        expression = _Single(getattr(kernels, f"_{name}_piece_{i + 1}"))
-        pieces.append(Piece(expression, constants))
+    pieces = [Piece(expression, by_u, constants) for expression, by_u in table]
     kept = [i for i, end in enumerate(breakpoints) if end != 0.0]
     return Force((*(pieces[i] for i in kept), pieces[-1]), tuple(breakpoints[i] for i in kept))
-
-
-@dataclass(frozen=True)
-class _Single:
-    """A generated body returns a tuple of outputs; a force has one."""
-
-    body: Expression
-
-    def __call__(self, *arguments: Any) -> Any:
-        return self.body(*arguments)[0]

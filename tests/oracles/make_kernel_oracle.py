@@ -728,6 +728,81 @@ DEN_HARTOG: dict[str, tuple[str, Function]] = {
 }
 
 
+# --- the equation of motion ------------------------------------------------------------------------------------------
+
+
+def rates_by_tau(cosine, v, F_0, zeta, friction, f):
+    """u' and u'' of (3)."""
+    return [v, F_0 * cosine - 2 * zeta * v - friction - f]
+
+
+def rates_by_theta(cosine, v, Omega, F_0, zeta, friction, f):
+    """theta = Omega tau."""
+    return [rate / Omega for rate in rates_by_tau(cosine, v, F_0, zeta, friction, f)]
+
+
+def matrix(f: Callable, at: Sequence) -> list:
+    """The derivatives of each of f's two values by each argument, row by row."""
+
+    def by(k, row):
+        return mp.diff(lambda x: f(*at[:k], x, *at[k + 1 :])[row], at[k])
+
+    return [by(k, row) for row in (0, 1) for k in range(len(at))]
+
+
+def push(cosine, F_0, f):
+    """The friction that keeps a mass at rest from accelerating."""
+    return mp.findroot(lambda friction: rates_by_tau(cosine, 0, F_0, 0, friction, f)[1], mpf(1))
+
+
+def push_slopes(cosine, sine, F_0, f_u):
+    turned = mp.diff(lambda x: push(cosine * mp.cos(x) - sine * mp.sin(x), F_0, 0), 0)
+    return [turned, mp.diff(lambda x: push(cosine, F_0, f_u * x), 0), mp.diff(lambda x: push(cosine, x, 0), F_0)]
+
+
+def rates_by_state(Omega, zeta, f_u):
+    return matrix(lambda u, v: rates_by_theta(0, v, Omega, 0, zeta, 0, f_u * u), (mpf(0), mpf(0)))
+
+
+def rates_by_parameter(cosine, v, Omega, *others):
+    return matrix(lambda *x: rates_by_theta(cosine, v, *x), (Omega, *others))
+
+
+def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
+    force = inner * (left - right) + outer * (1 - left + right)
+    return rates_by_tau(cosine, v, F_0, zeta, mu * slip, force)
+
+
+def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, outer_u):
+    """By differentiating logistic functions and tanh that have these values."""
+
+    def moved(value, x):
+        return 1 / (1 + (1 / value - 1) * mp.exp(-nu * x))
+
+    def rates(u, v):
+        steps = moved(left, u), moved(right, u), mp.tanh(mp.atanh(slip) + nu * v)
+        return smoothed(0, v, 0, mu, zeta, *steps, inner + inner_u * u, outer + outer_u * u)
+
+    return matrix(rates, (mpf(0), mpf(0)))
+
+
+MOTION: dict[str, tuple[str, Function]] = {
+    "push": ("cosine F_0 f", lambda *x: [push(*x)]),
+    "push_slopes": ("cosine sine F_0 f_u", push_slopes),
+    "breakaway": ("F_0 mu f", lambda F_0, mu, f: [mp.findroot(lambda cosine: push(cosine, F_0, f) - mu, mpf(1))]),
+    "acceleration": ("cosine v F_0 zeta mu f", lambda *x: [rates_by_tau(*x)[1]]),
+    "rates": ("cosine v Omega F_0 zeta mu f", rates_by_theta),
+    "rates_by_state": ("Omega zeta f_u", rates_by_state),
+    "rates_by_parameter": ("cosine v Omega F_0 zeta mu f", rates_by_parameter),
+    "smoothed": ("cosine v F_0 mu zeta left right slip inner outer", smoothed),
+    "smoothed_by_state": ("mu zeta nu left right slip inner outer inner_u outer_u", smoothed_by_state),
+}
+
+
+def motion_table(rng: random.Random) -> dict:
+    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in MOTION.items()}
+
+
 # --- points ----------------------------------------------------------------------------------------------------------
 
 RANGES = {
@@ -751,6 +826,11 @@ RANGES = {
     "p": (-1.0, 0.1),
     "q": (0.0001, 0.003),
     "p_A": (-3.0, 3.0),
+    **dict.fromkeys(("cosine", "sine", "slip"), (-0.99, 0.99)),
+    **dict.fromkeys(("v", "f", "inner", "outer"), (-1.0, 1.0)),
+    **dict.fromkeys(("f_u", "inner_u", "outer_u"), (-0.5, 2.0)),
+    **dict.fromkeys(("left", "right"), (0.01, 0.99)),
+    "nu": (10.0, 1000.0),
 }
 
 TABLE_1 = tuple(float(published.TABLE_1[name]) for name in ("lam", "r", "delta_h"))
@@ -950,6 +1030,26 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
                     return [v + (0 if k else rod_force(*d)(v))]
 
                 table["untruncated_force"].append(entry(exact, [u, *design]))
+    return table | pieces_table(name, designs, parameters)
+
+
+def pieces_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
+    """Each piece of the force by itself, and its slope."""
+    table: dict[str, list] = {}
+
+    def add(kernel: str, f: Callable, u: float, p: Sequence[float]) -> None:
+        table.setdefault(kernel, []).append(entry(lambda v, *q: [f(v, q)], [u, *p]))
+        slope = entry(lambda v, *q: [mp.diff(lambda x: f(x, q), v)], [u, *p])
+        table.setdefault(f"{kernel}_u", []).append(slope)
+
+    for design, p in zip(designs, parameters, strict=True):
+        for k, factors in enumerate([(-0.9, 1e-6, 0.7, 0.999), (-1.2, 30.0)][: len(pieces(name, p)[0])]):
+            for factor in factors:
+                u = factor * (1.0 if name == "duffing" else p[-1])
+                add(f"force_{k + 1}", lambda v, q, k=k: pieces(name, q)[0][k](v), u, p)
+                if name == "rod_spring":
+                    exact = (lambda v, d: v + rod_force(*d)(v), lambda v, d: v)[k]
+                    add(f"untruncated_force_{k + 1}", exact, u, design)
     return table
 
 
@@ -959,6 +1059,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
     for scene in SCENES:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
     made["second_approximation"] = second_approximation_table
+    made["motion"] = motion_table
     made["den_hartog"] = den_hartog_table
     isolators = [parameters_of(design) for design in DESIGNS]
     untruncated = [(alpha, beta, u_cr) for alpha, beta, _, u_cr in map(parameters_of, STEEP_DESIGNS)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 from derivations.emit.catalogue.beyond import den_hartog_module, second_approximation_module
 from derivations.emit.catalogue.flow import slow_flow_module
 from derivations.emit.catalogue.mechanism import mechanism_modules
+from derivations.emit.catalogue.motion import motion_module
 from derivations.emit.form import Module
 from derivations.results import Results
 from derivations.slow_flow import SCENES
@@ -17,7 +18,12 @@ from derivations.slow_flow import SCENES
 def all_modules(results: Results) -> list[Module]:
     """Every generated module, in the order in which they depend on one another."""
     flows = {scene: slow_flow_module(results, scene) for scene in SCENES}
-    modules = [*flows.values(), second_approximation_module(results), den_hartog_module(results)]
+    modules = [
+        *flows.values(),
+        motion_module(results),
+        second_approximation_module(results),
+        den_hartog_module(results),
+    ]
     for name in results.mechanisms:
         modules.extend(mechanism_modules(results, name, flows))
     return modules

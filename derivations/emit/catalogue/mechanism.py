@@ -18,6 +18,7 @@ from derivations.emit.form import (
     Branch,
     Composition,
     Kernel,
+    Let,
     Module,
     by_even_power,
     in_words,
@@ -47,6 +48,7 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
     mechanism = derived.oscillator.mechanism
     title = mechanism.title[0].upper() + mechanism.title[1:]
     inputs = (f"mechanisms/{name}.py",)
+    pieces, tables = piece_kernels(derived)
     family = (*averaged_kernels(derived), harmonics_kernel(derived), *data_kernels(derived))
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
@@ -65,13 +67,14 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
                 name=name + suffix(scene),
                 title=title + in_words(scene),
                 inputs=inputs,
-                kernels=(*(() if scene else family), *resultant_kernels(derived, scene)),
+                kernels=(*(() if scene else (*family, *pieces)), *resultant_kernels(derived, scene)),
                 compositions=tuple(compositions(flows[scene], mechanism)),
                 flow=flows[scene].name,
                 family=name,
                 reexports=(name, (*constants, *(kernel.name for kernel in family))) if scene else ("", ()),
                 constants={} if scene else constants,
                 mechanism=mechanism,
+                pieces={} if scene else tables,
             )
         )
     # an untruncated force ends at the reach: its first piece alone has no average beyond
@@ -165,6 +168,21 @@ def force_branches(pieces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[
     return tuple(Branch(f"piece_{k}", guard, (), (piece,)) for k, (guard, piece) in numbered)
 
 
+def force_slope(force: sp.Expr) -> tuple[list[Let], sp.Expr]:
+    """df/du of a piece of a force; its square roots as lets."""
+    if force.is_polynomial(u):
+        return [], sp.horner(sp.diff(sp.expand(force), u), u)
+    under = sorted({power.base for power in force.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q == 2}, key=str)
+    roots = {base: sp.Symbol(f"root_{k}", positive=True) for k, base in enumerate(under, start=1)}
+    named = force.replace(
+        lambda part: part.is_Pow and part.base in roots, lambda part: roots[part.base] ** (2 * part.exp)
+    )
+    slope = sp.diff(named, u) + sum(
+        sp.diff(named, root) * sp.diff(base, u) / (2 * root) for base, root in roots.items()
+    )
+    return [(root, sp.sqrt(base)) for base, root in roots.items()], slope
+
+
 def data_kernels(derived: OfMechanism) -> list[Kernel]:
     """Parameters from ratios, breakpoints, jumps, and the force itself."""
     dimensionless = derived.oscillator
@@ -221,6 +239,31 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             )
         )
     return kernels
+
+
+def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], dict[str, tuple[tuple[str, ...], ...]]]:
+    """The pieces of the force and their slopes, one by one, for the equation of motion; and their table."""
+    dimensionless = derived.oscillator
+    mechanism = dimensionless.mechanism
+    averaged = [evaluable(piece) if derived.whole.cases else sp.horner(piece, u) for piece in derived.whole.pieces]
+    families = [("force", averaged, mechanism.parameters, "(3), (5)" if derived.whole.cases else "(3), (6)")]
+    if mechanism.order != sp.oo and not all(force.is_polynomial(u) for force in dimensionless.exact):
+        exact = [u + without_cancellation(force) for force in dimensionless.exact]
+        families.append(("untruncated_force", exact, tuple(mechanism.ratios), "(3), (5)"))
+    kernels, tables = [], {}
+    for family, pieces, parameters, equation in families:
+        table = []
+        for k, piece in enumerate(pieces, start=1):
+            name = f"{family}_{k}"
+            what = f"iece {k} of the whole restoring force u + F_k(u)."
+            texts = (equation, "where it holds")
+            lets, slope = force_slope(piece)
+            arguments = (u, *parameters)
+            kernels.append(plain(name, arguments, piece, "P" + what, *texts, generic=True))
+            kernels.append(plain(f"{name}_u", arguments, slope, "d/du of p" + what, *texts, lets=lets, generic=True))
+            table.append((name, f"{name}_u"))
+        tables[family.upper()] = tuple(table)
+    return kernels, tables
 
 
 def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:

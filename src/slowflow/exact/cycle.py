@@ -111,8 +111,9 @@ class Cycle:
                 of_theta[2 + i] = 1.0
                 of_state[1] = 0.0
                 residual[i] = push - next_slip * system.mu
-                jacobian[i] = -F_0 * math.sin(end) * of_theta - forced.piece(region).slope(u) * of_state[0]
-                jacobian[i, -1] += math.cos(end)
+                by_theta, by_u, by_F_0 = forced.push_slopes(region, end, u)
+                jacobian[i] = by_theta * of_theta + by_u * of_state[0]
+                jacobian[i, -1] += by_F_0
                 # at break-away the push balances friction: the acceleration is continuous, only v is forgotten
                 monodromy[1] = 0.0
                 v, theta = 0.0, end
@@ -159,8 +160,9 @@ class Cycle:
         edge = edge_ahead(self.system, slip, region)
         found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
         if next_slip != 0 and self.system.mu > 0:
-            slope = -forced.F_0 * math.sin(theta) * of_theta - forced.piece(region).slope(u) * of_u
-            slope[-1] += math.cos(theta)
+            by_theta, by_u, by_F_0 = forced.push_slopes(region, theta, u)
+            slope = by_theta * of_theta + by_u * of_u
+            slope[-1] += by_F_0
             margin = next_slip * forced.push(region, theta, u) - self.system.mu
             found.append(Border(phase, True, margin, next_slip * slope))
         return found
@@ -247,7 +249,7 @@ class Cycle:
         beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
         pull = -slip * forced.acceleration(slip, region + slip, theta, u, 0.0)
         # the push grows steadily from the moment of breaking away
-        growth = F_0 * forced.Omega * abs(math.sin(theta + spans[rest]))
+        growth = forced.Omega * abs(forced.push_slopes(region, theta + spans[rest], u)[0])
         if min(pull, growth) <= 0.0:
             return None
         out, back = math.sqrt(2.0 * beyond / pull) * forced.Omega, math.cbrt(6.0 * beyond / growth) * forced.Omega

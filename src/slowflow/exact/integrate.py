@@ -1,6 +1,6 @@
-"""Smooth motion between two switches: u' = v/Omega, v' = (F_0 cos theta - 2 zeta v - f(u) - friction)/Omega.
+"""Smooth motion between two switches: (3) as it is generated, by theta = Omega tau.
 
-In:  a piece of the force, the constants of the phase, a state, a span of theta = Omega tau.
+In:  a piece of the force, the constants of the phase, a state, a span of theta.
 Out: the state at its end, with its derivatives or up to the first stop or breakpoint, or on a grid.
 
 Primes are derivatives by theta; v is the velocity du/dtau. The Taylor integrator heyoka is used where it is installed,
@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from slowflow.mechanism import Expression, Piece
+from slowflow_kernels import motion
 
 Array = NDArray[np.float64]
 
@@ -167,8 +168,8 @@ class HeyokaIntegrator(threading.local):
         hy = self._heyoka
         u, v = hy.make_vars("u", "v")
         Omega, F_0, zeta, friction, slip, edge = (hy.par[i] for i in range(6))
-        acceleration = F_0 * hy.cos(hy.time) - 2.0 * zeta * v - force - friction
-        system = [(u, v / Omega), (v, acceleration / Omega)]
+        rates = motion.rates(hy.cos(hy.time), v, Omega, F_0, zeta, friction, force)
+        system = list(zip((u, v), rates, strict=True))
         variational = hy.var_ode_sys(system, args=[u, v, Omega, F_0], order=1)
         events = [
             hy.t_event(slip * v, direction=hy.event_direction.negative),
@@ -247,10 +248,8 @@ class ScipyIntegrator:
 
     @staticmethod
     def _field(piece: Piece, drive: Drive) -> Any:
-        Omega, F_0, zeta, friction = drive
-
-        def field(theta: float, y: Array) -> list[float]:
-            return [y[1] / Omega, (F_0 * np.cos(theta) - 2.0 * zeta * y[1] - piece(y[0]) - friction) / Omega]
+        def field(theta: float, y: Array) -> Any:
+            return motion.rates(np.cos(theta), y[1], *drive, piece(y[0]))
 
         return field
 
@@ -259,20 +258,14 @@ class ScipyIntegrator:
     ) -> tuple[float, float, Array]:
         """See `Integrator`."""
         Omega, _, zeta, _ = drive
-        field = self._field(piece, drive)
 
         def variational(at: float, y: Array) -> Array:
-            u_dot, v_dot = field(at, y)
-            tangent = y[2:].reshape(2, 4)
-            stiffness = piece.slope(float(y[0]))
-            out = np.empty(10)
-            out[:2] = u_dot, v_dot
-            out[2:6] = tangent[1] / Omega
-            out[6:] = (-stiffness * tangent[0] - 2.0 * zeta * tangent[1]) / Omega
-            out[4] -= u_dot / Omega
-            out[8] -= v_dot / Omega
-            out[9] += np.cos(at) / Omega
-            return out
+            given = (np.cos(at), y[1], *drive, piece(y[0]))
+            by_state = np.reshape(motion.rates_by_state(Omega, zeta, piece.slope(y[0])), (2, 2))
+            by_parameter = np.reshape(motion.rates_by_parameter(*given), (2, -1))
+            tangent = by_state @ y[2:].reshape(2, 4)
+            tangent[:, 2:] += by_parameter[:, :2]
+            return np.array([*motion.rates(*given), *tangent.ravel()])
 
         start = np.array([u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0])
         if end == theta:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from slowflow.exact.integrate import EDGE, FAR, PHASE_WORK, STOP, TIME, Drive, Integrator, spend
 from slowflow.mechanism import EquationOfMotion, Piece
+from slowflow_kernels import motion
 
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
@@ -53,11 +54,19 @@ class Forced(NamedTuple):
 
     def push(self, region: int, theta: float, u: float) -> float:
         """F_0 cos theta - f(u): what friction has to hold at rest."""
-        return self.F_0 * math.cos(theta) - self.piece(region).value(u)
+        return float(motion.push(math.cos(theta), self.F_0, self.piece(region).value(u)))
+
+    def push_slopes(self, region: int, theta: float, u: float) -> tuple[float, float, float]:
+        """Derivatives of the push by theta, u, F_0."""
+        by_theta, by_u, by_F_0 = motion.push_slopes(
+            math.cos(theta), math.sin(theta), self.F_0, self.piece(region).slope(u)
+        )
+        return by_theta, by_u, by_F_0
 
     def acceleration(self, slip: int, region: int, theta: float, u: float, v: float) -> float:
         """u'' in a slip phase."""
-        return self.push(region, theta, u) - 2.0 * self.system.zeta * v - slip * self.system.mu
+        _, F_0, zeta, friction = self.drive(slip)
+        return float(motion.acceleration(math.cos(theta), v, F_0, zeta, friction, self.piece(region).value(u)))
 
 
 def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
@@ -81,7 +90,7 @@ def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[flo
     force = forced.piece(region).value(u)
     found = (math.inf, 0)
     for slip in (1, -1):
-        cosine = (force + slip * mu) / F_0
+        cosine = motion.breakaway(F_0, slip * mu, force)
         if abs(cosine) < 1.0:
             # cos theta rises through it for slip = 1 and falls for slip = -1
             angle = -slip * math.acos(cosine)

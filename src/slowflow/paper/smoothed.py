@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from scipy.special import expit
 
 from slowflow.exact.shooting import check_forcing
 from slowflow.mechanism import EquationOfMotion
+from slowflow_kernels import motion
 
 Array = NDArray[np.float64]
 
@@ -87,24 +89,23 @@ def _smoothed(system: EquationOfMotion, Omega: float, F_0: float, nu: float):  #
     u_cr = breakpoints[0] if breakpoints else 0.0
     inner, outer = pieces[0], pieces[-1]
 
-    def window(u: float) -> tuple[float, float]:
-        left, right = float(expit(nu * (u + u_cr))), float(expit(nu * (u - u_cr)))
-        return left - right, nu * (left * (1.0 - left) - right * (1.0 - right))
+    def steps(u: float, v: float) -> tuple[float, float, float]:
+        """Both steps at the breakpoint, and the smoothed sign of v."""
+        return float(expit(nu * (u + u_cr))), float(expit(nu * (u - u_cr))), math.tanh(nu * v)
 
-    def field(tau: float, y: Array) -> list[float]:
+    def field(tau: float, y: Array) -> Any:
         u, v = float(y[0]), float(y[1])
-        weight, _ = window(u)
-        force = outer.value(u) + (weight * (inner.value(u) - outer.value(u)) if weight else 0.0)
-        friction = system.mu * math.tanh(nu * v)
-        return [v, F_0 * math.cos(Omega * tau) - 2.0 * system.zeta * v - friction - force]
+        left, right, slip = steps(u, v)
+        # far beyond the breakpoint the inner piece may have no force
+        inside = inner if left != right else outer
+        given = (math.cos(Omega * tau), v, F_0, system.mu, system.zeta, left, right, slip)
+        return motion.smoothed(*given, inside.value(u), outer.value(u))
 
-    def jacobian(_: float, y: Array) -> list[list[float]]:
+    def jacobian(_: float, y: Array) -> Any:
         u, v = float(y[0]), float(y[1])
-        weight, slope = window(u)
-        stiffness = outer.slope(u)
-        if weight:
-            stiffness += weight * (inner.slope(u) - outer.slope(u)) + slope * (inner.value(u) - outer.value(u))
-        friction = system.mu * nu * (1.0 - math.tanh(nu * v) ** 2)
-        return [[0.0, 1.0], [-stiffness, -2.0 * system.zeta - friction]]
+        left, right, slip = steps(u, v)
+        inside = inner if left != right else outer
+        given = (system.mu, system.zeta, nu, left, right, slip, inside.value(u), outer.value(u))
+        return np.reshape(motion.smoothed_by_state(*given, inside.slope(u), outer.slope(u)), (2, 2))
 
     return field, jacobian

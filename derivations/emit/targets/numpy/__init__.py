@@ -45,7 +45,12 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 
 def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
-    own = [*module.constants, *(kernel.name for kernel in module.kernels), *(c.name for c in module.compositions)]
+    own = [
+        *module.constants,
+        *module.pieces,
+        *(kernel.name for kernel in module.kernels),
+        *(c.name for c in module.compositions),
+    ]
     return sorted({*module.reexports[1], *own}, key=in_import)
 
 

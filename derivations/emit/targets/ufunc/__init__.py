@@ -3,7 +3,7 @@
 In:  `Module`s.
 Out: a dict from file name (below `generated/`) to text: `native/*.c`.
 
-No formula is printed here: the loops call the headers.
+No formula is printed here: the loops call the headers. A generic kernel takes more than floats, so it has none.
 """
 
 from __future__ import annotations
@@ -80,8 +80,9 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
     environment = templates(Path(__file__).parent)
     by_name = {module.name: module for module in modules}
     result = {}
-    for module in modules:
-        ufuncs = [of_kernel(kernel, module) for kernel in module.kernels if kernel.width]
+    looped = [module for module in modules if module.loops]
+    for module in looped:
+        ufuncs = [of_kernel(kernel, module) for kernel in module.kernels if kernel.width and not kernel.generic]
         ufuncs += [of_composition(c, module, by_name[module.family]) for c in module.compositions]
         for ufunc in ufuncs:
             if len(ufunc.inputs) + ufunc.outputs > MOST_OPERANDS:
@@ -90,7 +91,7 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
             module=module, ufuncs=ufuncs, foreign=foreign_loops(ufuncs), tools=tools()
         )
         result[f"native/{module.name}.c"] = text
-    result["native/_native.c"] = environment.get_template("init.c.jinja").render(modules=modules)
+    result["native/_native.c"] = environment.get_template("init.c.jinja").render(modules=looped)
     return result
 
 

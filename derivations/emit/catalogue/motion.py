@@ -1,0 +1,116 @@
+"""The kernels of the equation of motion (3), for every integrator and kind of number.
+
+In:  `Results`.
+Out: `motion_module`.
+"""
+
+from __future__ import annotations
+
+from derivations.emit.form import Module, plain
+from derivations.motion import (
+    cosine,
+    f,
+    f_u,
+    friction,
+    inner,
+    inner_u,
+    left,
+    nu,
+    outer,
+    outer_u,
+    right,
+    sine,
+    slip,
+    v,
+)
+from derivations.results import Results
+from derivations.symbols import F_0, Omega, mu, zeta
+
+
+def motion_module(results: Results) -> Module:
+    """The equation of motion and its derivatives; v = u', f and f_u are the whole restoring force and its slope."""
+    sharp, smoothed = results.motion, results.smoothed
+    known = (cosine, v, Omega, F_0, zeta, friction, f)
+    kernels = (
+        plain(
+            "push",
+            (cosine, F_0, f),
+            sharp.push,
+            "What friction has to hold at rest; cosine of theta = Omega tau.",
+            "(3)",
+            "any",
+            generic=True,
+        ),
+        plain(
+            "push_slopes",
+            (cosine, sine, F_0, f_u),
+            sharp.push_slopes,
+            "Derivatives of the push by theta, u, F_0.",
+            "(3)",
+            "any",
+            generic=True,
+        ),
+        plain(
+            "breakaway",
+            (F_0, friction, f),
+            sharp.cosine,
+            "The cosine of theta at which a mass at rest breaks away against friction mu or -mu.",
+            "(3)",
+            "F_0 > 0",
+            generic=True,
+        ),
+        plain(
+            "acceleration",
+            (cosine, v, F_0, zeta, friction, f),
+            sharp.acceleration,
+            "u'' of a slipping mass; friction is mu sign(u').",
+            "(3)",
+            "any",
+            generic=True,
+        ),
+        plain("rates", known, sharp.rates, "u and v by theta.", "(3)", "Omega > 0", generic=True),
+        plain(
+            "rates_by_state",
+            (Omega, zeta, f_u),
+            sharp.by_state,
+            "Derivatives of the rates by u, v: of the first, then of the second.",
+            "(3)",
+            "Omega > 0",
+            generic=True,
+        ),
+        plain(
+            "rates_by_parameter",
+            known,
+            sharp.by_parameter,
+            "Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.",
+            "(3)",
+            "Omega > 0",
+            generic=True,
+        ),
+        plain(
+            "smoothed",
+            (cosine, v, F_0, mu, zeta, left, right, slip, inner, outer),
+            smoothed.rates,
+            "u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).",
+            "(A1), (A2)",
+            "any",
+            lets=smoothed.lets,
+            generic=True,
+        ),
+        plain(
+            "smoothed_by_state",
+            (mu, zeta, nu, left, right, slip, inner, outer, inner_u, outer_u),
+            smoothed.by_state,
+            "Derivatives of these rates by u, v: of the first, then of the second.",
+            "(A1), (A2)",
+            "any",
+            lets=smoothed.lets,
+            generic=True,
+        ),
+    )
+    return Module(
+        name="motion",
+        title="The equation of motion of any mechanism, in the values of its force",
+        inputs=("oscillator.py", "motion.py"),
+        kernels=kernels,
+    )

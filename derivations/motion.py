@@ -1,0 +1,135 @@
+"""Step 1 once more, equation (3) as it is followed in time: friction's hold, the acceleration, and their derivatives.
+
+In:  the equation of motion (1), the dimensionless groups (4); the whole restoring force stays an open f = u + F_k(u).
+Out: `Motion`: expressions in v = u', f, its slope f_u, friction mu sign(u'), and cosine, sine of theta = Omega tau;
+     `Smoothed`: (A1), (A2), the same equation with tanh for the sign and logistic steps for the piece's end.
+
+The cosine is a name because each kind of number has its own function for it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from derivations.oscillator import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
+from derivations.symbols import F_0, Omega, mu, u, zeta
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+theta, v = sp.symbols("theta v", real=True)
+cosine, sine = sp.symbols("cosine sine", real=True)
+# the whole restoring force u + F_k(u) and its slope; mu sign(u')
+f, f_u, friction = sp.symbols("f f_u friction", real=True)
+
+# (A2): sharpness; the logistic steps at -u_cr and at u_cr, and tanh(nu u'); the pieces of the force and their slopes
+nu = sp.Symbol("nu", positive=True)
+left, right, slip = sp.symbols("left right slip", real=True)
+inner, outer, inner_u, outer_u = sp.symbols("inner outer inner_u outer_u", real=True)
+weight, weight_u = sp.symbols("weight weight_u", real=True)
+u_cr = sp.Symbol("u_cr", positive=True)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """(3); primes by tau in the first four, by theta in the rest.
+
+    equation     -- what vanishes, in u'' and the symbols of this module
+    push         -- what friction has to hold at rest
+    cosine       -- cos theta at which the mass breaks away against that friction
+    acceleration -- u'' of a slipping mass
+    push_slopes  -- of the push by theta, u, F_0
+    rates        -- u', v' by theta
+    by_state     -- derivatives of the rates by u, v: row by row
+    by_parameter -- by Omega, F_0, zeta, friction and f, which any parameter of the force enters by: row by row
+    """
+
+    equation: sp.Expr
+    push: sp.Expr
+    cosine: sp.Expr
+    acceleration: sp.Expr
+    push_slopes: tuple[sp.Expr, ...]
+    rates: tuple[sp.Expr, ...]
+    by_state: tuple[sp.Expr, ...]
+    by_parameter: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
+class Smoothed:
+    """(A1); primes by tau.
+
+    lets     -- Phi_2, the weight of the inner piece, and its slope by u
+    rates    -- u', v'
+    by_state -- derivatives of the rates by u, v: row by row
+    """
+
+    lets: tuple[Let, ...]
+    rates: tuple[sp.Expr, ...]
+    by_state: tuple[sp.Expr, ...]
+
+
+def equation_of_motion() -> sp.Expr:
+    """(3) from (1) and (4): what vanishes."""
+    k_v, length = sp.symbols("k_v L", positive=True)
+    scaled = scaled_motion(k_v, length)
+    definitions = groups(k_v, length)
+    named = ((zeta, c), (mu, F_c), (F_0, F))
+    letters = {letter: sp.solve(definitions[group] - group, letter)[0] for group, letter in named}
+    # (1) is what F_k adds to zero
+    motion = sp.expand(sp.expand(scaled.subs(letters)) + f - u).subs({cos_forcing: cosine, u_dot: v})
+    friction_share = motion.coeff(sign_u_dot) * sign_u_dot
+    motion = motion - friction_share + friction
+    if friction_share != mu * sign_u_dot or motion.free_symbols != {u_ddot, v, f, friction, cosine, F_0, zeta}:
+        raise ArithmeticError(f"(3) is not dimensionless: {motion} with friction {friction_share}")
+    return motion
+
+
+def _by(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """The derivative along theta (in the cosine), u (in f) or any other symbol."""
+    through = {theta: (cosine, -sine), u: (f, f_u)}
+    inner_symbol, factor = through.get(symbol, (symbol, sp.Integer(1)))
+    return sp.diff(expression, inner_symbol) * factor
+
+
+def motion() -> Motion:
+    """All of it."""
+    equation = equation_of_motion()
+    acceleration = sp.solve(equation, u_ddot)[0]
+    # at rest the acceleration is zero too: friction is what keeps it so
+    push = sp.solve(equation.subs({u_ddot: 0, v: 0}), friction)[0]
+    rates = (v / Omega, acceleration / Omega)
+    return Motion(
+        equation=equation,
+        push=push,
+        cosine=sp.solve(push - friction, cosine)[0],
+        acceleration=acceleration,
+        push_slopes=tuple(_by(push, symbol) for symbol in (theta, u, F_0)),
+        rates=rates,
+        by_state=tuple(_by(rate, symbol) for rate in rates for symbol in (u, v)),
+        by_parameter=tuple(_by(rate, symbol) for rate in rates for symbol in (Omega, F_0, zeta, friction, f)),
+    )
+
+
+def smoothed(sharp: Motion) -> Smoothed:
+    """(A1), (A2) in the values of tanh and of the logistic steps."""
+    steps = {left: 1 / (1 + sp.exp(-nu * (u + u_cr))), right: 1 / (1 + sp.exp(-nu * (u - u_cr)))}
+    slopes = {step: nu * step * (1 - step) for step in steps}
+    for step, value in steps.items():
+        if sp.simplify(sp.diff(value, u) - slopes[step].subs(step, value)) != 0:
+            raise ArithmeticError(f"the slope of a logistic step is not {slopes[step]}")
+    tanh, of_slip = sp.tanh(nu * v), nu * (1 - slip**2)
+    if sp.expand(sp.diff(tanh, v) - of_slip.subs(slip, tanh)) != 0:
+        raise ArithmeticError(f"the slope of tanh is not {of_slip}")
+    # the inner piece holds between the steps, the outer one beyond
+    phi_2 = left - right
+    force = outer + weight * (inner - outer)
+    acceleration = sharp.acceleration.subs({f: force, friction: mu * slip})
+    along_u = {inner: inner_u, outer: outer_u, weight: weight_u}
+    by_u = sum(sp.diff(force, name) * value for name, value in along_u.items()) * sp.diff(sharp.acceleration, f)
+    by_v = sp.diff(acceleration, v) + sp.diff(acceleration, slip) * of_slip
+    return Smoothed(
+        lets=((weight, phi_2), (weight_u, sum(sp.diff(phi_2, step) * value for step, value in slopes.items()))),
+        rates=(v, acceleration),
+        by_state=(sp.Integer(0), sp.Integer(1), by_u, by_v),
+    )

@@ -1,0 +1,124 @@
+/* The equation of motion of any mechanism, in the values of its force.
+
+   Written by `make derive`; never edit.
+   Input: none but the equation of motion in derivations/oscillator.py, derivations/motion.py
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. */
+
+#ifndef MOTION_H
+#define MOTION_H
+
+#include <math.h>
+
+/* What friction has to hold at rest; cosine of theta = Omega tau.
+   Equation (3). Domain: any.
+   Operations: 2 structured, 2 common subexpressions, 2 power chains
+ */
+static inline double motion_push(double cosine, double F_0, double f)
+{
+    return F_0 * cosine - f;
+}
+
+/* Derivatives of the push by theta, u, F_0.
+   Equation (3). Domain: any.
+   Operations: 1 structured, 1 common subexpressions, 1 power chains
+ */
+static inline void motion_push_slopes(double cosine, double sine, double F_0, double f_u, double *out)
+{
+    out[0] = -F_0 * sine;
+    out[1] = -f_u;
+    out[2] = cosine;
+}
+
+/* The cosine of theta at which a mass at rest breaks away against friction mu or -mu.
+   Equation (3). Domain: F_0 > 0.
+   Operations: 2 structured, 2 common subexpressions, 2 power chains
+ */
+static inline double motion_breakaway(double F_0, double friction, double f)
+{
+    return (f + friction) / F_0;
+}
+
+/* u'' of a slipping mass; friction is mu sign(u').
+   Equation (3). Domain: any.
+   Operations: 6 structured, 6 common subexpressions, 6 power chains
+ */
+static inline double motion_acceleration(double cosine, double v, double F_0, double zeta, double friction, double f)
+{
+    return F_0 * cosine - f - friction - 2.0 * v * zeta;
+}
+
+/* u and v by theta.
+   Equation (3). Domain: Omega > 0.
+   Operations: 8 structured, 9 common subexpressions, 9 power chains
+ */
+static inline void motion_rates(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
+{
+    const double t0 = 1.0 / Omega;
+    out[0] = t0 * v;
+    out[1] = t0 * (F_0 * cosine - f - friction - 2.0 * v * zeta);
+}
+
+/* Derivatives of the rates by u, v: of the first, then of the second.
+   Equation (3). Domain: Omega > 0.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline void motion_rates_by_state(double Omega, double zeta, double f_u, double *out)
+{
+    const double t0 = 1.0 / Omega;
+    out[0] = 0.0;
+    out[1] = t0;
+    out[2] = -f_u * t0;
+    out[3] = -2.0 * t0 * zeta;
+}
+
+/* Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.
+   Equation (3). Domain: Omega > 0.
+   Operations: 13 structured, 13 common subexpressions, 13 power chains
+ */
+static inline void motion_rates_by_parameter(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
+{
+    const double t0 = 1.0 / (Omega * Omega);
+    const double t1 = 2.0 * v;
+    const double t2 = 1.0 / Omega;
+    const double t3 = -t2;
+    out[0] = -t0 * v;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = -t0 * (F_0 * cosine - f - friction - t1 * zeta);
+    out[6] = cosine * t2;
+    out[7] = -t1 * t2;
+    out[8] = t3;
+    out[9] = t3;
+}
+
+/* u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).
+   Equation (A1), (A2). Domain: any.
+   Operations: 11 structured, 11 common subexpressions, 11 power chains
+ */
+static inline void motion_smoothed(double cosine, double v, double F_0, double mu, double zeta, double left, double right, double slip, double inner, double outer, double *out)
+{
+    const double weight = left - right;
+    out[0] = v;
+    out[1] = F_0 * cosine - mu * slip - outer - 2.0 * v * zeta - weight * (inner - outer);
+}
+
+/* Derivatives of these rates by u, v: of the first, then of the second.
+   Equation (A1), (A2). Domain: any.
+   Operations: 21 structured, 21 common subexpressions, 21 power chains
+ */
+static inline void motion_smoothed_by_state(double mu, double zeta, double nu, double left, double right, double slip, double inner, double outer, double inner_u, double outer_u, double *out)
+{
+    const double weight = left - right;
+    const double weight_u = left * nu * (1.0 - left) - nu * right * (1.0 - right);
+    out[0] = 0.0;
+    out[1] = 1.0;
+    out[2] = -inner_u * weight - outer_u * (1.0 - weight) - weight_u * (inner - outer);
+    out[3] = -mu * nu * (1.0 - slip * slip) - 2.0 * zeta;
+}
+
+#endif

@@ -1,0 +1,147 @@
+"""The equation of motion of any mechanism, in the values of its force.
+
+Written by `make derive`; never edit.
+Input: none but the equation of motion in derivations/oscillator.py, derivations/motion.py
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
+symbols. Each docstring gives equation number, domain and the operations after each pass.
+"""
+
+# a formatter would spread each polynomial over a page
+# fmt: off
+
+
+__all__ = [
+    "acceleration",
+    "breakaway",
+    "push",
+    "push_slopes",
+    "rates",
+    "rates_by_parameter",
+    "rates_by_state",
+    "smoothed",
+    "smoothed_by_state",
+]
+
+
+def push(cosine, F_0, f):
+    """What friction has to hold at rest; cosine of theta = Omega tau.
+
+    Equation (3). Domain: any.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    return F_0 * cosine - f
+
+
+def push_slopes(cosine, sine, F_0, f_u):
+    """Derivatives of the push by theta, u, F_0.
+
+    Equation (3). Domain: any.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    return (
+        -F_0 * sine,
+        -f_u,
+        cosine,
+    )
+
+
+def breakaway(F_0, friction, f):
+    """The cosine of theta at which a mass at rest breaks away against friction mu or -mu.
+
+    Equation (3). Domain: F_0 > 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    return (f + friction) / F_0
+
+
+def acceleration(cosine, v, F_0, zeta, friction, f):
+    """u'' of a slipping mass; friction is mu sign(u').
+
+    Equation (3). Domain: any.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    return F_0 * cosine - f - friction - 2.0 * v * zeta
+
+
+def rates(cosine, v, Omega, F_0, zeta, friction, f):
+    """u and v by theta.
+
+    Equation (3). Domain: Omega > 0.
+    Operations: 8 structured, 9 common subexpressions, 9 power chains.
+    """
+    t0 = 1.0 / Omega
+    return (
+        t0 * v,
+        t0 * (F_0 * cosine - f - friction - 2.0 * v * zeta),
+    )
+
+
+def rates_by_state(Omega, zeta, f_u):
+    """Derivatives of the rates by u, v: of the first, then of the second.
+
+    Equation (3). Domain: Omega > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    t0 = 1.0 / Omega
+    return (
+        0.0,
+        t0,
+        -f_u * t0,
+        -2.0 * t0 * zeta,
+    )
+
+
+def rates_by_parameter(cosine, v, Omega, F_0, zeta, friction, f):
+    """Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.
+
+    Equation (3). Domain: Omega > 0.
+    Operations: 13 structured, 13 common subexpressions, 13 power chains.
+    """
+    t0 = 1.0 / (Omega * Omega)
+    t1 = 2.0 * v
+    t2 = 1.0 / Omega
+    t3 = -t2
+    return (
+        -t0 * v,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -t0 * (F_0 * cosine - f - friction - t1 * zeta),
+        cosine * t2,
+        -t1 * t2,
+        t3,
+        t3,
+    )
+
+
+def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
+    """u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).
+
+    Equation (A1), (A2). Domain: any.
+    Operations: 11 structured, 11 common subexpressions, 11 power chains.
+    """
+    weight = left - right
+    return (
+        v,
+        F_0 * cosine - mu * slip - outer - 2.0 * v * zeta - weight * (inner - outer),
+    )
+
+
+def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, outer_u):
+    """Derivatives of these rates by u, v: of the first, then of the second.
+
+    Equation (A1), (A2). Domain: any.
+    Operations: 21 structured, 21 common subexpressions, 21 power chains.
+    """
+    weight = left - right
+    weight_u = left * nu * (1.0 - left) - nu * right * (1.0 - right)
+    return (
+        0.0,
+        1.0,
+        -inner_u * weight - outer_u * (1.0 - weight) - weight_u * (inner - outer),
+        -mu * nu * (1.0 - slip * slip) - 2.0 * zeta,
+    )
+
