@@ -62,6 +62,7 @@ class Plan:
 
     @property
     def sticks(self) -> bool:
+        """Whether nothing is solved because the mass stays at rest."""
         return self.model is None
 
     def __str__(self) -> str:

@@ -1,0 +1,75 @@
+"""What is written for readers runs, and says what the code is: README, examples, the list of signatures, decisions."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import re
+import runpy
+from pathlib import Path
+
+import pytest
+
+from docs import api
+from slowflow.averaged.questions import Averaged
+
+ROOT = Path(__file__).parents[1]
+EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+DECISIONS = ROOT / "docs" / "decisions"
+LINK = re.compile(r"\]\(([^)#:]+)\)")
+#: pages whose links must lead somewhere
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_runs(example: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    runpy.run_path(str(example), run_name="__main__")
+    assert len(capsys.readouterr().out.splitlines()) >= 5
+    assert len(example.read_text().splitlines()) <= 35
+
+
+def test_the_example_of_table_1_prints_the_certified_folds(capsys: pytest.CaptureFixture[str]) -> None:
+    runpy.run_path(str(ROOT / "examples" / "table_1.py"))
+    printed = capsys.readouterr().out
+    case = json.loads((ROOT / "tests" / "data" / "table_1.json").read_text())[1]
+    (forcing,) = (record for record in case["forcings"] if record["F_0"][1] == 0.04)
+    assert len(forcing["folds"]) == 2
+    for fold in forcing["folds"]:
+        assert f"{fold['kind']:9} at Omega = {float(fold['Omega']):.4f}, A = {float(fold['A']):.4f}" in printed
+
+
+def test_the_code_in_the_readme_runs() -> None:
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+    assert len(blocks) >= 2
+    exec("\n".join(blocks), {})
+
+
+def test_the_list_of_signatures_is_that_of_the_code() -> None:
+    assert api.PAGE.read_text(encoding="utf-8") == api.text(), "python -m docs.api writes it anew"
+
+
+def test_the_list_of_signatures_has_no_gap() -> None:
+    """Every public question, with all its arguments, and no name without a word about it."""
+    text = api.text()
+    for name, function in inspect.getmembers(Averaged, inspect.isfunction):
+        if not name.startswith("_"):
+            lines = [line for line in text.splitlines() if line.startswith(f"- `{name}(")]
+            arguments = list(inspect.signature(function).parameters)[1:]
+            assert any(all(argument in line for argument in arguments) for line in lines), name
+    assert not re.search(r"`: *$", text, re.MULTILINE)
+
+
+def test_every_decision_says_why_and_what_it_costs() -> None:
+    index = (DECISIONS / "README.md").read_text(encoding="utf-8")
+    pages = [page for page in sorted(DECISIONS.glob("*.md")) if page.name != "README.md"]
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        assert re.findall(r"^## (.*)$", text, re.MULTILINE) == ["Decision", "Why", "What it costs", "Deferred"], page
+        assert f"- [{text.splitlines()[0].removeprefix('# ')}]({page.name})" in index
+    assert index.count("\n- [") == len(pages)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_links_lead_somewhere(page: Path) -> None:
+    targets = LINK.findall(page.read_text(encoding="utf-8"))
+    assert not [target for target in targets if not (page.parent / target).exists()]
