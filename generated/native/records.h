@@ -88,6 +88,10 @@ static int rod_spring_exact_record_parameters_of(const double *design, double *p
 
 static void duffing_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        duffing_averaged(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[4];
         duffing_averaged(A[i], p, h);
@@ -100,6 +104,10 @@ static void duffing_record_averaged(ptrdiff_t n, const double *A, const double *
 
 static void duffing_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        duffing_averaged_2(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[2];
         duffing_averaged_2(A[i], p, h);
@@ -131,6 +139,10 @@ static const sf_mechanism duffing_record = {
 
 static void rod_spring_attached_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        rod_spring_attached_averaged(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[4];
         rod_spring_attached_averaged(A[i], p, h);
@@ -143,6 +155,10 @@ static void rod_spring_attached_record_averaged(ptrdiff_t n, const double *A, co
 
 static void rod_spring_attached_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        rod_spring_attached_averaged_2(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[2];
         rod_spring_attached_averaged_2(A[i], p, h);
@@ -174,6 +190,10 @@ static const sf_mechanism rod_spring_attached_record = {
 
 static void rod_spring_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        rod_spring_averaged(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[4];
         rod_spring_averaged(A[i], p, h);
@@ -186,6 +206,10 @@ static void rod_spring_record_averaged(ptrdiff_t n, const double *A, const doubl
 
 static void rod_spring_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        rod_spring_averaged_2(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[2];
         rod_spring_averaged_2(A[i], p, h);
@@ -217,6 +241,10 @@ static const sf_mechanism rod_spring_record = {
 
 static void rod_spring_exact_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        rod_spring_exact_averaged(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[4];
         rod_spring_exact_averaged(A[i], p, h);
@@ -229,6 +257,10 @@ static void rod_spring_exact_record_averaged(ptrdiff_t n, const double *A, const
 
 static void rod_spring_exact_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    if (n == 1) {
+        rod_spring_exact_averaged_2(A[0], p, out);
+        return;
+    }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[2];
         rod_spring_exact_averaged_2(A[i], p, h);

@@ -10,19 +10,19 @@
 #include "scan.h"
 #include "work.h"
 
+/* The last Omega > 0 at which sqrt(R^2 + I^2) is stationary, its minimum over Omega > 0; 0 if there is none. */
+static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
+    double w[2];
+    const int n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
+    return n > 0 ? w[n - 1] : 0;
+}
+
 /* The lowest F_0 for which A is a steady state: the minimum over Omega >= 0 of sqrt(R^2 + I^2), and where it lies. */
 static double sf_least_forcing(const sf_model *model, const sf_sample *at, double *Omega) {
-    double w[2], lowest = sf_level(model, at, 0);
-    const int n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
-    *Omega = 0;
-    if (n > 0) { /* the last is the minimum, unless Omega = 0 lies lower */
-        const double level = sf_level(model, at, w[n - 1]);
-        if (level < lowest) {
-            lowest = level;
-            *Omega = w[n - 1];
-        }
-    }
-    return lowest;
+    const double last = sf_last_stationary(model, at);
+    const double at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);
+    *Omega = level < at_rest ? last : 0;
+    return level < at_rest ? level : at_rest;
 }
 
 /* An amplitude above that of every steady state at F_0 or less, for zeta > 0. I <= F_0 limits A Omega, and with it the

@@ -28,7 +28,6 @@ static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdif
                         sf_model *model) {
     double design[SF_MOST_DESIGN], damping[SF_MOST_DAMPING];
     int i;
-    memset(model, 0, sizeof *model);
     for (i = 0; i < mechanism->design_size; i++)
         design[i] = sf_input(args, steps, i, k);
     for (i = 0; i < mechanism->damping_size; i++)

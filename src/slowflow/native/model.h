@@ -47,7 +47,13 @@ typedef struct {
 } sf_model;
 
 typedef struct {
-    double A, h, h_A, h_AA, h_AAA;
+    double A;
+    union {
+        double averages[4];
+        struct {
+            double h, h_A, h_AA, h_AAA;
+        };
+    };
 } sf_sample;
 
 typedef struct {
@@ -60,6 +66,8 @@ static inline void sf_prepare(const sf_mechanism *mechanism, sf_model *model) {
     int i;
     model->mechanism = mechanism;
     model->breaks = 0;
+    if (mechanism->breakpoints == 0)
+        return;
     mechanism->ends(model->p, b);
     mechanism->jumps(model->p, jump);
     for (i = 0; i < mechanism->breakpoints; i++)

@@ -9,10 +9,8 @@
 #include "zeros.h"
 
 static void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
-    double out[4];
-    model->mechanism->averaged(1, &A, model->p, out);
     at->A = A;
-    at->h = out[0], at->h_A = out[1], at->h_AA = out[2], at->h_AAA = out[3];
+    model->mechanism->averaged(1, &at->A, model->p, at->averages);
 }
 
 /* Whether h, h_A and h_AA have the signs that they have far below, where the lowest power of A rules. */
