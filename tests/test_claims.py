@@ -11,7 +11,7 @@ from benchmarks import claims, claims_page, validity
 from derivations.ledger import figures, measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator
-from slowflow.exact import EquationOfMotion, exact_response, linear, questions, steady_state
+from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
 from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.paper import example
 
@@ -31,9 +31,16 @@ def motion(averaged):
     return EquationOfMotion(averaged.restoring_force("untruncated"), averaged.mu, averaged.zeta)
 
 
+def nearest(averaged, Omega, F_0, A):
+    """Amplitude and phase of the averaged state nearest to A, as a guess of the exact one; None where there is none."""
+    states = averaged.amplitudes(Omega=Omega, F_0=F_0)
+    k = np.argmin(np.abs(states.A - A)) if states.A.size else None
+    return None if k is None else (float(states.A[k]), float(states.phi[k]))
+
+
 def state(averaged, Omega, F_0, A=None):
     """The exact motion, untruncated force, beside the averaged state nearest to A; without A from rest."""
-    guess = None if A is None else questions._guess(averaged, Omega, F_0, A)
+    guess = None if A is None else nearest(averaged, Omega, F_0, A)
     return steady_state(motion(averaged), Omega, F_0, guess, integrator=SCIPY)
 
 
@@ -65,7 +72,7 @@ def test_the_averaged_side_is_the_runtimes(row):
 def test_the_worst_points_of_figure_2a(ratio, part):
     spot = LINEAR[ratio][part]
     # not released from rest: the motion is neutral at Omega = 1/2
-    guess = questions._guess(Isolator(lam=3, r=2, delta_h=0, mu=ratio, zeta=0), spot["Omega"], 1.0, spot["A"])
+    guess = nearest(Isolator(lam=3, r=2, delta_h=0, mu=ratio, zeta=0), spot["Omega"], 1.0, spot["A"])
     exact = steady_state(EquationOfMotion(linear(), ratio, 0.0), spot["Omega"], 1.0, guess, integrator=SCIPY)
     assert exact.A == pytest.approx(spot["A"], rel=1e-4)
     assert (exact.stops > 0) == (part == "stopping") or part == "averaged"
