@@ -1,0 +1,72 @@
+"""Records of mechanisms as Python sees them: a capsule or a C source in, its numbers and functions out."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from tests.native.roots import FLAGS, HERE, WARNINGS
+from tests.native.solvers import INCLUDES
+
+Doubles = ctypes.POINTER(ctypes.c_double)
+FromNumbers = ctypes.CFUNCTYPE(ctypes.c_int, Doubles, Doubles)
+Fill = ctypes.CFUNCTYPE(None, Doubles, Doubles)
+Averages = ctypes.CFUNCTYPE(None, ctypes.c_ssize_t, Doubles, Doubles, Doubles)
+NAME = b"slowflow.mechanism"
+
+
+class Mechanism(ctypes.Structure):
+    """sf_mechanism of src/slowflow/native/mechanism.h"""
+
+    _fields_ = (
+        ("form", ctypes.c_int),
+        ("name", ctypes.c_char_p),
+        *((name, ctypes.c_int) for name in ("design_size", "damping_size", "parameters", "breakpoints")),
+        ("reach", ctypes.c_double),
+        ("attached", ctypes.c_void_p),
+        ("parameters_of", FromNumbers),
+        ("damping_of", FromNumbers),
+        ("is_forcing", ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double)),
+        ("ends", Fill),
+        ("jumps", Fill),
+        ("averaged", Averages),
+        ("averaged_2", Averages),
+        ("dissipation", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles)),
+        ("level", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles, ctypes.c_double)),
+        ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),
+    )
+
+
+def build(directory: Path, options: Sequence[str] = ()) -> Any:
+    """The record of own_record.c as a capsule, and the library that it lives in."""
+    library = directory / f"own{len(list(directory.iterdir()))}.so"
+    command = ["gcc", *WARNINGS, "-std=c11", *FLAGS, *options, *INCLUDES, "-shared", "-fPIC"]
+    done = subprocess.run(
+        [*command, str(HERE / "own_record.c"), "-o", str(library), "-lm"], capture_output=True, text=True
+    )
+    if done.returncode:
+        raise RuntimeError(done.stderr)
+    loaded = ctypes.CDLL(str(library))
+    return capsule(ctypes.addressof(Mechanism.in_dll(loaded, "own_record")))
+
+
+def capsule(address: int, name: bytes = NAME) -> Any:
+    """A capsule around an address; neither it nor `name` is ever freed."""
+    new = ctypes.pythonapi.PyCapsule_New
+    new.restype, new.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
+    return new(address, name, None)
+
+
+def opened(record: Any) -> Mechanism:
+    """What a capsule holds."""
+    pointer = ctypes.pythonapi.PyCapsule_GetPointer
+    pointer.restype, pointer.argtypes = ctypes.c_void_p, (ctypes.py_object, ctypes.c_char_p)
+    return Mechanism.from_address(pointer(record, NAME))
+
+
+def doubles(values: Sequence[float]) -> Any:
+    """A C array."""
+    return (ctypes.c_double * len(values))(*values)
