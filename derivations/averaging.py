@@ -1,6 +1,6 @@
 """Step 2, equations (8)-(20): variation of parameters and averaging over one cycle (Krylov, Bogoliubov, Mitropolsky).
 
-In:  nothing but the shape of the equation of motion; the restoring force stays an open function F_k.
+In:  the shape of the equation of motion; the restoring force stays an open function F_k.
 Out: `Averaged`: the amplitude and phase equations before and after averaging. What the mechanism contributes is one
      number for each amplitude, H = -(1/pi) int_0^{2 pi} F_k(A cos psi) cos psi dpsi, the definition behind (20).
 """

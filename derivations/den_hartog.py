@@ -1,6 +1,6 @@
 """Step 6, equations (35)-(37): the linear oscillator with dry friction alone, exactly over half a cycle (Den Hartog).
 
-In:  nothing but the equation of motion at zeta = 0 with F_k = 0.
+In:  the equation of motion at zeta = 0 with F_k = 0.
 Out: `DenHartog`: the motion, the amplitude, and the condition that the mass does not stop within the half-cycle.
 
 Put the time origin at a maximum u = A, u' = 0. Until the next minimum the velocity is negative and friction a constant:

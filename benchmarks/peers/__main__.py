@@ -1,6 +1,6 @@
 """Peers on the same problem in one run, each in an environment of its own; a peer that fails is a row with the reason.
 
-In:  nothing but what pip can install. Out: a table, benchmarks/results/peers.json, docs/benchmarks.md.
+In:  the adapters of this folder, and pip. Out: a table, benchmarks/results/peers.json, docs/benchmarks.md.
 All that run are asked in turn in every round, so that medians and ratios come from the same minutes.
 `make bench-peers`, or `python -m benchmarks.peers [--rounds N] [peer ...]`.
 """

@@ -1,6 +1,6 @@
 """The arctangent of the C sources: its polynomial and the bound of its error, derived.
 
-In:  nothing.
+In:  the error that is small enough, `ENOUGH`.
 Out: `series()`: exact coefficients of a polynomial E such that t + t E(t^2 - 1/2) is near atan(t) on 0 <= t <= 1.
 
 Why not the C library's: a call there does not vectorise, and its last digit differs between libraries and processors.

@@ -1,6 +1,6 @@
 """What a kernel is: the forms in which the catalogue states functions, and in which the targets take them.
 
-In:  nothing; the data are exact SymPy expressions.
+In:  exact SymPy expressions, and what is known of them: arguments, equation number, domain.
 Out: `Kernel`, a function of numbers, regime by regime; `Composition`, a call of another; `Module`, a file of them.
 
 Arguments come in one order everywhere: Omega, A, F_0, m or mu, zeta, h, h_A, h_AA, h_AAA, the mechanism's parameters.

@@ -76,9 +76,8 @@ def section_2(facts: Facts) -> dict[str, Verdict]:
         "u_cr_null": (TRUE, f"u_cr = {sp.sstr(u_cr)} vanishes at δ_h = 0."),
         "linear_collapse": (
             LOOSE,
-            "The force is that of a linear oscillator. But the first expression of (5) does not turn into the "
-            "second: at "
-            "δ_h = 0 it is λr(1 − √(1 − u²))u/√(1 − u²). Its interval |u| ≤ u_cr shrinks to a point.",
+            "The force is that of a linear oscillator. But the first expression of (5) does not turn into the second: "
+            "at δ_h = 0 it is λr(1 − √(1 − u²))u/√(1 − u²). Its interval |u| ≤ u_cr shrinks to a point.",
         ),
         "linear_null_preload": (
             TRUE,
@@ -89,9 +88,8 @@ def section_2(facts: Facts) -> dict[str, Verdict]:
         "u_cr_range": (TRUE, "du_cr²/dδ_h = 2(1 − δ_h) > 0 for δ_h < 1."),
         "snap_through": (
             TRUE,
-            "For α < 0 the whole force u + F_k(u) falls from 0 at u = 0 and is u_cr > 0 at u_cr: a second "
-            "equilibrium on "
-            "either side.",
+            "For α < 0 the whole force u + F_k(u) falls from 0 at u = 0 and is u_cr > 0 at u_cr: a second equilibrium "
+            "on either side.",
         ),
     }
 
@@ -121,11 +119,9 @@ def section_3_1(facts: Facts) -> dict[str, Verdict]:
         "H_1_continuous": by_formula(facts, "(21), no breakpoint reached", "H_1"),
         "H_2_intervals": (
             LOOSE,
-            "Four intervals, and (22) is right. But the two bullets below the sentence, as our text has them, give "
-            "|u| > u_cr "
-            "to [ψ_0, π − ψ_0] and [π + ψ_0, 2π − ψ_0]. There |A cos ψ| < u_cr: at ψ = π/2 it is 0. (22) follows "
-            "with the "
-            "bullets exchanged.",
+            "Four intervals, and (22) is right. But the two bullets below the sentence, as our text has them, give |u| "
+            "> u_cr to [ψ_0, π − ψ_0] and [π + ψ_0, 2π − ψ_0]. There |A cos ψ| < u_cr: at ψ = π/2 it is 0. (22) "
+            "follows with the bullets exchanged.",
         ),
         "frequency_response": by_formula(facts, "(24) from (23)", "F", "fixed_points"),
         "numerical_only": (
@@ -151,9 +147,8 @@ def section_3_1(facts: Facts) -> dict[str, Verdict]:
         ),
         "sticking": (
             LOOSE,
-            "|sin φ| ≤ 1 in (23) needs F_0 ≥ 4μ/π + 2ζΩA. No frequency is in the condition: the excitation's "
-            "amplitude is "
-            "insufficient, not its frequency.",
+            "|sin φ| ≤ 1 in (23) needs F_0 ≥ 4μ/π + 2ζΩA. No frequency is in the condition: the excitation's amplitude "
+            "is insufficient, not its frequency.",
         ),
         "sticking_by_limit": (TRUE, "h → 0 with A, and (24) becomes (4μ/π)² − F_0² = 0."),
     }
@@ -185,16 +180,14 @@ def section_3_2(facts: Facts) -> dict[str, Verdict]:
         "jacobian": by_formula(facts, "(28)", "D_q_Gamma"),
         "trace_negative": (
             FALSE,
-            "A negative trace bounds the sum of the eigenvalues, not each: where det < 0, which (30) is there to "
-            "find, one is "
-            f"positive. {found}",
+            "A negative trace bounds the sum of the eigenvalues, not each: where det < 0, which (30) is there to find, "
+            f"one is positive. {found}",
         ),
         "no_hopf": (TRUE, "A Hopf bifurcation needs tr = 0; tr = −2ζ − 2μ/(πΩA) < 0."),
         "imaginary_eigenvalue": (
             FALSE,
             "At a saddle node det = 0: the eigenvalues are 0 and tr. A purely imaginary pair would be a Hopf "
-            "bifurcation, which "
-            "the sentence before excludes.",
+            "bifurcation, which the sentence before excludes.",
         ),
         "determinant_null": by_formula(
             facts,
@@ -252,8 +245,7 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
             FALSE,
             f"The least positive root with Table 1 is A = {significant(least)}. There F_A and F_AA vanish together at "
             f"Ω = {significant(negative)} < 0 only: no point of the response. A_s = {significant(onset.A)} is the "
-            f"second root. "
-            f"The least root is spurious for {len(others)} other isolators tried as well.",
+            f"second root. The least root is spurious for {len(others)} other isolators tried as well.",
         ),
         "Omega_s": (
             LOOSE,
@@ -267,21 +259,20 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
         "F_cr_equation": (TRUE, "F_cr² = R² + I² at (Ω_cr, u_cr)."),
         "fixed_preload": (
             LOOSE,
-            "The cubic has closed-form roots in its coefficients, which are functions of δ_h: Ω_cr(δ_h) and "
-            "F_cr(δ_h) follow "
-            "without fixing δ_h.",
+            "The cubic has closed-form roots in its coefficients, which are functions of δ_h: Ω_cr(δ_h) and F_cr(δ_h) "
+            "follow without fixing δ_h.",
         ),
         "resultant_even_6": by_formula(
             facts,
             "degree 6, even powers only",
             "detachment_resultant",
-            remark=f"Three positive roots with Table 1: {few(spurious)}, {few(valid)}, {few(high)}; F_cr is the "
-            f"middle one.",
+            remark=f"Three positive roots with Table 1: {few(spurious)}, {few(valid)}, {few(high)}; F_cr is the middle "
+            "one.",
         ),
         "c_i_polynomial": (
             TRUE,
-            "Once the extraneous factor u_cr⁸ is divided out only even powers of u_cr are left, and u_cr² = δ_h(2 "
-            "− δ_h).",
+            "Once the extraneous factor u_cr⁸ is divided out only even powers of u_cr are left, and u_cr² = δ_h(2 − "
+            "δ_h).",
         ),
         "preload_range": (TRUE, "With the bracket, (λr)⁻¹: there α = 0, the quasi-zero-stiffness mechanism."),
     }
@@ -305,11 +296,9 @@ def section_4_1(facts: Facts) -> dict[str, Verdict]:
         "amplitude_unit": (TRUE, "u = sin θ ≤ 1: at u = 1 the push-rod stands vertical."),
         "infinite_stiffness": (
             LOOSE,
-            "The stiffness of the attached expression of (5) grows without bound as u → 1. But in the piecewise "
-            "model the "
-            "springs have left the push-rod at u_cr < 1 for every δ_h < 1, and at θ = π/2 the force is that of the "
-            "vertical "
-            "spring alone.",
+            "The stiffness of the attached expression of (5) grows without bound as u → 1. But in the piecewise model "
+            "the springs have left the push-rod at u_cr < 1 for every δ_h < 1, and at θ = π/2 the force is that of the "
+            "vertical spring alone.",
         ),
         "den_hartog": by_formula(facts, "(35) from the half-cycle problem", "A_den_hartog", "V", "U"),
         "den_hartog_boundary": by_formula(
@@ -322,26 +311,22 @@ def section_4_1(facts: Facts) -> dict[str, Verdict]:
         ),
         "S_above_half": (
             TRUE,
-            "With b = π/(2Ω), τ = b − x: the maximand is 1 − f(x)/cos Ωx, f = cos Ωx − Ω tan b sin Ωx + Ω sin "
-            "x/cos b, "
+            "With b = π/(2Ω), τ = b − x: the maximand is 1 − f(x)/cos Ωx, f = cos Ωx − Ω tan b sin Ωx + Ω sin x/cos b, "
             "f(b) = f'(b) = 0 and f'' + Ω²f = Ω(Ω² − 1) sin x/cos b (each proved as an identity). For Ω > 1/2 the "
-            "right side "
-            "is positive on (0, b). So f > 0 there, by Duhamel's integral from b over less than half a period. The "
-            "maximand is "
-            "odd in x, so on (−b, 0) it needs 2 cos Ωx − f > 0 on (0, b): less cos Ωx this vanishes at 0 and b, is "
-            "driven by "
-            "the same term with minus sign, and is positive because Ωb < π. So the maximand stays below 1, its "
-            "limit at τ → 0.",
+            "right side is positive on (0, b). So f > 0 there, by Duhamel's integral from b over less than half a "
+            "period. The maximand is odd in x, so on (−b, 0) it needs 2 cos Ωx − f > 0 on (0, b): less cos Ωx this "
+            "vanishes at 0 and b, is driven by the same term with minus sign, and is positive because Ωb < π. So the "
+            "maximand stays below 1, its limit at τ → 0.",
         ),
         "kbm_discrepancies": (
             TRUE,
-            f"From (24) and (35) at Ω = 0.8 the averaged amplitude is off by {quoted}. A_KBM² − A² = "
-            "μ²(U² − (16/π²)V²): relative to A² it grows with (μ/F_0)² and as A falls.",
+            f"From (24) and (35) at Ω = 0.8 the averaged amplitude is off by {quoted}. A_KBM² − A² = μ²(U² − "
+            "(16/π²)V²): relative to A² it grows with (μ/F_0)² and as A falls.",
         ),
         "kbm_threshold": (
             TRUE,
-            f"At μ/F_0 = 0.785, just below π/4, and Ω = 0.8: A/F_0 = {few(worst[0])} by averaging, {few(worst[1])} "
-            f"by (35).",
+            f"At μ/F_0 = 0.785, just below π/4, and Ω = 0.8: A/F_0 = {few(worst[0])} by averaging, {few(worst[1])} by "
+            "(35).",
         ),
     }
 
@@ -365,8 +350,7 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
     gains = {share: facts.F_cr_gain(share) for share in ("1", "10", "100")}
     envelope = (
         "F_cr² is the least of R² + I² at A = u_cr, and only I = 2ζu_crΩ + 4μ/π > 0 holds ζ and μ: by the envelope "
-        "theorem "
-        "∂F_cr²/∂ζ = 4u_crΩI > 0, ∂F_cr²/∂μ = 8I/π > 0."
+        "theorem ∂F_cr²/∂ζ = 4u_crΩI > 0, ∂F_cr²/∂μ = 8I/π > 0."
     )
     gain_text = ", ".join(f"{rounded(100 * gain, 0)} % at {share} %" for share, gain in gains.items())
     return {
@@ -378,9 +362,9 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
         "u_cr_of_delta_h": (TRUE, "du_cr²/dδ_h = 2(1 − δ_h) > 0."),
         "F_cr_of_delta_h": (
             TRUE,
-            "On the peak R = −ζI/Ω, so dF_cr²/dδ_h = 2ζI(u_cr'(Ω² + κ) + u_crκ')/Ω, κ = −h(u_cr)/u_cr. For λr = 3 "
-            "· 2.03 "
-            "and wherever Ω_cr² ≥ κ/2 this is positive up to δ_h = 1/(λr): a polynomial without a root there (Sturm).",
+            "On the peak R = −ζI/Ω, so dF_cr²/dδ_h = 2ζI(u_cr'(Ω² + κ) + u_crκ')/Ω, κ = −h(u_cr)/u_cr. For λr = 3 · "
+            "2.03 and wherever Ω_cr² ≥ κ/2 this is positive up to δ_h = 1/(λr): a polynomial without a root there "
+            "(Sturm).",
         ),
         "unbounded_resonance": (TRUE, "At ζ = 0 and F_0 > 4μ/π every amplitude has a frequency; see `friction_alone`."),
         "no_oscillation": (TRUE, "(23) needs F_0 ≥ 4μ/π + 2ζΩA: no fixed point with A > 0 for F_0 ≤ 4μ/π."),
@@ -407,15 +391,13 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
         "F_cr_roles_differ": (TRUE, "As δ_h → 0, F_cr → 4μ/π: ζ drops out, μ does not."),
         "F_cr_zeta_no_effect": (
             LOOSE,
-            f"True of the limit only: F_cr − 4μ/π falls like 2ζ√(2δ_h). Raising ζ from 0.01 to 0.05 raises F_cr by "
-            f"{gain_text} of "
-            "the quasi-zero-stiffness preload.",
+            "True of the limit only: F_cr − 4μ/π falls like 2ζ√(2δ_h). Raising ζ from 0.01 to 0.05 raises F_cr by "
+            f"{gain_text} of the quasi-zero-stiffness preload.",
         ),
         "F_cr_limit": (
             FALSE,
-            "F_cr → 4μ/π: m ≤ F_cr ≤ m + 2ζu_cr√(−h/u_cr), m = 4μ/π, and u_cr → 0. πμ/4 is 4μ/π times π²/16 = "
-            "0.617, and lies "
-            "in the sticking region, which no F_cr can reach.",
+            "F_cr → 4μ/π: m ≤ F_cr ≤ m + 2ζu_cr√(−h/u_cr), m = 4μ/π, and u_cr → 0. πμ/4 is 4μ/π times π²/16 = 0.617, "
+            "and lies in the sticking region, which no F_cr can reach.",
         ),
         "F_cr_mu_shift": (TRUE, envelope),
     }
@@ -452,8 +434,7 @@ def section_4_3(facts: Facts) -> dict[str, Verdict]:
         "below_F_cr": (
             TRUE,
             "u_cr is reached at F_cr only at one point, no fold is detached there, and A = 1 is out of reach: no "
-            "response "
-            "beyond u_cr, also no isolated one.",
+            "response beyond u_cr, also no isolated one.",
         ),
         "above_F_cr": (TRUE, "F_0 > F_cr puts two frequencies on A = u_cr, and the response beyond it between them."),
         "peak_shift": (
@@ -468,19 +449,18 @@ def section_4_3(facts: Facts) -> dict[str, Verdict]:
         "inflection_point": (TRUE, f"({significant(onset.Omega)}, {significant(onset.A)})."),
         "jump_points": (
             FALSE,
-            f"{wrong} of the 16 printed frequencies and amplitudes are not the solutions of (24) and (30); see "
-            f"Table 2.",
+            f"{wrong} of the 16 printed frequencies and amplitudes are not the solutions of (24) and (30); see Table "
+            "2.",
         ),
         "phase_dissipation": (
             TRUE,
             f"sin φ = −(2ζAΩ + 4μ/π)/F_0: its friction part alone is {ratio['F_SN']} at F_SN, {ratio['0.050']} at "
-            f"0.050.",
+            "0.050.",
         ),
         "phase_undamped": (
             LOOSE,
             "Away from resonance sin φ → −2ζAΩ/F_0 as F_0 grows, small but not 0; at the peak φ stays near −π/2 "
-            "whatever "
-            "the forcing.",
+            "whatever the forcing.",
         ),
     }
 
@@ -495,23 +475,21 @@ def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]
     return {
         "conclusion_1_algebraic": (
             LOOSE,
-            "Algebraic in Ω always, in A while attached; beyond u_cr, H_2 holds ψ_0 = arccos(u_cr/A): "
-            "transcendental in A.",
+            "Algebraic in Ω always, in A while attached; beyond u_cr, H_2 holds ψ_0 = arccos(u_cr/A): transcendental "
+            "in A.",
         ),
         "conclusion_2_frequency": (TRUE, "The natural frequency is √α, and α falls with δ_h."),
         "conclusion_2_u_cr": decided["u_cr_of_delta_h"],
         "conclusion_2_zeta_eq": (
             LOOSE,
-            "(38) holds the response's amplitude, not the forcing's; and near resonance friction's effect is not "
-            "small (see "
-            "`zeta_eq_near_resonance`).",
+            "(38) holds the response's amplitude, not the forcing's; and near resonance friction's effect is not small "
+            "(see `zeta_eq_near_resonance`).",
         ),
         "conclusion_3_mu": decided["F_cr_mu_shift"],
         "conclusion_3_zeta": (
             FALSE,
-            "At a tenth of the quasi-zero-stiffness preload, raising ζ from 0.01 to 0.05 (λ = 3, r = 2.03, μ = "
-            "0.012) raises "
-            f"F_cr by {rounded(100 * gain, 0)} %, at the full preload by "
+            "At a tenth of the quasi-zero-stiffness preload, raising ζ from 0.01 to 0.05 (λ = 3, r = 2.03, μ = 0.012) "
+            f"raises F_cr by {rounded(100 * gain, 0)} %, at the full preload by "
             f"{rounded(100 * facts.F_cr_gain('100'), 0)} %.",
         ),
         "conclusion_3_zeta_limit": decided["F_cr_zeta_no_effect"],
@@ -524,18 +502,16 @@ def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]
         "conclusion_5_threshold": decided["kbm_threshold"],
         "smoothed_equation": (
             LOOSE,
-            "(A1) smooths (3) with the untruncated force of (5), not the rescaled (8); and its spring force is "
-            "printed x where "
-            "u is meant.",
+            "(A1) smooths (3) with the untruncated force of (5), not the rescaled (8); and its spring force is printed "
+            "x where u is meant.",
         ),
         "smoothing_functions": by_formula(
             facts, "Φ_1 = tanh(ν_1u'), Φ_2 a difference of two logistic steps", "Phi_1", "Phi_2_minus_minus"
         ),
         "transients": (
             LOOSE,
-            f"Viscous damping alone lowers a transient by {few(slowest)} in 100 periods at Ω = 1.5 (more at lower "
-            f"Ω); at a fold "
-            "an eigenvalue is 0, and no number of periods is enough.",
+            f"Viscous damping alone lowers a transient by {few(slowest)} in 100 periods at Ω = 1.5 (more at lower Ω); "
+            "at a fold an eigenvalue is 0, and no number of periods is enough.",
         ),
     }
 

@@ -111,43 +111,37 @@ def _explained(facts: Facts, label: str, kind: str, quantity: str, printed: str,
         if not facts.example.stability(peak.Omega, peak.A) > 0:
             raise ArithmeticError("the peak at u_cr is a fold")
         return (
-            f"At F_cr the fold lies below u_cr = {significant(facts.example.u_cr)}. The point of the response at "
-            f"u_cr is its "
-            f"peak, at Ω = {significant(peak.Omega)}, where F_Ω = 0 and F_A > 0: stable, no saddle node."
+            f"At F_cr the fold lies below u_cr = {significant(facts.example.u_cr)}. The point of the response at u_cr "
+            f"is its peak, at Ω = {significant(peak.Omega)}, where F_Ω = 0 and F_A > 0: stable, no saddle node."
         )
     places = decimals(printed)
     if label == "F_cr":
         other = facts.fold("0.0300", kind)
         if rounded(getattr(other, quantity), places) == printed:
             return (
-                f"It is the value at F_0 = 0.0300, the rounded F_cr: there the fold is at Ω = "
-                f"{significant(other.Omega)}, "
-                f"A = {significant(other.A)}."
+                "It is the value at F_0 = 0.0300, the rounded F_cr: there the fold is at Ω = "
+                f"{significant(other.Omega)}, A = {significant(other.A)}."
             )
     mesh = facts.mesh_point(label, kind)
     if quantity == "A" and rounded(mesh.A, places) == printed:
         return (
-            f"It is {mesh.k}/{MESH}: of the response read off at A = k/{MESH} (1000 points on [0, 1]), the point "
-            f"with the "
-            f"extremal Ω, {significant(mesh.Omega)}. Near a fold Ω depends on A by its square only, so the printed "
-            f"Ω is right "
-            "and the printed A is off by up to half a step of the mesh."
+            f"It is {mesh.k}/{MESH}: of the response read off at A = k/{MESH} (1000 points on [0, 1]), the point with "
+            f"the extremal Ω, {significant(mesh.Omega)}. Near a fold Ω depends on A by its square only, so the printed "
+            "Ω is right and the printed A is off by up to half a step of the mesh."
         )
     if _truncated(value, places) == printed:
         return (
-            f"The derived value is {significant(value - arb(_halfway(value, places)), 2)} above the middle between "
-            f"two printed "
-            "values. The printed one is it cut off, or read off a mesh as the amplitudes are: linear interpolation "
-            "of F between "
-            f"frequencies 1/{MESH} apart lowers this Ω by up to {significant(facts.chord_shortfall, 2)}."
+            f"The derived value is {significant(value - arb(_halfway(value, places)), 2)} above the middle between two "
+            "printed values. The printed one is it cut off, or read off a mesh as the amplitudes are: linear "
+            f"interpolation of F between frequencies 1/{MESH} apart lowers this Ω by up to "
+            f"{significant(facts.chord_shortfall, 2)}."
         )
     tried = "; ".join(f"{name}: {rounded(p.Omega, 6)}" for name, p in facts.variants.items())
     return (
-        f"No parameter or formula tried gives it, while A = {rounded(facts.fold(label, kind).A, 4)} is as printed "
-        f"and the response "
-        f"has Ω = {rounded(mesh.Omega, 6)} there. Tried: {tried}; peak: {rounded(facts.peaks[label].Omega, 4)}. "
-        f"The digits "
-        f"suggest a misprint of {_truncated(value, places)}; that cannot be proved."
+        f"No parameter or formula tried gives it, while A = {rounded(facts.fold(label, kind).A, 4)} is as printed and "
+        f"the response has Ω = {rounded(mesh.Omega, 6)} there. Tried: {tried}; peak: "
+        f"{rounded(facts.peaks[label].Omega, 4)}. The digits suggest a misprint of {_truncated(value, places)}; that "
+        "cannot be proved."
     )
 
 
@@ -183,11 +177,9 @@ def _omega_cr(facts: Facts) -> str:
     fold, at = facts.fold("0.0300", "jump-down"), facts.example.detachment
     other = facts.example.frequencies(facts.example.u_cr, arb("0.03003"))[-1]
     return (
-        f"At (Ω_cr, u_cr) the forcing is least, {significant(at.F_0)}. 0.9288 is the frequency of the jump-down "
-        f"fold at "
-        f"F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in Table 2. (24) with A = "
-        f"u_cr has no "
-        f"real Ω at F_0 = 0.0300; at 0.03003 it has {significant(other, 5)}."
+        f"At (Ω_cr, u_cr) the forcing is least, {significant(at.F_0)}. 0.9288 is the frequency of the jump-down fold "
+        f"at F_0 = 0.0300, {significant(fold.Omega)}, where A = {significant(fold.A)}, as in Table 2. (24) with A = "
+        f"u_cr has no real Ω at F_0 = 0.0300; at 0.03003 it has {significant(other, 5)}."
     )
 
 

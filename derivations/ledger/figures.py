@@ -79,8 +79,8 @@ def _qualitative(rows: Rows) -> str:
     errors = listed(f"{percent(row['averaged']['off'])} at {row['ratio']:g}" for row in rows)
     return (
         f"{HERE}: for {_span(rows)} both curves rise up to Ω = 1 and fall beyond. In size the averaged amplitude is "
-        f"off by up to {errors}. That the mass stops within the cycle (at {stopping['ratio']:g} below "
-        f"Ω = {stopping['stops below']:.2g}, with more friction on both sides) is not captured."
+        f"off by up to {errors}. That the mass stops within the cycle (at {stopping['ratio']:g} below Ω = "
+        f"{stopping['stops below']:.2g}, with more friction on both sides) is not captured."
     )
 
 
@@ -119,9 +119,8 @@ def _acceptable(figure: dict[str, Any]) -> str:
     return (
         f"{HERE}: with Table 1 and the forcings of Table 2 the largest amplitudes are right within {_peaks(rows)}, the "
         f"jumps' frequencies and amplitudes within {jumps}, F_SN within {percent(abs(figure['F_SN']['off']))}. Every "
-        f"point of the curve is within {percent(ACCEPTABLE)} only at {listed(row['forcing'] for row in fine)} "
-        f"(μ/F_0 ≤ {max(row['ratio'] for row in fine):.2g}). Elsewhere amplitudes far from resonance are off by up to "
-        f"{coarse}."
+        f"point of the curve is within {percent(ACCEPTABLE)} only at {listed(row['forcing'] for row in fine)} (μ/F_0 ≤ "
+        f"{max(row['ratio'] for row in fine):.2g}). Elsewhere amplitudes far from resonance are off by up to {coarse}."
     )
 
 

@@ -48,13 +48,11 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
         Finding(
             "(20): the prefactor is half of what (21) and (22) need",
             ("formula:H_i_integrand_plus", "formula:H_i_integrand_minus"),
-            "Our text lost the sign in front of (20). With minus, (1/2π)∫ gives exactly half of H_i, with plus "
-            "minus half: the "
-            "derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it gives the published (21) and, "
-            "over the four "
-            f"intervals, the published (22) ({'both proved' if facts.integrals_agree else 'not proved'}), and (19) "
-            f"is right "
-            "with these. So (20) should read H_i = −(1/π)∫; (21) onwards do not carry the slip on.",
+            "Our text lost the sign in front of (20). With minus, (1/2π)∫ gives exactly half of H_i, with plus minus "
+            "half: the derived integrand is −(1/π) f_k cos ψ. Integrated over the pieces it gives the published (21) "
+            "and, over the four intervals, the published (22) "
+            f"({'both proved' if facts.integrals_agree else 'not proved'}), and (19) is right with these. So (20) "
+            "should read H_i = −(1/π)∫; (21) onwards do not carry the slip on.",
         ),
         Finding(
             "Section 3.1: a nonzero μ does not force a numerical solution",
@@ -77,8 +75,7 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             "(33) itself is right: degree 36, even powers, one irreducible factor. "
             + evidence["claim:minimum_root"]
             + " Elimination cannot see the sign of Ω: a root of the resultant is a candidate, to be tried in F_A = "
-            "F_AA = 0. "
-            "The printed F_SN = 0.0217 belongs to the second root. (34) is alike: "
+            "F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) is alike: "
             + evidence["claim:resultant_even_6"].partition("Three")[1]
             + evidence["claim:resultant_even_6"].partition("Three")[2],
         ),
@@ -112,18 +109,16 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             (entry(3, "jump_up_Omega"), entry(3, "jump_down_Omega"), entry(3, "jump_down_A")),
             f"F_cr is {significant(example.detachment.F_0)}. The row holds the folds at 0.0300: Ω = "
             f"{rounded(rounded_row['jump-up'].Omega, 6)} and {rounded(rounded_row['jump-down'].Omega, 6)}; at F_cr "
-            f"they are "
-            f"{rounded(facts.fold('F_cr', 'jump-up').Omega, 6)} and "
+            f"they are {rounded(facts.fold('F_cr', 'jump-up').Omega, 6)} and "
             f"{rounded(facts.fold('F_cr', 'jump-down').Omega, 6)}. " + evidence[entry(3, "jump_down_A")],
         ),
         Finding(
             f"Table 2: the amplitudes were read off a mesh of step 1/{MESH}",
             (entry(4, "jump_up_A"), entry(5, "jump_up_A")),
             f"Every printed amplitude is a mesh value: {printed}. Each is the point of the mesh where Ω along the "
-            f"response is "
-            "extremal. Near a fold Ω depends on A by its square only, so that the frequencies hold to four digits "
-            "while the "
-            f"amplitudes are off by up to half a step; the two that round differently are {evidence_pair(facts)}.",
+            "response is extremal. Near a fold Ω depends on A by its square only, so that the frequencies hold to four "
+            "digits while the amplitudes are off by up to half a step; the two that round differently are "
+            f"{evidence_pair(facts)}.",
         ),
         Finding(
             "Table 2, 0.040: the jump-down frequency is 0.99385, printed 0.9938",
@@ -135,8 +130,8 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             (entry(5, "jump_down_Omega"), "claim:jump_points"),
             f"The fold is at Ω = {significant(facts.fold('0.050', 'jump-down').Omega)}. "
             + evidence[entry(5, "jump_down_Omega")]
-            + f" In all, {facts.table_2_differing} of Table 2's 16 frequencies and amplitudes are not roundings of "
-            f"the folds.",
+            + f" In all, {facts.table_2_differing} of Table 2's 16 frequencies and amplitudes are not roundings of the "
+            "folds.",
         ),
         Finding(
             "Section 5 (3): viscous damping raises F_cr at low preload too",

@@ -212,8 +212,8 @@ def _averaging(results: Results) -> dict[str, Subject]:
         "rescaling": same(
             (0,) * 5,
             given={**bars, "sigma": (Omega**2 - 1) / epsilon},
-            shown="zeta_bar = epsilon*zeta, mu_bar = epsilon*mu, F_0_bar = epsilon*F_0, F_k_bar = epsilon*F_k, "
-            "sigma = (Omega**2 - 1)/epsilon",
+            shown="zeta_bar = epsilon*zeta, mu_bar = epsilon*mu, F_0_bar = epsilon*F_0, F_k_bar = epsilon*F_k, sigma = "
+            "(Omega**2 - 1)/epsilon",
             remark="A choice; with it (3) takes the form (8), (9).",
         ),
         "period": same(sp.periodicity(sp.cos(Omega * tau), tau)),
@@ -355,8 +355,8 @@ def _critical(results: Results) -> dict[str, Subject]:
             fields(onset, "dF/dA", "d2F/dA2", "A = A_s", "A_s", "b_i"),
             how=FIELDS,
             remark=f"Degree {onset.degree}; powers that vanish identically: the odd ones; content {onset.content}; "
-            f"{len(onset.factors)} irreducible factor over Q[A, α, β, γ, ζ, m], "
-            "so no extraneous factor: what it adds are roots, not factors.",
+            f"{len(onset.factors)} irreducible factor over Q[A, α, β, γ, ζ, m], so no extraneous factor: what it adds "
+            "are roots, not factors.",
         ),
         "detachment_resultant": same(
             fields(detachment, "F", "dF/dOmega", "A = u_cr", "F_cr", "c_i(delta_h)"),
@@ -374,9 +374,8 @@ def _critical(results: Results) -> dict[str, Subject]:
         "F_cr_limit_literal": same(friction, literal=True),
         "F_cr_limit_inverse": same(
             friction,
-            remark="With A = u_cr → 0, m ≤ F_cr ≤ m + 2ζ u_cr √(−h/u_cr): at any Ω the forcing is √(R² + I²) ≥ I ≥ "
-            "m, and "
-            "R = 0 at the upper bound. Not what the paper prints; tried because it is the reciprocal of the "
+            remark="With A = u_cr → 0, m ≤ F_cr ≤ m + 2ζ u_cr √(−h/u_cr): at any Ω the forcing is √(R² + I²) ≥ I ≥ m, "
+            "and R = 0 at the upper bound. Not what the paper prints; tried because it is the reciprocal of the "
             "fraction there.",
         ),
     }

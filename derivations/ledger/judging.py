@@ -108,9 +108,9 @@ def _judge_form(
 def _judge_fields(function: Callable[..., Any], subject: Subject) -> Judgement:
     def text(record: dict[str, Any]) -> str:
         return (
-            f"Res_{record['eliminated']}({record['first']}, {record['second']}) at {record['evaluated_at']}: "
-            f"degree {record['degree']} in {record['unknown']}, powers in steps of {record['step']}, "
-            f"coefficients {record['coefficients']}"
+            f"Res_{record['eliminated']}({record['first']}, {record['second']}) at {record['evaluated_at']}: degree "
+            f"{record['degree']} in {record['unknown']}, powers in steps of {record['step']}, coefficients "
+            f"{record['coefficients']}"
         )
 
     published, derived = vars(function(xp=EXACT)), subject.forms[0].derived

@@ -14,8 +14,7 @@ from derivations.ledger.rows import ALLOWED, LOOSE, TRUE, VOCABULARY, Row
 
 TITLES = {"formula": "Formulas", "table": "Tables 1 and 2", "number": "Numbers", "claim": "Sentences"}
 CITATION = (
-    "G. Iarriccio, Primary Resonance Analysis of High-Static–Low-Dynamic Stiffness Isolators with Piecewise "
-    "Stiffness, "
+    "G. Iarriccio, Primary Resonance Analysis of High-Static–Low-Dynamic Stiffness Isolators with Piecewise Stiffness, "
     "Viscous Damping, and Dry Friction, Appl. Sci. 2025, 15(8), 4187, doi:10.3390/app15084187"
 )
 

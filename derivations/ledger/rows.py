@@ -1,6 +1,6 @@
 """The rows of the ledger and the closed vocabulary of its verdicts.
 
-In:  nothing.
+In:  what is published and what is derived, as text.
 Out: `Row`, one judged entry of the paper, and the verdicts.
 """
 
@@ -20,12 +20,12 @@ DEFINITION = "definition"
 
 #: what each verdict says, in the order of the summary
 VOCABULARY: dict[str, str] = {
-    IDENTICAL: "formulas: the same expression but for the order of terms, proved; "
-    "numbers: the derived value rounds to the printed digits",
+    IDENTICAL: "formulas: the same expression but for the order of terms, proved; numbers: the derived value rounds to "
+    "the printed digits",
     REWRITTEN: "proved equal over the rationals once the relations that the row names are used",
     DIFFERS: "the exact difference is not zero, or the printed digits are not the rounding of the derived value",
-    AMBIGUOUS: "our plain text lost a sign or a bracket; every reading was tried, and this one differs where "
-    "another holds",
+    AMBIGUOUS: "our plain text lost a sign or a bracket; every reading was tried, and this one differs where another "
+    "holds",
     INPUT: "a value that the author chose: nothing to derive",
     TRUE: "the sentence holds, by the evidence given",
     FALSE: "the sentence does not hold, by the evidence given",

@@ -1,4 +1,4 @@
-"""In: nothing. Out: published.py as a module of its own, loaded by path, and the namespace that makes it exact.
+"""In: the path of published.py. Out: that file as a module of its own, and the namespace that makes it exact.
 
 The runtime package is not imported: the ledger must not depend on what it is there to judge.
 """

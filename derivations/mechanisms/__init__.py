@@ -1,6 +1,6 @@
 """Equations of motion, one file each. A file here and a `make derive` is all that a new mechanism takes.
 
-In:  nothing.
+In:  the files of this folder.
 Out: `Mechanism`, the form in which a restoring force is stated, `Parameter`, the form of a number that a user gives,
      `DAMPING` and `FORCING`, those that every oscillator has, and `all_mechanisms()`, every one in this folder.
 """
