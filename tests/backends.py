@@ -7,10 +7,13 @@ import os
 import sys
 from types import ModuleType
 
+#: what depends on the backend
+RELOADED = ("slowflow_kernels", "slowflow_support.backend")
+
 
 def _forget() -> dict[str, ModuleType]:
     """Take the kernels' modules out of the interpreter's memory."""
-    return {name: sys.modules.pop(name) for name in list(sys.modules) if name.split(".")[0] == "slowflow_kernels"}
+    return {name: sys.modules.pop(name) for name in list(sys.modules) if name.startswith(RELOADED)}
 
 
 def load(backend: str) -> dict[str, ModuleType]:

@@ -7,7 +7,6 @@ the result once each would cause. It is the error in units of u(1 + kappa), and 
 from __future__ import annotations
 
 import ast
-import importlib
 import json
 import os
 import subprocess
@@ -19,6 +18,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests import backends
 from tests.native import headers
 
 HERE = Path(__file__).parent
@@ -59,22 +59,10 @@ def worst(values: np.ndarray, row: dict) -> float:
 def package(request):
     """The kernels' modules by name, freshly imported on one backend."""
 
-    def forget() -> dict:
-        return {name: sys.modules.pop(name) for name in list(sys.modules) if name.split(".")[0] == "slowflow_kernels"}
-
-    before, backend = forget(), os.environ.get("SLOWFLOW_BACKEND")
-    os.environ["SLOWFLOW_BACKEND"] = request.param
     try:
-        loaded = {module: importlib.import_module(f"slowflow_kernels.{module}") for module in MODULES}
+        return backends.load(request.param)
     except ImportError as error:
         pytest.skip(f"no {request.param} backend: {error}")
-    finally:
-        forget()
-        sys.modules.update(before)
-        os.environ.pop("SLOWFLOW_BACKEND")
-        if backend is not None:
-            os.environ["SLOWFLOW_BACKEND"] = backend
-    return loaded
 
 
 @pytest.fixture(scope="module")

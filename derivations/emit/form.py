@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from derivations.mechanisms import Mechanism
+from derivations.mechanisms import Mechanism, Parameter
 from derivations.resultants import Elimination
 from derivations.slow_flow import SCENES, m
 from derivations.symbols import h, h_A, h_AA, h_AAA, mu
@@ -93,6 +93,26 @@ class Composition:
 
 
 @dataclass(frozen=True)
+class Record:
+    """What the generated record of a mechanism holds beside the module's kernels.
+
+    mechanism       -- where it comes from
+    parameters      -- what its kernels take, in their order
+    harmonics_up_to -- the largest breakpoint for which the harmonics hold
+    truncated       -- whether the force is a Taylor polynomial that stands for another
+    untruncated     -- name of the mechanism with that other force; "" where there is none
+    attached        -- whether the kernel `attached` averages the first piece alone
+    """
+
+    mechanism: Mechanism
+    parameters: tuple[Parameter, ...]
+    harmonics_up_to: sp.Expr
+    truncated: bool
+    untruncated: str
+    attached: bool
+
+
+@dataclass(frozen=True)
 class Module:
     """One generated module.
 
@@ -102,6 +122,7 @@ class Module:
     reexports  -- names taken over from another module of the same mechanism, as (module, names)
     constants  -- Python constants (name, value)
     pieces     -- tables of generic kernels by name: for each piece of a force, the names of those of force and slope
+    record     -- of a mechanism's own module
     """
 
     name: str
@@ -115,6 +136,7 @@ class Module:
     constants: dict[str, object] = field(default_factory=dict)
     mechanism: Mechanism | None = None
     pieces: dict[str, tuple[tuple[str, ...], ...]] = field(default_factory=dict)
+    record: Record | None = None
 
     @property
     def loops(self) -> bool:

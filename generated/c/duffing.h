@@ -148,14 +148,14 @@ static inline void duffing_harmonics(double A, const double *p, double *out)
     out[7] = 0.0;
 }
 
-/* The parameters alpha, beta from the design ratios.
-   Equation (5), (7). Domain: any ratios.
-   Operations: 1 structured, 1 common subexpressions, 1 power chains
+/* The parameters alpha, beta from the design.
+   Equation (5), (7). Domain: any design.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline void duffing_coefficients(double kappa_1, double kappa_3, double *out)
+static inline void duffing_coefficients(double alpha, double beta, double *out)
 {
-    out[0] = kappa_1 + 1.0;
-    out[1] = kappa_3;
+    out[0] = alpha;
+    out[1] = beta;
 }
 
 /* The |u| at which a piece of the force ends.
@@ -178,6 +178,16 @@ static inline void duffing_jumps(const double *p, double *out)
     (void)(out);
     (void)(p);
     (void)(out);
+}
+
+/* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
+   Equation from (3). Domain: any parameters.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline void duffing_hardening(const double *p, double *out)
+{
+    const double beta = p[1];
+    out[0] = beta;
 }
 
 /* Whole dimensionless restoring force u + F_k(u), truncated.

@@ -404,8 +404,27 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
     rod_spring_averaged_2_passed_1_far_1(A, p, out);
 }
 
+/* The first piece alone: h, h_A, h_AA, h_AAA together.
+   Equation (20), (21). Domain: 0 <= A <= u_cr.
+   Operations: 28 structured, 19 common subexpressions, 19 power chains
+ */
+static inline void rod_spring_attached(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double t0 = -alpha;
+    const double t1 = A * A;
+    const double t2 = gamma * t1;
+    const double t3 = 4.5 * beta;
+    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+    out[2] = A * (-12.5 * t2 - t3);
+    out[3] = -37.5 * t2 - t3;
+}
+
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0.
+   Equation (20)-(22). Domain: 0 <= A <= u_cr.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
    Operations where passed_1: 47 structured, 42 common subexpressions, 40 power chains
    Operations where passed_1_far_1: 134 structured, 87 common subexpressions, 78 power chains
@@ -477,7 +496,7 @@ static inline double rod_spring_h(double A, double alpha, double beta, double ga
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0.
+   Equation (31). Domain: 0 <= A <= u_cr.
    Operations where passed_0: 8 structured, 7 common subexpressions, 7 power chains
    Operations where passed_1: 62 structured, 55 common subexpressions, 52 power chains
    Operations where passed_1_far_1: 149 structured, 100 common subexpressions, 90 power chains
@@ -555,7 +574,7 @@ static inline double rod_spring_h_A(double A, double alpha, double beta, double 
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0.
+   Equation from (31). Domain: 0 <= A <= u_cr.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
    Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
    Operations where passed_1_far_1: 171 structured, 102 common subexpressions, 95 power chains
@@ -638,7 +657,7 @@ static inline double rod_spring_h_AA(double A, double alpha, double beta, double
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0.
+   Equation from (31). Domain: 0 <= A <= u_cr.
    Operations where passed_0: 5 structured, 5 common subexpressions, 5 power chains
    Operations where passed_1: 139 structured, 80 common subexpressions, 74 power chains
    Operations where passed_1_far_1: 228 structured, 124 common subexpressions, 112 power chains
@@ -737,7 +756,7 @@ static inline double rod_spring_h_AAA(double A, double alpha, double beta, doubl
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0.
+   Equation (20)-(22). Domain: 0 <= A <= u_cr.
    Operations where passed_0: 10 structured, 9 common subexpressions, 9 power chains
    Operations where passed_1: 42 structured, 39 common subexpressions, 37 power chains
    Operations where passed_1_far_1: 133 structured, 86 common subexpressions, 77 power chains
@@ -805,7 +824,7 @@ static inline double rod_spring_H(double A, double alpha, double beta, double ga
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0.
+   Equation (31). Domain: 0 <= A <= u_cr.
    Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
    Operations where passed_1: 57 structured, 51 common subexpressions, 48 power chains
    Operations where passed_1_far_1: 148 structured, 98 common subexpressions, 88 power chains
@@ -881,7 +900,7 @@ static inline double rod_spring_H_A(double A, double alpha, double beta, double 
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0.
+   Equation from (31). Domain: 0 <= A <= u_cr.
    Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
    Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
    Operations where passed_1_far_1: 171 structured, 102 common subexpressions, 95 power chains
@@ -1215,8 +1234,8 @@ static inline void rod_spring_harmonics(double A, const double *p, double *out)
     rod_spring_harmonics_passed_1_far_1(A, p, out);
 }
 
-/* The parameters alpha, beta, gamma, u_cr from the design ratios.
-   Equation (5), (7). Domain: any ratios.
+/* The parameters alpha, beta, gamma, u_cr from the design.
+   Equation (5), (7). Domain: any design.
    Operations: 15 structured, 11 common subexpressions, 11 power chains
  */
 static inline void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
@@ -1251,6 +1270,22 @@ static inline void rod_spring_jumps(const double *p, double *out)
     const double u_cr = p[3];
     const double t0 = u_cr * u_cr;
     out[0] = u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0);
+}
+
+/* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
+   Equation from (3). Domain: any parameters.
+   Operations: 8 structured, 7 common subexpressions, 7 power chains
+ */
+static inline void rod_spring_hardening(const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    const double t0 = u_cr * u_cr;
+    out[0] = beta;
+    out[1] = gamma;
+    out[2] = -u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0);
 }
 
 /* Whole dimensionless restoring force u + F_k(u), truncated.

@@ -11194,8 +11194,8 @@ static inline void rod_spring_exact_harmonics(double A, const double *p, double 
     rod_spring_exact_harmonics_passed_1(A, p, out);
 }
 
-/* The parameters alpha, beta, u_cr from the design ratios.
-   Equation (5), (7). Domain: any ratios.
+/* The parameters alpha, beta, u_cr from the design.
+   Equation (5), (7). Domain: any design.
    Operations: 11 structured, 10 common subexpressions, 10 power chains
  */
 static inline void rod_spring_exact_coefficients(double lam, double r, double delta_h, double *out)
@@ -11224,6 +11224,16 @@ static inline void rod_spring_exact_jumps(const double *p, double *out)
 {
     (void)(p);
     out[0] = 0.0;
+}
+
+/* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
+   Equation from (3). Domain: any parameters.
+   Operations: 1 structured, 1 common subexpressions, 1 power chains
+ */
+static inline void rod_spring_exact_hardening(const double *p, double *out)
+{
+    const double beta = p[1];
+    out[0] = 2.0 * beta;
 }
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.

@@ -33,28 +33,6 @@ extern const sf_module sf_module_rod_spring_exact_mu0;
 extern const sf_module sf_module_rod_spring_exact_zeta0;
 extern const sf_module sf_module_rod_spring_exact_mu0_zeta0;
 
-static const sf_module *const modules[] = {
-    &sf_module_slow_flow,
-    &sf_module_slow_flow_mu0,
-    &sf_module_slow_flow_zeta0,
-    &sf_module_slow_flow_mu0_zeta0,
-    &sf_module_second_approximation,
-    &sf_module_den_hartog,
-    &sf_module_duffing,
-    &sf_module_duffing_mu0,
-    &sf_module_duffing_zeta0,
-    &sf_module_duffing_mu0_zeta0,
-    &sf_module_rod_spring,
-    &sf_module_rod_spring_mu0,
-    &sf_module_rod_spring_zeta0,
-    &sf_module_rod_spring_mu0_zeta0,
-    &sf_module_rod_spring_attached,
-    &sf_module_rod_spring_exact,
-    &sf_module_rod_spring_exact_mu0,
-    &sf_module_rod_spring_exact_zeta0,
-    &sf_module_rod_spring_exact_mu0_zeta0,
-};
-
 static char all_double[SF_MOST_OPERANDS];
 static PyUFuncGenericFunction run[] = {sf_run};
 
@@ -69,28 +47,152 @@ static PyObject *ufunc_of(const sf_kernel *kernel)
                                    kernel->name, kernel->doc, 0);
 }
 
-static PyObject *load(PyObject *self, PyObject *name)
+/* The compiled kernels of a generated module, in the order in which it assigns them. */
+static PyObject *ufuncs_of(const sf_module *module)
 {
-    (void)self;
-    for (size_t k = 0; k < sizeof modules / sizeof modules[0]; k++) {
-        if (PyUnicode_CompareWithASCIIString(name, modules[k]->name) != 0)
-            continue;
-        PyObject *found = PyDict_New();
-        for (int i = 0; found != NULL && i < modules[k]->count; i++) {
-            const sf_kernel *kernel = &modules[k]->kernels[i];
-            PyObject *ufunc = ufunc_of(kernel);
-            PyObject *pair = ufunc == NULL ? NULL : Py_BuildValue("(NC)", ufunc, (int)kernel->returns);
-            if (pair == NULL || PyDict_SetItemString(found, kernel->name, pair) < 0)
-                Py_CLEAR(found);
-            Py_XDECREF(pair);
-        }
-        return found;
+    PyObject *ufuncs = PyTuple_New(module->count);
+    for (int i = 0; ufuncs != NULL && i < module->count; i++) {
+        PyObject *ufunc = ufunc_of(&module->kernels[i]);
+        if (ufunc == NULL || PyTuple_SetItem(ufuncs, i, ufunc) < 0)
+            Py_CLEAR(ufuncs);
     }
-    return PyErr_Format(PyExc_KeyError, "no generated module %R", name);
+    return ufuncs;
+}
+
+static PyObject *load_slow_flow(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_slow_flow);
+}
+
+static PyObject *load_slow_flow_mu0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_slow_flow_mu0);
+}
+
+static PyObject *load_slow_flow_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_slow_flow_zeta0);
+}
+
+static PyObject *load_slow_flow_mu0_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_slow_flow_mu0_zeta0);
+}
+
+static PyObject *load_second_approximation(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_second_approximation);
+}
+
+static PyObject *load_den_hartog(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_den_hartog);
+}
+
+static PyObject *load_duffing(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_duffing);
+}
+
+static PyObject *load_duffing_mu0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_duffing_mu0);
+}
+
+static PyObject *load_duffing_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_duffing_zeta0);
+}
+
+static PyObject *load_duffing_mu0_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_duffing_mu0_zeta0);
+}
+
+static PyObject *load_rod_spring(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring);
+}
+
+static PyObject *load_rod_spring_mu0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_mu0);
+}
+
+static PyObject *load_rod_spring_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_zeta0);
+}
+
+static PyObject *load_rod_spring_mu0_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_mu0_zeta0);
+}
+
+static PyObject *load_rod_spring_attached(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_attached);
+}
+
+static PyObject *load_rod_spring_exact(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_exact);
+}
+
+static PyObject *load_rod_spring_exact_mu0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_exact_mu0);
+}
+
+static PyObject *load_rod_spring_exact_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_exact_zeta0);
+}
+
+static PyObject *load_rod_spring_exact_mu0_zeta0(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_rod_spring_exact_mu0_zeta0);
 }
 
 static PyMethodDef methods[] = {
-    {"load", load, METH_O, "The compiled kernels of a generated module: name -> (ufunc, 's'|'t'|'c' for what it returns)."},
+    {"slow_flow", load_slow_flow, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow."},
+    {"slow_flow_mu0", load_slow_flow_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_mu0."},
+    {"slow_flow_zeta0", load_slow_flow_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_zeta0."},
+    {"slow_flow_mu0_zeta0", load_slow_flow_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_mu0_zeta0."},
+    {"second_approximation", load_second_approximation, METH_NOARGS, "The compiled kernels of slowflow_kernels.second_approximation."},
+    {"den_hartog", load_den_hartog, METH_NOARGS, "The compiled kernels of slowflow_kernels.den_hartog."},
+    {"duffing", load_duffing, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing."},
+    {"duffing_mu0", load_duffing_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing_mu0."},
+    {"duffing_zeta0", load_duffing_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing_zeta0."},
+    {"duffing_mu0_zeta0", load_duffing_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing_mu0_zeta0."},
+    {"rod_spring", load_rod_spring, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring."},
+    {"rod_spring_mu0", load_rod_spring_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_mu0."},
+    {"rod_spring_zeta0", load_rod_spring_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_zeta0."},
+    {"rod_spring_mu0_zeta0", load_rod_spring_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_mu0_zeta0."},
+    {"rod_spring_attached", load_rod_spring_attached, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_attached."},
+    {"rod_spring_exact", load_rod_spring_exact, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact."},
+    {"rod_spring_exact_mu0", load_rod_spring_exact_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact_mu0."},
+    {"rod_spring_exact_zeta0", load_rod_spring_exact_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact_zeta0."},
+    {"rod_spring_exact_mu0_zeta0", load_rod_spring_exact_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact_mu0_zeta0."},
     {NULL, NULL, 0, NULL},
 };
 

@@ -103,25 +103,25 @@ static const sf_loop den_hartog_motion_loops[] = {
 static const sf_kernel kernels[] = {
     {"V",
      "Response function. Equation (37). Domain: Omega > 0, Omega != 1.",
-     1, 1, 1, 's', NULL, den_hartog_V_loops},
+     1, 1, 1, NULL, den_hartog_V_loops},
     {"U",
      "Damping function. Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.",
-     1, 1, 1, 's', NULL, den_hartog_U_loops},
+     1, 1, 1, NULL, den_hartog_U_loops},
     {"S_ratio",
      "S is the maximum of this over 0 < tau < pi/Omega. Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega "
      "not 1, 1/3, 1/5 and so on.",
-     2, 1, 1, 's', NULL, den_hartog_S_ratio_loops},
+     2, 1, 1, NULL, den_hartog_S_ratio_loops},
     {"amplitude",
      "Amplitude of the motion. Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on.",
-     3, 1, 1, 's', NULL, den_hartog_amplitude_loops},
+     3, 1, 1, NULL, den_hartog_amplitude_loops},
     {"bound",
      "The motion has no stops while its amplitude exceeds this. Equation (36). Domain: Omega > 0, Omega not 1, 1/3, "
      "1/5 and so on.",
-     3, 1, 1, 's', NULL, den_hartog_bound_loops},
+     3, 1, 1, NULL, den_hartog_bound_loops},
     {"motion",
      "Displacement tau after a maximum. Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, "
      "1/3, 1/5 and so on.",
-     4, 1, 1, 's', NULL, den_hartog_motion_loops},
+     4, 1, 1, NULL, den_hartog_motion_loops},
 };
 
 const sf_module sf_module_den_hartog = {"den_hartog", kernels, sizeof kernels / sizeof kernels[0]};

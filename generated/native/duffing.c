@@ -241,14 +241,14 @@ static const sf_loop duffing_harmonics_loops[] = {
 
 SF_WIDE void duffing_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict kappa_1 = in[0];
-    const double *restrict kappa_3 = in[1];
+    const double *restrict alpha = in[0];
+    const double *restrict beta = in[1];
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[2];
-        duffing_coefficients(kappa_1[i], kappa_3[i], values);
+        duffing_coefficients(alpha[i], beta[i], values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
@@ -256,6 +256,24 @@ SF_WIDE void duffing_coefficients_loop(ptrdiff_t n, const double *const *in, dou
 
 static const sf_loop duffing_coefficients_loops[] = {
     duffing_coefficients_loop,
+};
+
+SF_WIDE void duffing_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict alpha = in[0];
+    const double *restrict beta = in[1];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i]};
+        double values[1];
+        duffing_hardening(p, values);
+        out_0[i] = values[0];
+    }
+}
+
+static const sf_loop duffing_hardening_loops[] = {
+    duffing_hardening_loop,
 };
 
 SF_WIDE void duffing_force_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -580,104 +598,108 @@ static const sf_loop duffing_equivalent_damping_loops[] = {
 static const sf_kernel kernels[] = {
     {"averaged",
      "h, h_A, h_AA, h_AAA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     3, 4, 1, 't', NULL, duffing_averaged_loops},
+     3, 4, 1, NULL, duffing_averaged_loops},
     {"averaged_3",
      "h, h_A, h_AA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     3, 3, 1, 't', NULL, duffing_averaged_3_loops},
+     3, 3, 1, NULL, duffing_averaged_3_loops},
     {"averaged_2",
      "h, h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
-     3, 2, 1, 't', NULL, duffing_averaged_2_loops},
+     3, 2, 1, NULL, duffing_averaged_2_loops},
     {"h",
      "The averaged restoring force h = H - A. Equation (20)-(22). Domain: A >= 0.",
-     3, 1, 1, 's', NULL, duffing_h_loops},
+     3, 1, 1, NULL, duffing_h_loops},
     {"h_A",
      "d/dA of the averaged restoring force h = H - A. Equation (31). Domain: A >= 0.",
-     3, 1, 1, 's', NULL, duffing_h_A_loops},
+     3, 1, 1, NULL, duffing_h_A_loops},
     {"h_AA",
      "d2/dA2 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     3, 1, 1, 's', NULL, duffing_h_AA_loops},
+     3, 1, 1, NULL, duffing_h_AA_loops},
     {"h_AAA",
      "d3/dA3 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     3, 1, 1, 's', NULL, duffing_h_AAA_loops},
+     3, 1, 1, NULL, duffing_h_AAA_loops},
     {"H",
      "The averaged force H beside the vertical spring. Equation (20)-(22). Domain: A >= 0.",
-     3, 1, 1, 's', NULL, duffing_H_loops},
+     3, 1, 1, NULL, duffing_H_loops},
     {"H_A",
      "d/dA of the averaged force H beside the vertical spring. Equation (31). Domain: A >= 0.",
-     3, 1, 1, 's', NULL, duffing_H_A_loops},
+     3, 1, 1, NULL, duffing_H_A_loops},
     {"H_AA",
      "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
-     3, 1, 1, 's', NULL, duffing_H_AA_loops},
+     3, 1, 1, NULL, duffing_H_AA_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
      "Equation beyond (20). Domain: A >= 0.",
-     3, 8, 1, 't', NULL, duffing_harmonics_loops},
+     3, 8, 1, NULL, duffing_harmonics_loops},
     {"coefficients",
-     "The parameters alpha, beta from the design ratios. Equation (5), (7). Domain: any ratios.",
-     2, 2, 1, 't', NULL, duffing_coefficients_loops},
+     "The parameters alpha, beta from the design. Equation (5), (7). Domain: any design.",
+     2, 2, 1, NULL, duffing_coefficients_loops},
+    {"hardening",
+     "The force over the displacement, f(u)/u, rises with |u| where none of these is negative. Equation from (3). "
+     "Domain: any parameters.",
+     2, 1, 1, NULL, duffing_hardening_loops},
     {"force",
      "Whole dimensionless restoring force u + F_k(u), truncated. Equation (3), (6). Domain: any u.",
-     3, 1, 1, 's', NULL, duffing_force_loops},
+     3, 1, 1, NULL, duffing_force_loops},
     {"untruncated_force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: any u.",
-     3, 1, 1, 's', NULL, duffing_untruncated_force_loops},
+     3, 1, 1, NULL, duffing_untruncated_force_loops},
     {"saddle_node_onset",
      "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset. "
      "Equation (33). Domain: roots with A > 0.",
-     4, 11, 1, 'c', NULL, duffing_saddle_node_onset_loops},
+     4, 11, 1, NULL, duffing_saddle_node_onset_loops},
     {"saddle_nodes",
      "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds. Equation "
      "from (24), (30). Domain: roots with A > 0.",
-     5, 11, 1, 'c', NULL, duffing_saddle_nodes_loops},
+     5, 11, 1, NULL, duffing_saddle_nodes_loops},
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_R_loops},
+     6, 1, 1, NULL, duffing_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_I_loops},
+     6, 1, 1, NULL, duffing_I_loops},
     {"F",
      "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 1, 's', NULL, duffing_F_loops},
+     7, 1, 1, NULL, duffing_F_loops},
     {"F_A",
      "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_F_A_loops},
+     6, 1, 1, NULL, duffing_F_A_loops},
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_F_AA_loops},
+     6, 1, 1, NULL, duffing_F_AA_loops},
     {"F_AAA",
      "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_F_AAA_loops},
+     6, 1, 1, NULL, duffing_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_F_Omega_loops},
+     6, 1, 1, NULL, duffing_F_Omega_loops},
     {"F_AOmega",
      "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_F_AOmega_loops},
+     6, 1, 1, NULL, duffing_F_AOmega_loops},
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_phase_loops},
+     6, 1, 1, NULL, duffing_phase_loops},
     {"jacobian",
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
-     6, 4, 1, 't', NULL, duffing_jacobian_loops},
+     6, 4, 1, NULL, duffing_jacobian_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
-     6, 1, 1, 's', NULL, duffing_stability_loops},
+     6, 1, 1, NULL, duffing_stability_loops},
     {"transmissibility",
      "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
      "0, A > 0, F_0 > 0.",
-     7, 1, 1, 's', NULL, duffing_transmissibility_loops},
+     7, 1, 1, NULL, duffing_transmissibility_loops},
     {"backbone",
      "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     3, 1, 1, 's', NULL, duffing_backbone_loops},
+     3, 1, 1, NULL, duffing_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",
-     4, 1, 1, 's', NULL, duffing_limit_envelope_loops},
+     4, 1, 1, NULL, duffing_limit_envelope_loops},
     {"equivalent_damping",
      "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
      "A > 0.",
-     4, 1, 1, 's', NULL, duffing_equivalent_damping_loops},
+     4, 1, 1, NULL, duffing_equivalent_damping_loops},
 };
 
 const sf_module sf_module_duffing = {"duffing", kernels, sizeof kernels / sizeof kernels[0]};

@@ -63,8 +63,7 @@ static int duffing_record_parameters_of(const double *design, double *p)
 {
     if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY))
         return 0;
-    p[0] = design[0];
-    p[1] = design[1];
+    duffing_coefficients(design[0], design[1], p);
     return 1;
 }
 

@@ -268,6 +268,33 @@ static const sf_loop rod_spring_averaged_2_loops[] = {
     rod_spring_averaged_2_passed_1_far_1_loop,
 };
 
+SF_WIDE void rod_spring_attached_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict gamma = in[3];
+    const double *restrict u_cr = in[4];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], gamma[i], u_cr[i]};
+        double values[4];
+        rod_spring_attached(A[i], p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
+static const sf_loop rod_spring_attached_loops[] = {
+    rod_spring_attached_loop,
+};
+
 SF_WIDE void rod_spring_h_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -861,6 +888,30 @@ SF_WIDE void rod_spring_jumps_loop(ptrdiff_t n, const double *const *in, double 
 
 static const sf_loop rod_spring_jumps_loops[] = {
     rod_spring_jumps_loop,
+};
+
+SF_WIDE void rod_spring_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict alpha = in[0];
+    const double *restrict beta = in[1];
+    const double *restrict gamma = in[2];
+    const double *restrict u_cr = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double p[] = {alpha[i], beta[i], gamma[i], u_cr[i]};
+        double values[3];
+        rod_spring_hardening(p, values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+    }
+}
+
+static const sf_loop rod_spring_hardening_loops[] = {
+    rod_spring_hardening_loop,
 };
 
 SF_WIDE void rod_spring_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1691,110 +1742,117 @@ static const sf_loop rod_spring_equivalent_damping_loops[] = {
 static const sf_kernel kernels[] = {
     {"averaged",
      "h, h_A, h_AA, h_AAA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     5, 4, 3, 't', rod_spring_averaged_regime, rod_spring_averaged_loops},
+     5, 4, 3, rod_spring_averaged_regime, rod_spring_averaged_loops},
     {"averaged_3",
      "h, h_A, h_AA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     5, 3, 3, 't', rod_spring_averaged_3_regime, rod_spring_averaged_3_loops},
+     5, 3, 3, rod_spring_averaged_3_regime, rod_spring_averaged_3_loops},
     {"averaged_2",
      "h, h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
-     5, 2, 3, 't', rod_spring_averaged_2_regime, rod_spring_averaged_2_loops},
+     5, 2, 3, rod_spring_averaged_2_regime, rod_spring_averaged_2_loops},
+    {"attached",
+     "The first piece alone: h, h_A, h_AA, h_AAA together. Equation (20), (21). Domain: 0 <= A <= u_cr.",
+     5, 4, 1, NULL, rod_spring_attached_loops},
     {"h",
-     "The averaged restoring force h = H - A. Equation (20)-(22). Domain: A >= 0.",
-     5, 1, 3, 's', rod_spring_h_regime, rod_spring_h_loops},
+     "The averaged restoring force h = H - A. Equation (20)-(22). Domain: 0 <= A <= u_cr.",
+     5, 1, 3, rod_spring_h_regime, rod_spring_h_loops},
     {"h_A",
-     "d/dA of the averaged restoring force h = H - A. Equation (31). Domain: A >= 0.",
-     5, 1, 3, 's', rod_spring_h_A_regime, rod_spring_h_A_loops},
+     "d/dA of the averaged restoring force h = H - A. Equation (31). Domain: 0 <= A <= u_cr.",
+     5, 1, 3, rod_spring_h_A_regime, rod_spring_h_A_loops},
     {"h_AA",
-     "d2/dA2 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     5, 1, 3, 's', rod_spring_h_AA_regime, rod_spring_h_AA_loops},
+     "d2/dA2 of the averaged restoring force h = H - A. Equation from (31). Domain: 0 <= A <= u_cr.",
+     5, 1, 3, rod_spring_h_AA_regime, rod_spring_h_AA_loops},
     {"h_AAA",
-     "d3/dA3 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     5, 1, 3, 's', rod_spring_h_AAA_regime, rod_spring_h_AAA_loops},
+     "d3/dA3 of the averaged restoring force h = H - A. Equation from (31). Domain: 0 <= A <= u_cr.",
+     5, 1, 3, rod_spring_h_AAA_regime, rod_spring_h_AAA_loops},
     {"H",
-     "The averaged force H beside the vertical spring. Equation (20)-(22). Domain: A >= 0.",
-     5, 1, 3, 's', rod_spring_H_regime, rod_spring_H_loops},
+     "The averaged force H beside the vertical spring. Equation (20)-(22). Domain: 0 <= A <= u_cr.",
+     5, 1, 3, rod_spring_H_regime, rod_spring_H_loops},
     {"H_A",
-     "d/dA of the averaged force H beside the vertical spring. Equation (31). Domain: A >= 0.",
-     5, 1, 3, 's', rod_spring_H_A_regime, rod_spring_H_A_loops},
+     "d/dA of the averaged force H beside the vertical spring. Equation (31). Domain: 0 <= A <= u_cr.",
+     5, 1, 3, rod_spring_H_A_regime, rod_spring_H_A_loops},
     {"H_AA",
-     "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
-     5, 1, 3, 's', rod_spring_H_AA_regime, rod_spring_H_AA_loops},
+     "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: 0 <= A <= u_cr.",
+     5, 1, 3, rod_spring_H_AA_regime, rod_spring_H_AA_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
      "Equation beyond (20). Domain: A >= 0.",
-     5, 8, 3, 't', rod_spring_harmonics_regime, rod_spring_harmonics_loops},
+     5, 8, 3, rod_spring_harmonics_regime, rod_spring_harmonics_loops},
     {"coefficients",
-     "The parameters alpha, beta, gamma, u_cr from the design ratios. Equation (5), (7). Domain: any ratios.",
-     3, 4, 1, 't', NULL, rod_spring_coefficients_loops},
+     "The parameters alpha, beta, gamma, u_cr from the design. Equation (5), (7). Domain: any design.",
+     3, 4, 1, NULL, rod_spring_coefficients_loops},
     {"breakpoints",
      "The |u| at which a piece of the force ends. Equation (5). Domain: any parameters.",
-     4, 1, 1, 't', NULL, rod_spring_breakpoints_loops},
+     4, 1, 1, NULL, rod_spring_breakpoints_loops},
     {"jumps",
      "What the force loses at each breakpoint: f below less f above. Equation (6). Domain: any parameters.",
-     4, 1, 1, 't', NULL, rod_spring_jumps_loops},
+     4, 1, 1, NULL, rod_spring_jumps_loops},
+    {"hardening",
+     "The force over the displacement, f(u)/u, rises with |u| where none of these is negative. Equation from (3). "
+     "Domain: any parameters.",
+     4, 3, 1, NULL, rod_spring_hardening_loops},
     {"force",
      "Whole dimensionless restoring force u + F_k(u), truncated. Equation (3), (6). Domain: any u.",
-     5, 1, 2, 's', rod_spring_force_regime, rod_spring_force_loops},
+     5, 1, 2, rod_spring_force_regime, rod_spring_force_loops},
     {"untruncated_force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: |u| < 1.",
-     4, 1, 2, 's', rod_spring_untruncated_force_regime, rod_spring_untruncated_force_loops},
+     4, 1, 2, rod_spring_untruncated_force_regime, rod_spring_untruncated_force_loops},
     {"saddle_node_onset",
      "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset. "
      "Equation (33). Domain: roots with 0 < A <= u_cr.",
-     6, 19, 1, 'c', NULL, rod_spring_saddle_node_onset_loops},
+     6, 19, 1, NULL, rod_spring_saddle_node_onset_loops},
     {"saddle_nodes",
      "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds. Equation "
      "from (24), (30). Domain: roots with 0 < A <= u_cr.",
-     7, 17, 1, 'c', NULL, rod_spring_saddle_nodes_loops},
+     7, 17, 1, NULL, rod_spring_saddle_nodes_loops},
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_R_regime, rod_spring_R_loops},
+     8, 1, 3, rod_spring_R_regime, rod_spring_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     8, 1, 1, 's', NULL, rod_spring_I_loops},
+     8, 1, 1, NULL, rod_spring_I_loops},
     {"F",
      "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
-     9, 1, 3, 's', rod_spring_F_regime, rod_spring_F_loops},
+     9, 1, 3, rod_spring_F_regime, rod_spring_F_loops},
     {"F_A",
      "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_F_A_regime, rod_spring_F_A_loops},
+     8, 1, 3, rod_spring_F_A_regime, rod_spring_F_A_loops},
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_F_AA_regime, rod_spring_F_AA_loops},
+     8, 1, 3, rod_spring_F_AA_regime, rod_spring_F_AA_loops},
     {"F_AAA",
      "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_F_AAA_regime, rod_spring_F_AAA_loops},
+     8, 1, 3, rod_spring_F_AAA_regime, rod_spring_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_F_Omega_regime, rod_spring_F_Omega_loops},
+     8, 1, 3, rod_spring_F_Omega_regime, rod_spring_F_Omega_loops},
     {"F_AOmega",
      "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_F_AOmega_regime, rod_spring_F_AOmega_loops},
+     8, 1, 3, rod_spring_F_AOmega_regime, rod_spring_F_AOmega_loops},
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_phase_regime, rod_spring_phase_loops},
+     8, 1, 3, rod_spring_phase_regime, rod_spring_phase_loops},
     {"jacobian",
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
-     8, 4, 3, 't', rod_spring_jacobian_regime, rod_spring_jacobian_loops},
+     8, 4, 3, rod_spring_jacobian_regime, rod_spring_jacobian_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
-     8, 1, 3, 's', rod_spring_stability_regime, rod_spring_stability_loops},
+     8, 1, 3, rod_spring_stability_regime, rod_spring_stability_loops},
     {"transmissibility",
      "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
      "0, A > 0, F_0 > 0.",
-     9, 1, 3, 's', rod_spring_transmissibility_regime, rod_spring_transmissibility_loops},
+     9, 1, 3, rod_spring_transmissibility_regime, rod_spring_transmissibility_loops},
     {"backbone",
      "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     5, 1, 3, 's', rod_spring_backbone_regime, rod_spring_backbone_loops},
+     5, 1, 3, rod_spring_backbone_regime, rod_spring_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",
-     4, 1, 1, 's', NULL, rod_spring_limit_envelope_loops},
+     4, 1, 1, NULL, rod_spring_limit_envelope_loops},
     {"equivalent_damping",
      "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
      "A > 0.",
-     4, 1, 1, 's', NULL, rod_spring_equivalent_damping_loops},
+     4, 1, 1, NULL, rod_spring_equivalent_damping_loops},
 };
 
 const sf_module sf_module_rod_spring = {"rod_spring", kernels, sizeof kernels / sizeof kernels[0]};

@@ -130,15 +130,15 @@ static const sf_kernel kernels[] = {
     {"response",
      "Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega. Equation beyond (23). "
      "Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.",
-     14, 9, 1, 't', NULL, second_approximation_response_loops},
+     14, 9, 1, NULL, second_approximation_response_loops},
     {"detachment",
      "R, I, largest displacement, and what vanishes where the forcing that reaches it is least. Equation beyond "
      "(23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.",
-     13, 4, 1, 't', NULL, second_approximation_detachment_loops},
+     13, 4, 1, NULL, second_approximation_detachment_loops},
     {"folds",
      "F and its derivatives: a fold has F = F_A = 0, a cusp all three. Equation beyond (23). Domain: Omega > 0, A > "
      "0, |h| < 9 A Omega^2.",
-     17, 3, 1, 't', NULL, second_approximation_folds_loops},
+     17, 3, 1, NULL, second_approximation_folds_loops},
 };
 
 const sf_module sf_module_second_approximation = {"second_approximation", kernels, sizeof kernels / sizeof kernels[0]};

@@ -13,8 +13,8 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import floats
+from slowflow_support.backend import NATIVE
+from slowflow_support.broadcast import floats
 
 __all__ = [
     "S_ratio",
@@ -114,4 +114,12 @@ def motion(tau, Omega, A, mu):
     )
 
 
-globals().update(compiled("den_hartog"))
+if NATIVE is not None:
+    (
+        V,
+        U,
+        S_ratio,
+        amplitude,
+        bound,
+        motion,
+    ) = NATIVE.den_hartog()

@@ -13,8 +13,9 @@ FORCE: force and slope of each piece, for any kind of number that has arithmetic
 # fmt: off
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import floats, full, stacked
+from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
+from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
+from slowflow_support.record import Mechanism, Parameter
 
 NAME = "duffing"
 PARAMETERS = ("alpha", "beta")
@@ -56,6 +57,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "hardening",
     "harmonics",
     "jacobian",
     "jumps",
@@ -69,21 +71,37 @@ __all__ = [
 ]
 
 
+def _averaged_passed_0(A, alpha, beta):
+    # operations: 12 structured, 9 common subexpressions, 9 power chains
+    t0 = A * A * beta
+    t1 = 4.5 * beta
+    return (
+        A * (-alpha - 0.75 * t0),
+        -alpha - 2.25 * t0,
+        -A * t1,
+        -t1,
+    )
+
+
 def averaged(A, alpha, beta):
     """h, h_A, h_AA, h_AAA together.
 
     Equation (20)-(22), (31). Domain: A >= 0.
-    Operations: 12 structured, 9 common subexpressions, 9 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_averaged_passed_0,)
+    return by_regime(guards, bodies, arguments, 4)
+
+
+def _averaged_3_passed_0(A, alpha, beta):
+    # operations: 11 structured, 9 common subexpressions, 9 power chains
     t0 = A * A * beta
-    t1 = 4.5 * beta
-    arguments = (A, alpha, beta)
     return (
         A * (-alpha - 0.75 * t0),
         -alpha - 2.25 * t0,
-        full(-A * t1, arguments),
-        full(-t1, arguments),
+        -4.5 * A * beta,
     )
 
 
@@ -91,15 +109,20 @@ def averaged_3(A, alpha, beta):
     """h, h_A, h_AA together.
 
     Equation (20)-(22), (31). Domain: A >= 0.
-    Operations: 11 structured, 9 common subexpressions, 9 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_averaged_3_passed_0,)
+    return by_regime(guards, bodies, arguments, 3)
+
+
+def _averaged_2_passed_0(A, alpha, beta):
+    # operations: 9 structured, 7 common subexpressions, 7 power chains
     t0 = A * A * beta
-    arguments = (A, alpha, beta)
     return (
         A * (-alpha - 0.75 * t0),
         -alpha - 2.25 * t0,
-        full(-4.5 * A * beta, arguments),
     )
 
 
@@ -107,120 +130,173 @@ def averaged_2(A, alpha, beta):
     """h, h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0.
-    Operations: 9 structured, 7 common subexpressions, 7 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    t0 = A * A * beta
-    return (
-        A * (-alpha - 0.75 * t0),
-        -alpha - 2.25 * t0,
-    )
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_averaged_2_passed_0,)
+    return by_regime(guards, bodies, arguments, 2)
+
+
+def _h_passed_0(A, alpha, beta):
+    # operations: 5 structured, 5 common subexpressions, 5 power chains
+    return A * (-0.75 * A * A * beta - alpha)
 
 
 def h(A, alpha, beta):
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0.
-    Operations: 5 structured, 5 common subexpressions, 5 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    return A * (-0.75 * A * A * beta - alpha)
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_h_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _h_A_passed_0(A, alpha, beta):
+    # operations: 4 structured, 4 common subexpressions, 4 power chains
+    return -2.25 * A * A * beta - alpha
 
 
 def h_A(A, alpha, beta):
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: A >= 0.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    return -2.25 * A * A * beta - alpha
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_h_A_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _h_AA_passed_0(A, alpha, beta):
+    # operations: 2 structured, 2 common subexpressions, 2 power chains
+    return -4.5 * A * beta
 
 
 def h_AA(A, alpha, beta):
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    return full(-4.5 * A * beta, (A, alpha, beta))
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_h_AA_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _h_AAA_passed_0(A, alpha, beta):
+    # operations: 1 structured, 1 common subexpressions, 1 power chains
+    return -4.5 * beta
 
 
 def h_AAA(A, alpha, beta):
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0.
-    Operations: 1 structured, 1 common subexpressions, 1 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    return full(-4.5 * beta, (A, alpha, beta))
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_h_AAA_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _H_passed_0(A, alpha, beta):
+    # operations: 6 structured, 6 common subexpressions, 6 power chains
+    return A * (-0.75 * A * A * beta - alpha + 1.0)
 
 
 def H(A, alpha, beta):
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: A >= 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    return A * (-0.75 * A * A * beta - alpha + 1.0)
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_H_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _H_A_passed_0(A, alpha, beta):
+    # operations: 5 structured, 5 common subexpressions, 5 power chains
+    return -2.25 * A * A * beta - alpha + 1.0
 
 
 def H_A(A, alpha, beta):
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0.
-    Operations: 5 structured, 5 common subexpressions, 5 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    return -2.25 * A * A * beta - alpha + 1.0
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_H_A_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _H_AA_passed_0(A, alpha, beta):
+    # operations: 2 structured, 2 common subexpressions, 2 power chains
+    return -4.5 * A * beta
 
 
 def H_AA(A, alpha, beta):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: A >= 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    return full(-4.5 * A * beta, (A, alpha, beta))
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_H_AA_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _harmonics_passed_0(A, alpha, beta):
+    # operations: 10 structured, 9 common subexpressions, 8 power chains
+    t0 = 1.5 * beta
+    A2 = A * A
+    A3 = A * A2
+    return (
+        -0.25 * A3 * beta,
+        -0.75 * A2 * beta,
+        -A * t0,
+        -t0,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
 
 
 def harmonics(A, alpha, beta):
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
     Equation beyond (20). Domain: A >= 0.
-    Operations: 10 structured, 9 common subexpressions, 8 power chains.
     """
-    A, alpha, beta = floats(A, alpha, beta)
-    t0 = 1.5 * beta
-    A2 = A * A
-    A3 = A * A2
-    arguments = (A, alpha, beta)
-    return (
-        full(-0.25 * A3 * beta, arguments),
-        full(-0.75 * A2 * beta, arguments),
-        full(-A * t0, arguments),
-        full(-t0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-    )
+    arguments = floats(A, alpha, beta)
+    A, alpha, beta = arguments
+    guards = ()
+    bodies = (_harmonics_passed_0,)
+    return by_regime(guards, bodies, arguments, 8)
 
 
-def coefficients(kappa_1, kappa_3):
-    """The parameters alpha, beta from the design ratios.
+def coefficients(alpha, beta):
+    """The parameters alpha, beta from the design.
 
-    Equation (5), (7). Domain: any ratios.
-    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Equation (5), (7). Domain: any design.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
-    kappa_1, kappa_3 = floats(kappa_1, kappa_3)
-    arguments = (kappa_1, kappa_3)
+    alpha, beta = floats(alpha, beta)
+    arguments = (alpha, beta)
     return (
-        full(kappa_1 + 1.0, arguments),
-        full(kappa_3, arguments),
+        full(alpha, arguments),
+        full(beta, arguments),
     )
 
 
@@ -244,26 +320,53 @@ def jumps(alpha, beta):
     return ()
 
 
+def hardening(alpha, beta):
+    """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
+
+    Equation from (3). Domain: any parameters.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    """
+    alpha, beta = floats(alpha, beta)
+    arguments = (alpha, beta)
+    return (
+        full(beta, arguments),
+    )
+
+
+def _force_piece_1(u, alpha, beta):
+    # operations: 4 structured, 4 common subexpressions, 4 power chains
+    return u * (alpha + beta * u * u)
+
+
 def force(u, alpha, beta):
     """Whole dimensionless restoring force u + F_k(u), truncated.
 
     Equation (3), (6). Domain: any u.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
     """
-    u, alpha, beta = floats(u, alpha, beta)
-    return u * (alpha + beta * u * u)
+    arguments = floats(u, alpha, beta)
+    u, alpha, beta = arguments
+    guards = ()
+    bodies = (_force_piece_1,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _untruncated_force_piece_1(u, kappa_1, kappa_3):
+    # operations: 6 structured, 6 common subexpressions, 6 power chains
+    u2 = u * u
+    u3 = u * u2
+    return kappa_1 * u + kappa_3 * u3 + u
 
 
 def untruncated_force(u, kappa_1, kappa_3):
     """Whole dimensionless restoring force u + F_k(u), untruncated.
 
     Equation (3), (5). Domain: any u.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
     """
-    u, kappa_1, kappa_3 = floats(u, kappa_1, kappa_3)
-    u2 = u * u
-    u3 = u * u2
-    return kappa_1 * u + kappa_3 * u3 + u
+    arguments = floats(u, kappa_1, kappa_3)
+    u, kappa_1, kappa_3 = arguments
+    guards = ()
+    bodies = (_untruncated_force_piece_1,)
+    return number_by_regime(guards, bodies, arguments)
 
 
 def force_1(u, alpha, beta):
@@ -526,4 +629,70 @@ def equivalent_damping(Omega, A, mu, zeta):
 
 FORCE = ((force_1, force_1_u),)
 
-globals().update(compiled("duffing"))
+if NATIVE is not None:
+    (
+        averaged,
+        averaged_3,
+        averaged_2,
+        h,
+        h_A,
+        h_AA,
+        h_AAA,
+        H,
+        H_A,
+        H_AA,
+        harmonics,
+        coefficients,
+        hardening,
+        force,
+        untruncated_force,
+        saddle_node_onset,
+        saddle_nodes,
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        jacobian,
+        stability,
+        transmissibility,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+    ) = NATIVE.duffing()
+    saddle_node_onset = coefficients_of(saddle_node_onset)
+    saddle_nodes = coefficients_of(saddle_nodes)
+    hardening = in_tuple(hardening)
+
+
+_DESIGN = (
+    Parameter("alpha", "linear stiffness k_v + k_1; alpha <= 0 is allowed", "k_v"),
+    Parameter("beta", "cubic stiffness k_3; beta < 0 softens", "k_v/L^2"),
+)
+_PARAMETERS = (
+    Parameter("alpha", "linear stiffness k_v + k_1; alpha <= 0 is allowed", "k_v"),
+    Parameter("beta", "cubic stiffness k_3; beta < 0 softens", "k_v/L^2"),
+)
+MECHANISM = Mechanism(
+    name="duffing",
+    title="Duffing oscillator: one cubic piece, no breakpoint",
+    design=_DESIGN,
+    parameters=_PARAMETERS,
+    coefficients=coefficients,
+    pieces=FORCE,
+    breakpoints=breakpoints,
+    jumps=jumps,
+    hardening=hardening,
+    averaged=averaged,
+    harmonics=harmonics,
+    harmonics_up_to=float("inf"),
+    reach=float("inf"),
+    reach_reason="",
+    truncated=False,
+    attached=None,
+    load_untruncated=None,
+)

@@ -12,8 +12,8 @@ docstring gives equation number, domain and the operations after each pass.
 # fmt: off
 
 from slowflow_kernels import slow_flow_mu0 as flow
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import floats, full, stacked
+from slowflow_support.backend import NATIVE, coefficients_of
+from slowflow_support.broadcast import floats, full, stacked
 from slowflow_kernels.duffing import (
     HARMONICS_UP_TO,
     H_A,
@@ -34,6 +34,7 @@ from slowflow_kernels.duffing import (
     h_A,
     h_AA,
     h_AAA,
+    hardening,
     harmonics,
     jumps,
     untruncated_force,
@@ -69,6 +70,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "hardening",
     "harmonics",
     "jacobian",
     "jumps",
@@ -259,4 +261,25 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-globals().update(compiled("duffing_mu0"))
+if NATIVE is not None:
+    (
+        saddle_node_onset,
+        saddle_nodes,
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        jacobian,
+        stability,
+        transmissibility,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+    ) = NATIVE.duffing_mu0()
+    saddle_node_onset = coefficients_of(saddle_node_onset)
+    saddle_nodes = coefficients_of(saddle_nodes)

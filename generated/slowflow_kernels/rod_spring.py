@@ -16,8 +16,9 @@ Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of the
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import by_regime, floats, full, stacked
+from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
+from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
+from slowflow_support.record import Mechanism, Parameter, nothing
 
 NAME = "rod_spring"
 PARAMETERS = ("alpha", "beta", "gamma", "u_cr")
@@ -46,6 +47,7 @@ __all__ = [
     "H",
     "I",
     "R",
+    "attached",
     "averaged",
     "averaged_2",
     "averaged_3",
@@ -62,6 +64,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "hardening",
     "harmonics",
     "jacobian",
     "jumps",
@@ -430,12 +433,30 @@ def averaged_2(A, alpha, beta, gamma, u_cr):
     return by_regime(guards, bodies, arguments, 2)
 
 
+def attached(A, alpha, beta, gamma, u_cr):
+    """The first piece alone: h, h_A, h_AA, h_AAA together.
+
+    Equation (20), (21). Domain: 0 <= A <= u_cr.
+    Operations: 28 structured, 19 common subexpressions, 19 power chains.
+    """
+    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
+    t0 = -alpha
+    t1 = A * A
+    t2 = gamma * t1
+    t3 = 4.5 * beta
+    arguments = (A, alpha, beta, gamma, u_cr)
+    return (
+        full(A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), arguments),
+        full(t0 + t1 * (-2.25 * beta - 3.125 * t2), arguments),
+        full(A * (-12.5 * t2 - t3), arguments),
+        full(-37.5 * t2 - t3, arguments),
+    )
+
+
 def _h_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 9 structured, 8 common subexpressions, 8 power chains
     t0 = A * A
-    return (
-        A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0)),
-    )
+    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0))
 
 
 def _h_passed_1(A, alpha, beta, gamma, u_cr):
@@ -455,9 +476,7 @@ def _h_passed_1(A, alpha, beta, gamma, u_cr):
     S2_2 = 0.5 * psi_0 + t2
     A2 = A * A
     A4 = A2 * A2
-    return (
-        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2),
-    )
+    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2)
 
 
 def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -489,29 +508,25 @@ def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     S2_2 = -M2 + 0.78539816339744828
     A2 = A * A
     A4 = A2 * A2
-    return (
-        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2),
-    )
+    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2)
 
 
 def h(A, alpha, beta, gamma, u_cr):
     """The averaged restoring force h = H - A.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: 0 <= A <= u_cr.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_h_passed_0, _h_passed_1, _h_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _h_A_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 8 structured, 7 common subexpressions, 7 power chains
     t0 = A * A
-    return (
-        -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0),
-    )
+    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0)
 
 
 def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
@@ -533,10 +548,8 @@ def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
-    return (
-        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha +
-        u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root)),
-    )
+    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha
+        + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root))
 
 
 def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -570,29 +583,25 @@ def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
-    return (
-        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha +
-        u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root)),
-    )
+    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha
+        + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root))
 
 
 def h_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged restoring force h = H - A.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: 0 <= A <= u_cr.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_h_A_passed_0, _h_A_passed_1, _h_A_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _h_AA_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 6 structured, 6 common subexpressions, 6 power chains
-    return (
-        A * (-12.5 * A * A * gamma - 4.5 * beta),
-    )
+    return A * (-12.5 * A * A * gamma - 4.5 * beta)
 
 
 def _h_AA_passed_1(A, alpha, beta, gamma, u_cr):
@@ -616,10 +625,8 @@ def _h_AA_passed_1(A, alpha, beta, gamma, u_cr):
     t6 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
-    return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
-        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3),
-    )
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
+        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3)
 
 
 def _h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -656,29 +663,25 @@ def _h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t4 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
-    return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
-        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3),
-    )
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
+        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3)
 
 
 def h_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: 0 <= A <= u_cr.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_h_AA_passed_0, _h_AA_passed_1, _h_AA_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _h_AAA_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 5 structured, 5 common subexpressions, 5 power chains
-    return (
-        -37.5 * A * A * gamma - 4.5 * beta,
-    )
+    return -37.5 * A * A * gamma - 4.5 * beta
 
 
 def _h_AAA_passed_1(A, alpha, beta, gamma, u_cr):
@@ -710,10 +713,8 @@ def _h_AAA_passed_1(A, alpha, beta, gamma, u_cr):
     t12 = -t6 - u_cr2 * (t3 + 5.0 * t4)
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
-    return (
-        1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t12 + t10 * t7 + 3.0 * t11 * t12 +
-        6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2)),
-    )
+    return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t12 + t10 * t7 + 3.0 * t11 * t12
+        + 6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2))
 
 
 def _h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -758,30 +759,26 @@ def _h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t10 = -t4 - u_cr2 * (t1 + 5.0 * t2)
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
-    return (
-        1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 + 3.0 * t10 * t9 + 2.0 * t3 *
-        u_cr5 * (t1 + 10.0 * t2) + t5 * t7 * (2.0 * t6 + 3.0 / root2) + t5 * t8 + 6.0 * t5 * t9),
-    )
+    return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 + 3.0 * t10 * t9 + 2.0 * t3 *
+        u_cr5 * (t1 + 10.0 * t2) + t5 * t7 * (2.0 * t6 + 3.0 / root2) + t5 * t8 + 6.0 * t5 * t9)
 
 
 def h_AAA(A, alpha, beta, gamma, u_cr):
     """d3/dA3 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: 0 <= A <= u_cr.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_h_AAA_passed_0, _h_AAA_passed_1, _h_AAA_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _H_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 10 structured, 9 common subexpressions, 9 power chains
     t0 = A * A
-    return (
-        A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0),
-    )
+    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0)
 
 
 def _H_passed_1(A, alpha, beta, gamma, u_cr):
@@ -798,9 +795,7 @@ def _H_passed_1(A, alpha, beta, gamma, u_cr):
     M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     A2 = A * A
     A4 = A2 * A2
-    return (
-        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0)),
-    )
+    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0))
 
 
 def _H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -831,29 +826,25 @@ def _H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
     A2 = A * A
     A4 = A2 * A2
-    return (
-        -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0)),
-    )
+    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0))
 
 
 def H(A, alpha, beta, gamma, u_cr):
     """The averaged force H beside the vertical spring.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: 0 <= A <= u_cr.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_H_passed_0, _H_passed_1, _H_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _H_A_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 9 structured, 8 common subexpressions, 8 power chains
     t0 = A * A
-    return (
-        -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0,
-    )
+    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0
 
 
 def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
@@ -873,10 +864,8 @@ def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
-    return (
-        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t3 + u_cr3 * (t3 + u_cr2 * (beta
-        + gamma * u_cr2)) / (A2 * root)),
-    )
+    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t3 + u_cr3 * (t3 + u_cr2 *
+        (beta + gamma * u_cr2)) / (A2 * root))
 
 
 def _H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -910,29 +899,25 @@ def _H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     u_cr2 = u_cr * u_cr
     A4 = A2 * A2
     u_cr3 = u_cr * u_cr2
-    return (
-        1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t1 + u_cr3 * (t1 + u_cr2 * (beta
-        + gamma * u_cr2)) / (A2 * root)),
-    )
+    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t1 + u_cr3 * (t1 + u_cr2 *
+        (beta + gamma * u_cr2)) / (A2 * root))
 
 
 def H_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged force H beside the vertical spring.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: 0 <= A <= u_cr.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_H_A_passed_0, _H_A_passed_1, _H_A_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _H_AA_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 6 structured, 6 common subexpressions, 6 power chains
-    return (
-        A * (-12.5 * A * A * gamma - 4.5 * beta),
-    )
+    return A * (-12.5 * A * A * gamma - 4.5 * beta)
 
 
 def _H_AA_passed_1(A, alpha, beta, gamma, u_cr):
@@ -956,10 +941,8 @@ def _H_AA_passed_1(A, alpha, beta, gamma, u_cr):
     t6 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
-    return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
-        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3),
-    )
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
+        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3)
 
 
 def _H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -996,22 +979,20 @@ def _H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t4 = u_cr3 / (A3 * root)
     root2 = root * root
     root3 = root * root2
-    return (
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
-        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3),
-    )
+    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
+        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3)
 
 
 def H_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: 0 <= A <= u_cr.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_H_AA_passed_0, _H_AA_passed_1, _H_AA_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _harmonics_passed_0(A, alpha, beta, gamma, u_cr):
@@ -1260,9 +1241,9 @@ def harmonics(A, alpha, beta, gamma, u_cr):
 
 
 def coefficients(lam, r, delta_h):
-    """The parameters alpha, beta, gamma, u_cr from the design ratios.
+    """The parameters alpha, beta, gamma, u_cr from the design.
 
-    Equation (5), (7). Domain: any ratios.
+    Equation (5), (7). Domain: any design.
     Operations: 15 structured, 11 common subexpressions, 11 power chains.
     """
     lam, r, delta_h = floats(lam, r, delta_h)
@@ -1303,19 +1284,31 @@ def jumps(alpha, beta, gamma, u_cr):
     )
 
 
+def hardening(alpha, beta, gamma, u_cr):
+    """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
+
+    Equation from (3). Domain: any parameters.
+    Operations: 8 structured, 7 common subexpressions, 7 power chains.
+    """
+    alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
+    t0 = u_cr * u_cr
+    arguments = (alpha, beta, gamma, u_cr)
+    return (
+        full(beta, arguments),
+        full(gamma, arguments),
+        -u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0),
+    )
+
+
 def _force_piece_1(u, alpha, beta, gamma, u_cr):
     # operations: 7 structured, 6 common subexpressions, 6 power chains
     t0 = u * u
-    return (
-        u * (alpha + t0 * (beta + gamma * t0)),
-    )
+    return u * (alpha + t0 * (beta + gamma * t0))
 
 
 def _force_piece_2(u, alpha, beta, gamma, u_cr):
     # operations: 0 structured, 0 common subexpressions, 0 power chains
-    return (
-        u,
-    )
+    return u
 
 
 def force(u, alpha, beta, gamma, u_cr):
@@ -1327,23 +1320,19 @@ def force(u, alpha, beta, gamma, u_cr):
     u, alpha, beta, gamma, u_cr = arguments
     guards = (np.abs(u) <= u_cr,)
     bodies = (_force_piece_1, _force_piece_2)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _untruncated_force_piece_1(u, lam, r, delta_h):
     # operations: 15 structured, 11 common subexpressions, 11 power chains
     t0 = u * u
     t1 = np.sqrt(1.0 - t0)
-    return (
-        -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u,
-    )
+    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u
 
 
 def _untruncated_force_piece_2(u, lam, r, delta_h):
     # operations: 0 structured, 0 common subexpressions, 0 power chains
-    return (
-        u,
-    )
+    return u
 
 
 def untruncated_force(u, lam, r, delta_h):
@@ -1355,7 +1344,7 @@ def untruncated_force(u, lam, r, delta_h):
     u, lam, r, delta_h = arguments
     guards = (np.abs(u) <= np.sqrt(delta_h) * np.sqrt(2.0 - delta_h),)
     bodies = (_untruncated_force_piece_1, _untruncated_force_piece_2)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def force_1(u, alpha, beta, gamma, u_cr):
@@ -1824,4 +1813,102 @@ FORCE = ((force_1, force_1_u), (force_2, force_2_u))
 
 UNTRUNCATED_FORCE = ((untruncated_force_1, untruncated_force_1_u), (untruncated_force_2, untruncated_force_2_u))
 
-globals().update(compiled("rod_spring"))
+if NATIVE is not None:
+    (
+        averaged,
+        averaged_3,
+        averaged_2,
+        attached,
+        h,
+        h_A,
+        h_AA,
+        h_AAA,
+        H,
+        H_A,
+        H_AA,
+        harmonics,
+        coefficients,
+        breakpoints,
+        jumps,
+        hardening,
+        force,
+        untruncated_force,
+        saddle_node_onset,
+        saddle_nodes,
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        jacobian,
+        stability,
+        transmissibility,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+    ) = NATIVE.rod_spring()
+    saddle_node_onset = coefficients_of(saddle_node_onset)
+    saddle_nodes = coefficients_of(saddle_nodes)
+    breakpoints = in_tuple(breakpoints)
+    jumps = in_tuple(jumps)
+
+
+def _load_untruncated():
+    from slowflow_kernels import rod_spring_exact
+
+    return rod_spring_exact.MECHANISM
+
+
+_DESIGN = (
+    Parameter("lam", "number of horizontal springs", "1", above=0.0),
+    Parameter("r", "stiffness k_h of one of them", "k_v", above=0.0),
+    Parameter("delta_h", "their preload Delta_h; 0 is a linear oscillator", "L", least=0.0, below=1.0),
+)
+_PARAMETERS = (
+    Parameter("alpha", "coefficient of u in the Taylor series of piece 1 of the force", "k_v"),
+    Parameter("beta", "coefficient of u^3 in the Taylor series of piece 1 of the force", "k_v/L^2"),
+    Parameter("gamma", "coefficient of u^5 in the Taylor series of piece 1 of the force", "k_v/L^4"),
+    Parameter("u_cr", "|u| at which piece 1 of the force ends", "L"),
+)
+_ATTACHED = Mechanism(
+    name="rod_spring_attached",
+    title="Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, attached only",
+    design=_DESIGN,
+    parameters=_PARAMETERS,
+    coefficients=coefficients,
+    pieces=FORCE[:1],
+    breakpoints=nothing,
+    jumps=nothing,
+    hardening=hardening,
+    averaged=attached,
+    harmonics=harmonics,
+    harmonics_up_to=float("inf"),
+    reach=1.0,
+    reach_reason="the push-rod stands vertical",
+    truncated=True,
+    attached=None,
+    load_untruncated=_load_untruncated,
+)
+MECHANISM = Mechanism(
+    name="rod_spring",
+    title="Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr",
+    design=_DESIGN,
+    parameters=_PARAMETERS,
+    coefficients=coefficients,
+    pieces=FORCE,
+    breakpoints=breakpoints,
+    jumps=jumps,
+    hardening=hardening,
+    averaged=averaged,
+    harmonics=harmonics,
+    harmonics_up_to=float("inf"),
+    reach=1.0,
+    reach_reason="the push-rod stands vertical",
+    truncated=True,
+    attached=_ATTACHED,
+    load_untruncated=_load_untruncated,
+)

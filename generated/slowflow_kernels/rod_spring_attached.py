@@ -13,8 +13,8 @@ docstring gives equation number, domain and the operations after each pass.
 # fmt: off
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import floats, full
+from slowflow_support.backend import NATIVE
+from slowflow_support.broadcast import by_regime, floats, full, number_by_regime
 from slowflow_kernels.rod_spring import (
     HARMONICS_UP_TO,
     NAME,
@@ -25,6 +25,7 @@ from slowflow_kernels.rod_spring import (
     breakpoints,
     coefficients,
     force,
+    hardening,
     jumps,
     saddle_node_onset,
     saddle_nodes,
@@ -61,6 +62,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "hardening",
     "jacobian",
     "jumps",
     "limit_envelope",
@@ -73,23 +75,41 @@ __all__ = [
 ]
 
 
-def averaged(A, alpha, beta, gamma, u_cr):
-    """h, h_A, h_AA, h_AAA together.
-
-    Equation (20)-(22), (31). Domain: 0 <= A <= u_cr.
-    Operations: 28 structured, 19 common subexpressions, 19 power chains.
-    """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
+def _averaged_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 28 structured, 19 common subexpressions, 19 power chains
     t0 = -alpha
     t1 = A * A
     t2 = gamma * t1
     t3 = 4.5 * beta
-    arguments = (A, alpha, beta, gamma, u_cr)
     return (
-        full(A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), arguments),
-        full(t0 + t1 * (-2.25 * beta - 3.125 * t2), arguments),
-        full(A * (-12.5 * t2 - t3), arguments),
-        full(-37.5 * t2 - t3, arguments),
+        A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)),
+        t0 + t1 * (-2.25 * beta - 3.125 * t2),
+        A * (-12.5 * t2 - t3),
+        -37.5 * t2 - t3,
+    )
+
+
+def averaged(A, alpha, beta, gamma, u_cr):
+    """h, h_A, h_AA, h_AAA together.
+
+    Equation (20)-(22), (31). Domain: 0 <= A <= u_cr.
+    """
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_averaged_passed_0,)
+    return by_regime(guards, bodies, arguments, 4)
+
+
+def _averaged_3_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 23 structured, 17 common subexpressions, 17 power chains
+    t0 = -alpha
+    t1 = A * A
+    t2 = gamma * t1
+    return (
+        A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)),
+        t0 + t1 * (-2.25 * beta - 3.125 * t2),
+        A * (-4.5 * beta - 12.5 * t2),
     )
 
 
@@ -97,17 +117,22 @@ def averaged_3(A, alpha, beta, gamma, u_cr):
     """h, h_A, h_AA together.
 
     Equation (20)-(22), (31). Domain: 0 <= A <= u_cr.
-    Operations: 23 structured, 17 common subexpressions, 17 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_averaged_3_passed_0,)
+    return by_regime(guards, bodies, arguments, 3)
+
+
+def _averaged_2_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 17 structured, 13 common subexpressions, 13 power chains
     t0 = -alpha
     t1 = A * A
     t2 = gamma * t1
-    arguments = (A, alpha, beta, gamma, u_cr)
     return (
-        full(A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), arguments),
-        full(t0 + t1 * (-2.25 * beta - 3.125 * t2), arguments),
-        full(A * (-4.5 * beta - 12.5 * t2), arguments),
+        A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)),
+        t0 + t1 * (-2.25 * beta - 3.125 * t2),
     )
 
 
@@ -115,91 +140,135 @@ def averaged_2(A, alpha, beta, gamma, u_cr):
     """h, h_A together.
 
     Equation (20)-(22), (31). Domain: 0 <= A <= u_cr.
-    Operations: 17 structured, 13 common subexpressions, 13 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    t0 = -alpha
-    t1 = A * A
-    t2 = gamma * t1
-    arguments = (A, alpha, beta, gamma, u_cr)
-    return (
-        full(A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), arguments),
-        full(t0 + t1 * (-2.25 * beta - 3.125 * t2), arguments),
-    )
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_averaged_2_passed_0,)
+    return by_regime(guards, bodies, arguments, 2)
+
+
+def _h_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 9 structured, 8 common subexpressions, 8 power chains
+    t0 = A * A
+    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0))
 
 
 def h(A, alpha, beta, gamma, u_cr):
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: 0 <= A <= u_cr.
-    Operations: 9 structured, 8 common subexpressions, 8 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_h_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _h_A_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 8 structured, 7 common subexpressions, 7 power chains
     t0 = A * A
-    return full(A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0)), (A, alpha, beta, gamma, u_cr))
+    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0)
 
 
 def h_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: 0 <= A <= u_cr.
-    Operations: 8 structured, 7 common subexpressions, 7 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    t0 = A * A
-    return full(-alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0), (A, alpha, beta, gamma, u_cr))
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_h_A_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _h_AA_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 6 structured, 6 common subexpressions, 6 power chains
+    return A * (-12.5 * A * A * gamma - 4.5 * beta)
 
 
 def h_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: 0 <= A <= u_cr.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    return full(A * (-12.5 * A * A * gamma - 4.5 * beta), (A, alpha, beta, gamma, u_cr))
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_h_AA_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _h_AAA_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 5 structured, 5 common subexpressions, 5 power chains
+    return -37.5 * A * A * gamma - 4.5 * beta
 
 
 def h_AAA(A, alpha, beta, gamma, u_cr):
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: 0 <= A <= u_cr.
-    Operations: 5 structured, 5 common subexpressions, 5 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    return full(-37.5 * A * A * gamma - 4.5 * beta, (A, alpha, beta, gamma, u_cr))
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_h_AAA_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _H_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 10 structured, 9 common subexpressions, 9 power chains
+    t0 = A * A
+    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0)
 
 
 def H(A, alpha, beta, gamma, u_cr):
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: 0 <= A <= u_cr.
-    Operations: 10 structured, 9 common subexpressions, 9 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_H_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _H_A_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 9 structured, 8 common subexpressions, 8 power chains
     t0 = A * A
-    return full(A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0), (A, alpha, beta, gamma, u_cr))
+    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0
 
 
 def H_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: 0 <= A <= u_cr.
-    Operations: 9 structured, 8 common subexpressions, 8 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    t0 = A * A
-    return full(-alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0, (A, alpha, beta, gamma, u_cr))
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_H_A_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
+
+
+def _H_AA_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 6 structured, 6 common subexpressions, 6 power chains
+    return A * (-12.5 * A * A * gamma - 4.5 * beta)
 
 
 def H_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: 0 <= A <= u_cr.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
     """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    return full(A * (-12.5 * A * A * gamma - 4.5 * beta), (A, alpha, beta, gamma, u_cr))
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = ()
+    bodies = (_H_AA_passed_0,)
+    return number_by_regime(guards, bodies, arguments)
 
 
 def R(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -336,4 +405,31 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-globals().update(compiled("rod_spring_attached"))
+if NATIVE is not None:
+    (
+        averaged,
+        averaged_3,
+        averaged_2,
+        h,
+        h_A,
+        h_AA,
+        h_AAA,
+        H,
+        H_A,
+        H_AA,
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        jacobian,
+        stability,
+        transmissibility,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+    ) = NATIVE.rod_spring_attached()

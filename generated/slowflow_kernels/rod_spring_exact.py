@@ -17,8 +17,9 @@ Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of the
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import by_regime, floats, full
+from slowflow_support.backend import NATIVE, in_tuple
+from slowflow_support.broadcast import by_regime, floats, full, number_by_regime
+from slowflow_support.record import Mechanism, Parameter
 
 NAME = "rod_spring_exact"
 PARAMETERS = ("alpha", "beta", "u_cr")
@@ -62,6 +63,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "hardening",
     "harmonics",
     "jacobian",
     "jumps",
@@ -3866,9 +3868,7 @@ def _h_passed_0(A, alpha, beta, u_cr):
     e = e_1 + e_2 + e_3 + e_4
     tau = 16.0 * e_4 * e_4 + 2.0 * t0 + 4.0 * t2 + 8.0 * t3
     P = t4 * (e + tau)
-    return (
-        -2.0 * A * P * beta - A * alpha,
-    )
+    return -2.0 * A * P * beta - A * alpha
 
 
 def _h_passed_0_steep(A, alpha, beta, u_cr):
@@ -3910,9 +3910,7 @@ def _h_passed_0_steep(A, alpha, beta, u_cr):
     e = e_1 + e_2 + e_3 + e_4 + e_5 + e_6 + e_7 + e_8
     tau = 256.0 * e_8 * e_8 + 2.0 * t0 + 4.0 * t2 + 8.0 * t3 + 16.0 * t4 + 32.0 * t5 + 64.0 * t6 + 128.0 * t7
     P = t8 * (e + tau)
-    return (
-        -2.0 * A * P * beta - A * alpha,
-    )
+    return -2.0 * A * P * beta - A * alpha
 
 
 def _h_passed_1_far(A, alpha, beta, u_cr):
@@ -4062,9 +4060,7 @@ def _h_passed_1_far(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c - A,
-    )
+    return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c - A
 
 
 def _h_passed_1(A, alpha, beta, u_cr):
@@ -4174,9 +4170,7 @@ def _h_passed_1(A, alpha, beta, u_cr):
         1.0) / (c + delta_9)
     )
     T3 = T * t0
-    return (
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c - A,
-    )
+    return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c - A
 
 
 def _h_passed_1_steep_far(A, alpha, beta, u_cr):
@@ -4336,9 +4330,7 @@ def _h_passed_1_steep_far(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A,
-    )
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A
 
 
 def _h_passed_1_steep(A, alpha, beta, u_cr):
@@ -4498,9 +4490,7 @@ def _h_passed_1_steep(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A,
-    )
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A
 
 
 def h(A, alpha, beta, u_cr):
@@ -4512,7 +4502,7 @@ def h(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_h_passed_0, _h_passed_0_steep, _h_passed_1_far, _h_passed_1, _h_passed_1_steep_far, _h_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _h_A_passed_0(A, alpha, beta, u_cr):
@@ -4544,9 +4534,7 @@ def _h_A_passed_0(A, alpha, beta, u_cr):
     P = t7 * (e + tau)
     B = t6 * (-m * tau + 1.0)
     C = 2.0 * t6 * tau
-    return (
-        -alpha - 2.0 * beta * (B * m / k - C * m + P),
-    )
+    return -alpha - 2.0 * beta * (B * m / k - C * m + P)
 
 
 def _h_A_passed_0_steep(A, alpha, beta, u_cr):
@@ -4594,9 +4582,7 @@ def _h_A_passed_0_steep(A, alpha, beta, u_cr):
     P = t11 * (e + tau)
     B = t10 * (-m * tau + 1.0)
     C = 2.0 * t10 * tau
-    return (
-        -alpha - 2.0 * beta * (B * m / k - C * m + P),
-    )
+    return -alpha - 2.0 * beta * (B * m / k - C * m + P)
 
 
 def _h_A_passed_1_far(A, alpha, beta, u_cr):
@@ -4783,9 +4769,7 @@ def _h_A_passed_1_far(A, alpha, beta, u_cr):
     )
     u_cr2 = u_cr * u_cr
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0,
-    )
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0
 
 
 def _h_A_passed_1(A, alpha, beta, u_cr):
@@ -4917,9 +4901,7 @@ def _h_A_passed_1(A, alpha, beta, u_cr):
     T4 = t0 * t0
     T5 = T * T4
     T3 = T * t0
-    return (
-        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c) - 1.0,
-    )
+    return -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c) - 1.0
 
 
 def _h_A_passed_1_steep_far(A, alpha, beta, u_cr):
@@ -5211,9 +5193,7 @@ def _h_A_passed_1_steep_far(A, alpha, beta, u_cr):
         term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0,
-    )
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0
 
 
 def _h_A_passed_1_steep(A, alpha, beta, u_cr):
@@ -5469,9 +5449,7 @@ def _h_A_passed_1_steep(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0,
-    )
+    return -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0
 
 
 def h_A(A, alpha, beta, u_cr):
@@ -5483,7 +5461,7 @@ def h_A(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_h_A_passed_0, _h_A_passed_0_steep, _h_A_passed_1_far, _h_A_passed_1, _h_A_passed_1_steep_far, _h_A_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _h_AA_passed_0(A, alpha, beta, u_cr):
@@ -5512,9 +5490,7 @@ def _h_AA_passed_0(A, alpha, beta, u_cr):
     tau = 16.0 * e_4 * e_4 + 2.0 * t2 + 4.0 * t4 + 8.0 * t5
     B = t6 * (-m * tau + 1.0)
     C = 2.0 * t6 * tau
-    return (
-        -2.0 * A * beta * (2.0 * B / (k * k) + C / k),
-    )
+    return -2.0 * A * beta * (2.0 * B / (k * k) + C / k)
 
 
 def _h_AA_passed_0_steep(A, alpha, beta, u_cr):
@@ -5559,9 +5535,7 @@ def _h_AA_passed_0_steep(A, alpha, beta, u_cr):
     tau = 256.0 * e_8 * e_8 + 2.0 * t2 + 4.0 * t4 + 8.0 * t5 + 16.0 * t6 + 32.0 * t7 + 64.0 * t8 + 128.0 * t9
     B = t10 * (-m * tau + 1.0)
     C = 2.0 * t10 * tau
-    return (
-        -2.0 * A * beta * (2.0 * B / (k * k) + C / k),
-    )
+    return -2.0 * A * beta * (2.0 * B / (k * k) + C / k)
 
 
 def _h_AA_passed_1_far(A, alpha, beta, u_cr):
@@ -5755,10 +5729,8 @@ def _h_AA_passed_1_far(A, alpha, beta, u_cr):
     )
     u_cr2 = u_cr * u_cr
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 * T3 *
-        sum_2 * u_cr2 / c) / A,
-    )
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 * T3 *
+        sum_2 * u_cr2 / c) / A
 
 
 def _h_AA_passed_1(A, alpha, beta, u_cr):
@@ -5872,9 +5844,7 @@ def _h_AA_passed_1(A, alpha, beta, u_cr):
     A3 = A * A2
     c2 = c * c
     c3 = c * c2
-    return (
-        -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root)),
-    )
+    return -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root))
 
 
 def _h_AA_passed_1_steep_far(A, alpha, beta, u_cr):
@@ -6276,10 +6246,8 @@ def _h_AA_passed_1_steep_far(A, alpha, beta, u_cr):
         * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c - 6.0 *
-        V2 - 7.0 * V4 - 3.0 * V6) / A,
-    )
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c - 6.0
+        * V2 - 7.0 * V4 - 3.0 * V6) / A
 
 
 def _h_AA_passed_1_steep(A, alpha, beta, u_cr):
@@ -6571,9 +6539,7 @@ def _h_AA_passed_1_steep(A, alpha, beta, u_cr):
     A3 = A * A2
     c2 = c * c
     c3 = c * c2
-    return (
-        -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root)),
-    )
+    return -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root))
 
 
 def h_AA(A, alpha, beta, u_cr):
@@ -6585,7 +6551,7 @@ def h_AA(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_h_AA_passed_0, _h_AA_passed_0_steep, _h_AA_passed_1_far, _h_AA_passed_1, _h_AA_passed_1_steep_far, _h_AA_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _h_AAA_passed_0(A, alpha, beta, u_cr):
@@ -6616,9 +6582,7 @@ def _h_AAA_passed_0(A, alpha, beta, u_cr):
     C = 2.0 * t6 * tau
     k2 = k * k
     k3 = k * k2
-    return (
-        -2.0 * beta * (B * (5.0 * m + 3.0) / k3 + C * (7.0 * m - 3.0) / k2),
-    )
+    return -2.0 * beta * (B * (5.0 * m + 3.0) / k3 + C * (7.0 * m - 3.0) / k2)
 
 
 def _h_AAA_passed_0_steep(A, alpha, beta, u_cr):
@@ -6665,9 +6629,7 @@ def _h_AAA_passed_0_steep(A, alpha, beta, u_cr):
     C = 2.0 * t10 * tau
     k2 = k * k
     k3 = k * k2
-    return (
-        -2.0 * beta * (B * (5.0 * m + 3.0) / k3 + C * (7.0 * m - 3.0) / k2),
-    )
+    return -2.0 * beta * (B * (5.0 * m + 3.0) / k3 + C * (7.0 * m - 3.0) / k2)
 
 
 def _h_AAA_passed_1_far(A, alpha, beta, u_cr):
@@ -6897,10 +6859,8 @@ def _h_AAA_passed_1_far(A, alpha, beta, u_cr):
     )
     u_cr2 = u_cr * u_cr
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (-192.0 * T3 * sum_0 * u_cr2 / c - 384.0 * T3 * sum_1 * u_cr2 / c - 360.0 * T3 *
-        sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2,
-    )
+    return 2.5464790894703255 * beta * (-192.0 * T3 * sum_0 * u_cr2 / c - 384.0 * T3 * sum_1 * u_cr2 / c - 360.0 *
+        T3 * sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2
 
 
 def _h_AAA_passed_1(A, alpha, beta, u_cr):
@@ -7024,10 +6984,8 @@ def _h_AAA_passed_1(A, alpha, beta, u_cr):
     A4 = A2 * A2
     c4 = c2 * c2
     c5 = c * c4
-    return (
-        -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4 * c3 *
-        root) + u_cr5 / (A2 * c3 * root3)),
-    )
+    return -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4 * c3
+        * root) + u_cr5 / (A2 * c3 * root3))
 
 
 def _h_AAA_passed_1_steep_far(A, alpha, beta, u_cr):
@@ -7577,10 +7535,8 @@ def _h_AAA_passed_1_steep_far(A, alpha, beta, u_cr):
         tangent_8_3 * term_8 + tangent_9_3 * term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (-192.0 * T3 * sum_0 / c - 384.0 * T3 * sum_1 / c - 360.0 * T3 * sum_2 / c -
-        120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2,
-    )
+    return 2.5464790894703255 * beta * (-192.0 * T3 * sum_0 / c - 384.0 * T3 * sum_1 / c - 360.0 * T3 * sum_2 / c -
+        120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2
 
 
 def _h_AAA_passed_1_steep(A, alpha, beta, u_cr):
@@ -7989,10 +7945,8 @@ def _h_AAA_passed_1_steep(A, alpha, beta, u_cr):
     A4 = A2 * A2
     c4 = c2 * c2
     c5 = c * c4
-    return (
-        -2.5464790894703255 * beta * (3.0 * A2 * (5.0 * A2 * V8 + 6.0 * V6) + 3.0 * V4 - 3.0 * u_cr5 / (A4 * c5 *
-        root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3)),
-    )
+    return -2.5464790894703255 * beta * (3.0 * A2 * (5.0 * A2 * V8 + 6.0 * V6) + 3.0 * V4 - 3.0 * u_cr5 / (A4 * c5 *
+        root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3))
 
 
 def h_AAA(A, alpha, beta, u_cr):
@@ -8004,7 +7958,7 @@ def h_AAA(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_h_AAA_passed_0, _h_AAA_passed_0_steep, _h_AAA_passed_1_far, _h_AAA_passed_1, _h_AAA_passed_1_steep_far, _h_AAA_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _H_passed_0(A, alpha, beta, u_cr):
@@ -8030,9 +7984,7 @@ def _H_passed_0(A, alpha, beta, u_cr):
     e = e_1 + e_2 + e_3 + e_4
     tau = 16.0 * e_4 * e_4 + 2.0 * t0 + 4.0 * t2 + 8.0 * t3
     P = t4 * (e + tau)
-    return (
-        -2.0 * A * P * beta - A * (alpha - 1.0),
-    )
+    return -2.0 * A * P * beta - A * (alpha - 1.0)
 
 
 def _H_passed_0_steep(A, alpha, beta, u_cr):
@@ -8074,9 +8026,7 @@ def _H_passed_0_steep(A, alpha, beta, u_cr):
     e = e_1 + e_2 + e_3 + e_4 + e_5 + e_6 + e_7 + e_8
     tau = 256.0 * e_8 * e_8 + 2.0 * t0 + 4.0 * t2 + 8.0 * t3 + 16.0 * t4 + 32.0 * t5 + 64.0 * t6 + 128.0 * t7
     P = t8 * (e + tau)
-    return (
-        -2.0 * A * P * beta - A * (alpha - 1.0),
-    )
+    return -2.0 * A * P * beta - A * (alpha - 1.0)
 
 
 def _H_passed_1_far(A, alpha, beta, u_cr):
@@ -8226,9 +8176,7 @@ def _H_passed_1_far(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c,
-    )
+    return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c
 
 
 def _H_passed_1(A, alpha, beta, u_cr):
@@ -8338,9 +8286,7 @@ def _H_passed_1(A, alpha, beta, u_cr):
         1.0) / (c + delta_9)
     )
     T3 = T * t0
-    return (
-        20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c,
-    )
+    return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c
 
 
 def _H_passed_1_steep_far(A, alpha, beta, u_cr):
@@ -8500,9 +8446,7 @@ def _H_passed_1_steep_far(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2),
-    )
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2)
 
 
 def _H_passed_1_steep(A, alpha, beta, u_cr):
@@ -8662,9 +8606,7 @@ def _H_passed_1_steep(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2),
-    )
+    return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2)
 
 
 def H(A, alpha, beta, u_cr):
@@ -8676,7 +8618,7 @@ def H(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_H_passed_0, _H_passed_0_steep, _H_passed_1_far, _H_passed_1, _H_passed_1_steep_far, _H_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _H_A_passed_0(A, alpha, beta, u_cr):
@@ -8708,9 +8650,7 @@ def _H_A_passed_0(A, alpha, beta, u_cr):
     P = t7 * (e + tau)
     B = t6 * (-m * tau + 1.0)
     C = 2.0 * t6 * tau
-    return (
-        -alpha - 2.0 * beta * (B * m / k - C * m + P) + 1.0,
-    )
+    return -alpha - 2.0 * beta * (B * m / k - C * m + P) + 1.0
 
 
 def _H_A_passed_0_steep(A, alpha, beta, u_cr):
@@ -8758,9 +8698,7 @@ def _H_A_passed_0_steep(A, alpha, beta, u_cr):
     P = t11 * (e + tau)
     B = t10 * (-m * tau + 1.0)
     C = 2.0 * t10 * tau
-    return (
-        -alpha - 2.0 * beta * (B * m / k - C * m + P) + 1.0,
-    )
+    return -alpha - 2.0 * beta * (B * m / k - C * m + P) + 1.0
 
 
 def _H_A_passed_1_far(A, alpha, beta, u_cr):
@@ -8947,9 +8885,7 @@ def _H_A_passed_1_far(A, alpha, beta, u_cr):
     )
     u_cr2 = u_cr * u_cr
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c),
-    )
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c)
 
 
 def _H_A_passed_1(A, alpha, beta, u_cr):
@@ -9081,9 +9017,7 @@ def _H_A_passed_1(A, alpha, beta, u_cr):
     T4 = t0 * t0
     T5 = T * T4
     T3 = T * t0
-    return (
-        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c),
-    )
+    return -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c)
 
 
 def _H_A_passed_1_steep_far(A, alpha, beta, u_cr):
@@ -9375,9 +9309,7 @@ def _H_A_passed_1_steep_far(A, alpha, beta, u_cr):
         term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4),
-    )
+    return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4)
 
 
 def _H_A_passed_1_steep(A, alpha, beta, u_cr):
@@ -9633,9 +9565,7 @@ def _H_A_passed_1_steep(A, alpha, beta, u_cr):
         term_6 + term_7 + term_8 + term_9
     )
     T3 = T * t0
-    return (
-        -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2),
-    )
+    return -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2)
 
 
 def H_A(A, alpha, beta, u_cr):
@@ -9647,7 +9577,7 @@ def H_A(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_H_A_passed_0, _H_A_passed_0_steep, _H_A_passed_1_far, _H_A_passed_1, _H_A_passed_1_steep_far, _H_A_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _H_AA_passed_0(A, alpha, beta, u_cr):
@@ -9676,9 +9606,7 @@ def _H_AA_passed_0(A, alpha, beta, u_cr):
     tau = 16.0 * e_4 * e_4 + 2.0 * t2 + 4.0 * t4 + 8.0 * t5
     B = t6 * (-m * tau + 1.0)
     C = 2.0 * t6 * tau
-    return (
-        -2.0 * A * beta * (2.0 * B / (k * k) + C / k),
-    )
+    return -2.0 * A * beta * (2.0 * B / (k * k) + C / k)
 
 
 def _H_AA_passed_0_steep(A, alpha, beta, u_cr):
@@ -9723,9 +9651,7 @@ def _H_AA_passed_0_steep(A, alpha, beta, u_cr):
     tau = 256.0 * e_8 * e_8 + 2.0 * t2 + 4.0 * t4 + 8.0 * t5 + 16.0 * t6 + 32.0 * t7 + 64.0 * t8 + 128.0 * t9
     B = t10 * (-m * tau + 1.0)
     C = 2.0 * t10 * tau
-    return (
-        -2.0 * A * beta * (2.0 * B / (k * k) + C / k),
-    )
+    return -2.0 * A * beta * (2.0 * B / (k * k) + C / k)
 
 
 def _H_AA_passed_1_far(A, alpha, beta, u_cr):
@@ -9919,10 +9845,8 @@ def _H_AA_passed_1_far(A, alpha, beta, u_cr):
     )
     u_cr2 = u_cr * u_cr
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 * T3 *
-        sum_2 * u_cr2 / c) / A,
-    )
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 * T3 *
+        sum_2 * u_cr2 / c) / A
 
 
 def _H_AA_passed_1(A, alpha, beta, u_cr):
@@ -10036,9 +9960,7 @@ def _H_AA_passed_1(A, alpha, beta, u_cr):
     A3 = A * A2
     c2 = c * c
     c3 = c * c2
-    return (
-        -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root)),
-    )
+    return -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root))
 
 
 def _H_AA_passed_1_steep_far(A, alpha, beta, u_cr):
@@ -10440,10 +10362,8 @@ def _H_AA_passed_1_steep_far(A, alpha, beta, u_cr):
         * tangent_7 * term_7 + tangent_8 * tangent_8 * term_8 + tangent_9 * tangent_9 * term_9
     )
     T3 = T * t0
-    return (
-        2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c - 6.0 *
-        V2 - 7.0 * V4 - 3.0 * V6) / A,
-    )
+    return 2.5464790894703255 * beta * (48.0 * T3 * sum_0 / c + 56.0 * T3 * sum_1 / c + 24.0 * T3 * sum_2 / c - 6.0
+        * V2 - 7.0 * V4 - 3.0 * V6) / A
 
 
 def _H_AA_passed_1_steep(A, alpha, beta, u_cr):
@@ -10735,9 +10655,7 @@ def _H_AA_passed_1_steep(A, alpha, beta, u_cr):
     A3 = A * A2
     c2 = c * c
     c3 = c * c2
-    return (
-        -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root)),
-    )
+    return -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root))
 
 
 def H_AA(A, alpha, beta, u_cr):
@@ -10749,7 +10667,7 @@ def H_AA(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_H_AA_passed_0, _H_AA_passed_0_steep, _H_AA_passed_1_far, _H_AA_passed_1, _H_AA_passed_1_steep_far, _H_AA_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _harmonics_passed_0(A, alpha, beta, u_cr):
@@ -11968,9 +11886,9 @@ def harmonics(A, alpha, beta, u_cr):
 
 
 def coefficients(lam, r, delta_h):
-    """The parameters alpha, beta, u_cr from the design ratios.
+    """The parameters alpha, beta, u_cr from the design.
 
-    Equation (5), (7). Domain: any ratios.
+    Equation (5), (7). Domain: any design.
     Operations: 11 structured, 10 common subexpressions, 10 power chains.
     """
     lam, r, delta_h = floats(lam, r, delta_h)
@@ -12009,19 +11927,28 @@ def jumps(alpha, beta, u_cr):
     )
 
 
+def hardening(alpha, beta, u_cr):
+    """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
+
+    Equation from (3). Domain: any parameters.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    alpha, beta, u_cr = floats(alpha, beta, u_cr)
+    arguments = (alpha, beta, u_cr)
+    return (
+        full(2.0 * beta, arguments),
+    )
+
+
 def _force_piece_1(u, alpha, beta, u_cr):
     # operations: 16 structured, 12 common subexpressions, 12 power chains
     t0 = np.sqrt((1.0 - u) * (u + 1.0))
-    return (
-        u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0))),
-    )
+    return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)))
 
 
 def _force_piece_2(u, alpha, beta, u_cr):
     # operations: 0 structured, 0 common subexpressions, 0 power chains
-    return (
-        u,
-    )
+    return u
 
 
 def force(u, alpha, beta, u_cr):
@@ -12033,23 +11960,19 @@ def force(u, alpha, beta, u_cr):
     u, alpha, beta, u_cr = arguments
     guards = (np.abs(u) <= u_cr,)
     bodies = (_force_piece_1, _force_piece_2)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def _untruncated_force_piece_1(u, lam, r, delta_h):
     # operations: 15 structured, 11 common subexpressions, 11 power chains
     t0 = u * u
     t1 = np.sqrt(1.0 - t0)
-    return (
-        -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u,
-    )
+    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u
 
 
 def _untruncated_force_piece_2(u, lam, r, delta_h):
     # operations: 0 structured, 0 common subexpressions, 0 power chains
-    return (
-        u,
-    )
+    return u
 
 
 def untruncated_force(u, lam, r, delta_h):
@@ -12061,7 +11984,7 @@ def untruncated_force(u, lam, r, delta_h):
     u, lam, r, delta_h = arguments
     guards = (np.abs(u) <= np.sqrt(delta_h) * np.sqrt(2.0 - delta_h),)
     bodies = (_untruncated_force_piece_1, _untruncated_force_piece_2)
-    return by_regime(guards, bodies, arguments, 1)[0]
+    return number_by_regime(guards, bodies, arguments)
 
 
 def force_1(u, alpha, beta, u_cr):
@@ -12243,4 +12166,72 @@ def equivalent_damping(Omega, A, mu, zeta):
 
 FORCE = ((force_1, force_1_u), (force_2, force_2_u))
 
-globals().update(compiled("rod_spring_exact"))
+if NATIVE is not None:
+    (
+        averaged,
+        averaged_3,
+        averaged_2,
+        h,
+        h_A,
+        h_AA,
+        h_AAA,
+        H,
+        H_A,
+        H_AA,
+        harmonics,
+        coefficients,
+        breakpoints,
+        jumps,
+        hardening,
+        force,
+        untruncated_force,
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        jacobian,
+        stability,
+        transmissibility,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+    ) = NATIVE.rod_spring_exact()
+    breakpoints = in_tuple(breakpoints)
+    jumps = in_tuple(jumps)
+    hardening = in_tuple(hardening)
+
+
+_DESIGN = (
+    Parameter("lam", "number of horizontal springs", "1", above=0.0),
+    Parameter("r", "stiffness k_h of one of them", "k_v", above=0.0),
+    Parameter("delta_h", "their preload Delta_h; 0 is a linear oscillator", "L", least=0.0, below=1.0),
+)
+_PARAMETERS = (
+    Parameter("alpha", "coefficient of u in the Taylor series of piece 1 of the force", "k_v"),
+    Parameter("beta", "coefficient of u^3 in the Taylor series of piece 1 of the force", "k_v/L^2"),
+    Parameter("u_cr", "|u| at which piece 1 of the force ends", "L"),
+)
+MECHANISM = Mechanism(
+    name="rod_spring_exact",
+    title="Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not truncated",
+    design=_DESIGN,
+    parameters=_PARAMETERS,
+    coefficients=coefficients,
+    pieces=FORCE,
+    breakpoints=breakpoints,
+    jumps=jumps,
+    hardening=hardening,
+    averaged=averaged,
+    harmonics=harmonics,
+    harmonics_up_to=0.75,
+    reach=1.0,
+    reach_reason="the push-rod stands vertical",
+    truncated=False,
+    attached=None,
+    load_untruncated=None,
+)

@@ -13,8 +13,8 @@ docstring gives equation number, domain and the operations after each pass.
 # fmt: off
 
 from slowflow_kernels import slow_flow_mu0_zeta0 as flow
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import full
+from slowflow_support.backend import NATIVE
+from slowflow_support.broadcast import full
 from slowflow_kernels.rod_spring_exact import (
     HARMONICS_UP_TO,
     H_A,
@@ -35,6 +35,7 @@ from slowflow_kernels.rod_spring_exact import (
     h_A,
     h_AA,
     h_AAA,
+    hardening,
     harmonics,
     jumps,
     untruncated_force,
@@ -70,6 +71,7 @@ __all__ = [
     "h_A",
     "h_AA",
     "h_AAA",
+    "hardening",
     "harmonics",
     "jacobian",
     "jumps",
@@ -215,4 +217,21 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-globals().update(compiled("rod_spring_exact_mu0_zeta0"))
+if NATIVE is not None:
+    (
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        jacobian,
+        stability,
+        transmissibility,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+    ) = NATIVE.rod_spring_exact_mu0_zeta0()

@@ -13,8 +13,8 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import floats, full
+from slowflow_support.backend import NATIVE
+from slowflow_support.broadcast import floats, full
 
 RESONANCE = 9.0
 
@@ -398,4 +398,9 @@ def folds(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_A
     )
 
 
-globals().update(compiled("second_approximation"))
+if NATIVE is not None:
+    (
+        response,
+        detachment,
+        folds,
+    ) = NATIVE.second_approximation()

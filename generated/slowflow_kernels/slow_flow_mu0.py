@@ -13,8 +13,8 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import floats, full, stacked
+from slowflow_support.backend import NATIVE, coefficients_of
+from slowflow_support.broadcast import floats, full, stacked
 
 __all__ = [
     "F_A",
@@ -463,4 +463,38 @@ def critical(A, p, q, p_A):
     )
 
 
-globals().update(compiled("slow_flow_mu0"))
+if NATIVE is not None:
+    (
+        friction,
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+        transmissibility,
+        jacobian,
+        stability,
+        response_quartic,
+        fold_quartic,
+        peak_cubic,
+        detachment,
+        F_AAOmega,
+        F_OmegaOmega,
+        level,
+        rest,
+        isola_Omega,
+        isola,
+        cusps,
+        cusp_F_AAOmega,
+        turn_p_A,
+        peak_p_A,
+        critical,
+    ) = NATIVE.slow_flow_mu0()
+    detachment = coefficients_of(detachment)

@@ -13,8 +13,8 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_kernels._backend import compiled
-from slowflow_kernels._broadcast import floats, full, stacked
+from slowflow_support.backend import NATIVE, coefficients_of
+from slowflow_support.broadcast import floats, full, stacked
 
 __all__ = [
     "F_A",
@@ -372,4 +372,33 @@ def undamped(A, h, h_A, h_AA, h_AAA):
     )
 
 
-globals().update(compiled("slow_flow_zeta0"))
+if NATIVE is not None:
+    (
+        friction,
+        R,
+        I,
+        F,
+        F_A,
+        F_AA,
+        F_AAA,
+        F_Omega,
+        F_AOmega,
+        phase,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+        transmissibility,
+        jacobian,
+        stability,
+        response_quartic,
+        fold_quartic,
+        peak_cubic,
+        detachment,
+        F_AAOmega,
+        F_OmegaOmega,
+        level,
+        rest,
+        undamped_Omega,
+        undamped,
+    ) = NATIVE.slow_flow_zeta0()
+    detachment = coefficients_of(detachment)

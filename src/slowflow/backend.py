@@ -16,7 +16,7 @@ import warnings
 from types import ModuleType
 from typing import Any
 
-from slowflow_kernels._backend import NATIVE, BackendWarning
+from slowflow_support.backend import NATIVE, BackendWarning
 
 __all__ = ["KERNELS", "NAME", "SOLVER", "BackendWarning", "record_of"]
 

@@ -28,7 +28,6 @@ class Kernel(ctypes.Structure):
         ("inputs", ctypes.c_int),
         ("outputs", ctypes.c_int),
         ("regimes", ctypes.c_int),
-        ("returns", ctypes.c_char),
         ("choose", ctypes.c_void_p),
         ("loops", ctypes.c_void_p),
     )

@@ -658,11 +658,6 @@ def untruncated_coefficients(lam, r, delta_h):
     return [alpha, beta, u_cr]
 
 
-def duffing_coefficients(kappa_1, kappa_3):
-    taylor = mp.taylor(lambda u: kappa_1 * u + kappa_3 * u**3, 0, 3)
-    return [1 + taylor[1], taylor[3]]
-
-
 # --- Den Hartog ------------------------------------------------------------------------------------------------------
 
 
@@ -943,6 +938,8 @@ def family_table(name: str, amplitudes: Amplitudes) -> dict:
                 one = {"at": row["at"], "is": [row["is"][k]], "scale": [row["scale"][k]]}
                 table.setdefault(letter + orders[k], []).append(one)
             if letter == "h":
+                if name == "rod_spring" and not passed:
+                    table.setdefault("attached", []).append(row)
                 for together, count in (("averaged", 4), ("averaged_3", 3), ("averaged_2", 2)):
                     some = {"at": row["at"], "is": row["is"][:count], "scale": row["scale"][:count]}
                     table.setdefault(together, []).append(some)
@@ -1006,9 +1003,11 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
     coefficients = {
         "rod_spring": rod_coefficients,
         "rod_spring_exact": untruncated_coefficients,
-        "duffing": duffing_coefficients,
+        "duffing": lambda alpha, beta: [alpha, beta],  # the design itself
     }[name]
     table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), d) for d in designs]}
+    if name == "duffing":  # its design is its parameters
+        table["coefficients"] = [entry(lambda *x: coefficients(*x), p) for p in parameters]
     table["breakpoints"] = [entry(lambda *q: list(pieces(name, q)[1]), p) for p in parameters]
 
     def jumps(*q):
@@ -1016,6 +1015,14 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
         return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
 
     table["jumps"] = [entry(jumps, p) for p in parameters]
+    # f(u)/u rises where no coefficient of its slope is negative: all but the first, or what multiplies 1/sqrt(1 - u^2)
+    rising = {"duffing": [1], "rod_spring": [1, 2], "rod_spring_exact": [1]}[name]
+    scale = 2 if name == "rod_spring_exact" else 1
+    truncated = name == "rod_spring"
+    table["hardening"] = [
+        entry(lambda *q: [*(scale * q[k] for k in rising), *(-x for x in jumps(*q) if truncated)], p)
+        for p in parameters
+    ]
     table["force"], table["untruncated_force"] = [], []
     for design, p in zip(designs, parameters, strict=True):
         for factor in (-0.9, 1e-6, 0.7, 0.999, -1.2):

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from derivations.elliptic import evaluable
+from derivations.elliptic import evaluable, parts
 from derivations.emit.form import (
     AVERAGED,
     NAMES,
@@ -20,13 +20,14 @@ from derivations.emit.form import (
     Kernel,
     Let,
     Module,
+    Record,
     by_even_power,
     in_words,
     plain,
     suffix,
 )
-from derivations.mechanisms import Mechanism
-from derivations.oscillator import without_cancellation
+from derivations.mechanisms import Mechanism, Parameter
+from derivations.oscillator import Oscillator, without_cancellation
 from derivations.restoring import Case, Restoring, forms
 from derivations.results import OfMechanism, Results
 from derivations.second_approximation import OF_HARMONIC
@@ -75,10 +76,10 @@ def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> 
                 constants={} if scene else constants,
                 mechanism=mechanism,
                 pieces={} if scene else tables,
+                record=None if scene else record(results, derived),
             )
         )
-    # an untruncated force ends at the reach: its first piece alone has no average beyond
-    if mechanism.breakpoints and not derived.whole.cases:
+    if has_attached(derived):
         data = tuple(kernel.name for kernel in data_kernels(derived))
         modules.append(
             Module(
@@ -133,6 +134,13 @@ def averaged_kernels(derived: OfMechanism, attached_only: bool = False) -> list[
         listed = ", ".join("h" + name for name in NAMES[:count])
         name = "averaged" if count == 4 else f"averaged_{count}"
         kernels.append(kernel(name, derived.whole, range(count), f"{listed} together.", "(20)-(22), (31)"))
+    if has_attached(derived) and not attached_only:
+        first = replace(regime_branches(derived.whole, range(4), True)[0], name="")
+        text = f"The first piece alone: {', '.join('h' + name for name in NAMES)} together."
+        domain = f"0 <= A <= {derived.whole.breakpoints[0]}"
+        kernels.append(
+            replace(kernels[0], name="attached", branches=(first,), doc=text, equation="(20), (21)", domain=domain)
+        )
     slope = ("", "d/dA of ", "d2/dA2 of ", "d3/dA3 of ")
     for letter, restoring, orders, what in (
         ("h", derived.whole, range(4), "the averaged restoring force h = H - A"),
@@ -190,18 +198,18 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
     parameters, ratios = mechanism.parameters, tuple(mechanism.ratios)
     count = len(parameters)
     whole = derived.whole
-    kernels = []
-    if ratios:
-        kernels.append(
-            plain(
-                "coefficients",
-                ratios,
-                tuple(dimensionless.definitions[name] for name in parameters),
-                f"The parameters {', '.join(map(str, parameters))} from the design ratios.",
-                "(5), (7)",
-                "any ratios",
-            )
+    design = tuple(parameter.symbol for parameter in mechanism.design)
+    definitions = dimensionless.definitions if design == ratios else {name: name for name in parameters}
+    kernels = [
+        plain(
+            "coefficients",
+            design,
+            tuple(definitions[name] for name in parameters),
+            f"The parameters {', '.join(map(str, parameters))} from the design.",
+            "(5), (7)",
+            "any design",
         )
+    ]
     for name, values, doc, equation in (
         ("breakpoints", whole.breakpoints, "The |u| at which a piece of the force ends.", "(5)"),
         (
@@ -209,6 +217,12 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             whole.jumps,
             "What the force loses at each breakpoint: f below less f above.",
             "(5)" if whole.cases else "(6)",
+        ),
+        (
+            "hardening",
+            hardening(whole),
+            "The force over the displacement, f(u)/u, rises with |u| where none of these is negative.",
+            "from (3)",
         ),
     ):
         kernels.append(plain(name, parameters, values, doc, equation, "any parameters", parameters=count))
@@ -264,6 +278,70 @@ def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], dict[str, tuple[t
             table.append((name, f"{name}_u"))
         tables[family.upper()] = tuple(table)
     return kernels, tables
+
+
+def hardening(whole: Restoring) -> tuple[sp.Expr, ...]:
+    """What must not be negative for f(u)/u to rise with |u|: the slope's terms piece by piece, then the jumps.
+
+    Of a polynomial piece d/du (f/u) is the sum of (d - 1) c_d u^(d - 2). Others are u (a + b (1/sqrt(1 - u^2) - 1)).
+    """
+    terms: list[sp.Expr] = []
+    for piece in whole.pieces:
+        if piece.is_polynomial(u):
+            terms += [c * sp.sign(d - 1) for (d,), c in reversed(sp.Poly(piece, u).terms()) if d != 1]
+        else:
+            terms.append(sp.factor(parts(piece)[1]))
+    return (*(term for term in terms if term != 0), *(-jump for jump in whole.jumps if jump != 0))
+
+
+def described(dimensionless: Oscillator) -> tuple[Parameter, ...]:
+    """The parameters of the kernels, each with one line and the unit of the dimensional quantity."""
+    mechanism = dimensionless.mechanism
+    given = {parameter.symbol: parameter for parameter in mechanism.design}
+    several = len(mechanism.pieces) > 1
+    result = []
+    for number, names in enumerate(mechanism.coefficients, start=1):
+        where = f"of piece {number} of the force" if several else "of the force"
+        for power, name in names.items():
+            unit = "k_v" if power == 1 else f"k_v/L^{power - 1}"
+            doc = f"coefficient of u{f'^{power}' if power > 1 else ''} in the Taylor series {where}"
+            result.append(given.get(name, Parameter(name, doc, unit)))
+    ends = (
+        Parameter(name, f"|u| at which piece {number} of the force ends", "L")
+        for number, name in enumerate(mechanism.breakpoints, start=1)
+    )
+    return (*result, *ends)
+
+
+def record(results: Results, derived: OfMechanism) -> Record:
+    """What the record says that no kernel does."""
+    mechanism = derived.oscillator.mechanism
+    whole_force = mechanism.order == sp.oo
+
+    def kept(force: sp.Expr) -> bool:
+        return force.is_polynomial(u) and sp.degree(force, u) <= mechanism.order
+
+    truncated = not whole_force and not all(kept(force) for force in derived.oscillator.exact)
+    twins = [
+        name
+        for name, other in results.mechanisms.items()
+        if truncated
+        and other.oscillator.mechanism.order == sp.oo
+        and other.oscillator.mechanism.pieces == mechanism.pieces
+    ]
+    return Record(
+        mechanism,
+        described(derived.oscillator),
+        derived.harmonics.most,
+        truncated,
+        twins[0] if twins else "",
+        has_attached(derived),
+    )
+
+
+def has_attached(derived: OfMechanism) -> bool:
+    """Whether the first piece alone is averaged. An untruncated force ends at the reach: there is no average beyond."""
+    return bool(derived.whole.breakpoints) and not derived.whole.cases
 
 
 def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:

@@ -15,12 +15,10 @@
 typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
 typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *regime);
 
-/* loops: one for each regime; choose: NULL where there is one regime.
- * returns: 's' a number, 't' a tuple, 'c' coefficients, to be stacked along a first axis */
+/* loops: one for each regime; choose: NULL where there is one regime. */
 typedef struct {
     const char *name, *doc;
     int inputs, outputs, regimes;
-    char returns;
     sf_choose choose;
     const sf_loop *loops;
 } sf_kernel;

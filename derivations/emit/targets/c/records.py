@@ -35,7 +35,6 @@ class Record:
     attached    -- prefix of the record of the first piece alone, or ""
     breakpoints -- how many
     domain      -- C condition: the design lies inside its domain
-    from_ratios -- whether the parameters follow from the design by the kernel `coefficients`, or are the design itself
     """
 
     prefix: str
@@ -43,7 +42,6 @@ class Record:
     attached: str
     breakpoints: int
     domain: str
-    from_ratios: bool
 
 
 def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
@@ -70,9 +68,9 @@ def records_of(whole: Module, modules: Sequence[Module]) -> list[Record]:
     """A mechanism's record, after that of its first piece alone where there is one."""
     mechanism = whole.mechanism
     first = [module.name for module in modules if module.family == module.name and module.reexports[0] == whole.name]
-    shared = (within(mechanism.design, DESIGN), tuple(mechanism.ratios) == tuple(p.symbol for p in mechanism.design))
-    attached = [Record(name, whole, "", 0, *shared) for name in first]
-    return [*attached, Record(whole.name, whole, first[0] if first else "", len(mechanism.breakpoints), *shared)]
+    domain = within(mechanism.design, DESIGN)
+    attached = [Record(name, whole, "", 0, domain) for name in first]
+    return [*attached, Record(whole.name, whole, first[0] if first else "", len(mechanism.breakpoints), domain)]
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

@@ -15,16 +15,17 @@ from derivations.emit.form import AVERAGED, Module
 from derivations.emit.provenance import tools
 from derivations.emit.targets.numpy.printer import NumpyPrinter
 from derivations.emit.views import Calls, Code, Language, composition_view, regimes, sources, templates, view
+from derivations.mechanisms import Parameter
 
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))
-#: of the package itself, by template
-PACKAGE = {"__init__.py": "init.py.jinja", "_broadcast.py": "broadcast.py.jinja", "_backend.py": "backend.py.jinja"}
 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     environment = templates(Path(__file__).parent)
+    environment.filters["constant"] = constant
+    environment.filters["parameter"] = parameter
     result = {}
     for module in modules:
         result[f"slowflow_kernels/{module.name}.py"] = environment.get_template("module.py.jinja").render(
@@ -35,12 +36,26 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             regimes=regimes(module),
             imported=sorted(module.reexports[1], key=in_import),
             constants={name: constant(value) for name, value in module.constants.items()},
+            **compiled(module),
             tools=tools(),
             **sources(module),
         )
-    for name, template in PACKAGE.items():
-        result[f"slowflow_kernels/{name}"] = environment.get_template(template).render(modules=modules)
+    result["slowflow_kernels/__init__.py"] = environment.get_template("init.py.jinja").render(modules=modules)
     return result
+
+
+def compiled(module: Module) -> dict[str, list[str]]:
+    """Names of the compiled kernels in the order in which the extension module gives them, and which need a wrapper."""
+    kernels = [(c.name, c.inner) for c in module.compositions]
+    kernels = [(kernel.name, kernel) for kernel in module.kernels if kernel.width and not kernel.generic] + kernels
+    stacks = [name for name, kernel in kernels if kernel.returns == "stack"]
+    singles = [name for name, kernel in kernels if kernel.returns == "tuple" and kernel.width == 1]
+    return {
+        "ufuncs": [name for name, _ in kernels],
+        "stacks": stacks,
+        "singles": singles,
+        "backend": ["NATIVE", *(["coefficients_of"] if stacks else []), *(["in_tuple"] if singles else [])],
+    }
 
 
 def exported(module: Module) -> list[str]:
@@ -60,10 +75,17 @@ def in_import(name: str) -> tuple[bool, bool, str]:
 
 
 def constant(value: object) -> str:
-    """A module constant as Python source."""
+    """A constant as Python source."""
     if isinstance(value, sp.Expr):
         return 'float("inf")' if value == sp.oo else repr(float(value))
     if isinstance(value, tuple):
         items = ", ".join(f'"{item}"' for item in value)
         return f"({items}{',' if len(value) == 1 else ''})"
     return f'"{value}"'
+
+
+def parameter(stated: Parameter) -> str:
+    """The arguments of a record's `Parameter`."""
+    bounds = {bound: getattr(stated, bound) for bound in ("above", "least", "below", "most")}
+    limits = [f", {bound}={constant(sp.sympify(limit))}" for bound, limit in bounds.items() if limit is not None]
+    return f'"{stated.symbol.name}", "{stated.doc}", "{stated.unit}"' + "".join(limits)

@@ -21,7 +21,6 @@ from derivations.slow_flow import m
 
 # SF_MOST_OPERANDS in kernels.h
 MOST_OPERANDS = 32
-KINDS = {"scalar": "s", "tuple": "t", "stack": "c"}
 
 
 @dataclass(frozen=True)
@@ -68,7 +67,6 @@ class Ufunc:
     doc: str
     inputs: tuple[str, ...]
     outputs: int
-    returns: str
     loops: tuple[Loop, ...]
     chains: tuple[Chain, ...]
     guards: tuple[str, ...]
@@ -130,8 +128,7 @@ def of_kernel(kernel: Kernel, module: Module) -> Ufunc:
         body = call(function, names[:split], names[split:], kernel.width, kernel.returns)
         loops.append(Loop(loop, body, names))
     doc = f"{kernel.doc} Equation {kernel.equation}. Domain: {kernel.domain}."
-    kind = KINDS[kernel.returns]
-    return Ufunc(kernel.name, prefix, doc, names, kernel.width, kind, tuple(loops), (), *guards_of(kernel))
+    return Ufunc(kernel.name, prefix, doc, names, kernel.width, tuple(loops), (), *guards_of(kernel))
 
 
 def functions(prefix: str, kernel: Kernel) -> list[str]:
@@ -170,8 +167,7 @@ def of_composition(composition: Composition, module: Module, family: Module | No
     ]
     doc = f"{inner.doc} Equation {inner.equation}. Domain: {inner.domain}."
     guards, guard_names = guards_of(averaged) if averaged else ((), ())
-    kind = KINDS[inner.returns]
-    return Ufunc(composition.name, prefix, doc, names, inner.width, kind, (), tuple(chains), guards, guard_names)
+    return Ufunc(composition.name, prefix, doc, names, inner.width, (), tuple(chains), guards, guard_names)
 
 
 def foreign_loops(ufuncs: Sequence[Ufunc]) -> list[str]:

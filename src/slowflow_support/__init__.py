@@ -1,0 +1,6 @@
+"""What the generated modules of `slowflow_kernels` stand on, written by hand: NumPy in, nothing of slowflow's.
+
+backend    compiled kernels where they are built, NumPy's otherwise
+broadcast  arguments as floats, one shape for all outputs, regimes by mask
+record     what a mechanism says of itself: `Mechanism`, `Parameter`
+"""

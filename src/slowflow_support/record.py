@@ -1,0 +1,80 @@
+"""What a mechanism says of itself, as one record that the derivation fills: `MECHANISM` in each generated module.
+
+In:  nothing; the generated modules make the records.
+Out: `Parameter` and `Mechanism`, both immutable. Everything is dimensionless, in the paper's symbols (3)-(7).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+#: a generated function of numbers or arrays that broadcast
+Function = Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A dimensionless number, and which are allowed: finite ones within these bounds.
+
+    name -- of the argument
+    doc  -- one line: what it is
+    unit -- what the dimensional quantity is measured in, "1" for a number
+    above, least -- it is greater than the one, or not less than the other; None where nothing bounds it from below
+    below, most  -- it is less than the one, or not greater than the other; None where nothing bounds it from above
+    """
+
+    name: str
+    doc: str
+    unit: str
+    above: float | None = None
+    least: float | None = None
+    below: float | None = None
+    most: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Mechanism:
+    """A restoring force u + F_k(u), its average and its parameters.
+
+    name, title -- of the generated module, and one line
+    design      -- what a user gives beside the damping
+    parameters  -- what the functions below take, in their order
+    coefficients -- the parameters from the design, as a tuple (5), (7)
+    pieces      -- the force u + F_k(u) and its slope, piece by piece by rising |u|: functions of (u, *parameters), for
+                   any kind of number that has arithmetic; a piece holds up to its breakpoint and there
+    breakpoints -- of the parameters: the |u| at which each piece but the last ends (5)
+    jumps       -- of the parameters: what the force loses at each breakpoint, f below less f above
+    hardening   -- of the parameters: f(u)/u rises with |u| where none of these numbers is negative
+    averaged    -- h = H - A and its first three derivatives at (A, *parameters) (20)-(22), (31)
+    harmonics   -- h_3, h_5, each with its first three derivatives, at (A, *parameters)
+    harmonics_up_to -- the largest breakpoint for which `harmonics` holds
+    reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there
+    truncated   -- whether the force is a Taylor polynomial that stands for another
+    attached    -- the first piece alone, as if it held everywhere; None where there is but one, or no such average
+    load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
+    """
+
+    name: str
+    title: str
+    design: tuple[Parameter, ...]
+    parameters: tuple[Parameter, ...]
+    coefficients: Function
+    pieces: tuple[tuple[Function, Function], ...]
+    breakpoints: Function
+    jumps: Function
+    hardening: Function
+    averaged: Function
+    harmonics: Function
+    harmonics_up_to: float
+    reach: float
+    reach_reason: str
+    truncated: bool
+    attached: Mechanism | None
+    load_untruncated: Callable[[], Mechanism] | None
+
+
+def nothing(*parameters: Any) -> tuple[()]:
+    """Of a force with one piece: no breakpoint, no jump."""
+    return ()
