@@ -47,8 +47,7 @@ lint: $(DEVELOPED)
 bench: $(DEVELOPED)
 	$(BIN)/python -m benchmarks
 	$(BIN)/python -m benchmarks.bench_scenes
-	@if $(BIN)/python -c 'import heyoka' 2>/dev/null; then $(BIN)/python -m benchmarks.bench_exact; \
-	else echo "exact motions: not measured, heyoka is not installed (pip install -e '.[exact]')"; fi
+	$(BIN)/python -m benchmarks.bench_exact
 
 validity: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.claims

@@ -54,6 +54,7 @@ setup(
     ext_modules=[
         extension("slowflow_kernels._native", [NATIVE / "kernels.c", *(GENERATED / "native").glob("*.c")]),
         extension("slowflow._native", (NATIVE / "solver").glob("*.c")),
+        extension("slowflow._exact", (NATIVE / "exact").glob("*.c")),
     ],
     cmdclass={"build_ext": Build},
     options={

@@ -16,7 +16,8 @@ import numpy as np
 from scipy.optimize import minimize_scalar, root
 
 from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state, sweep
-from slowflow.exact.integrate import HeyokaIntegrator, ScipyIntegrator, default_integrator
+from slowflow.exact.compiled import default_integrator
+from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.motion import TURN, Forced, follow
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
@@ -57,7 +58,7 @@ def best(job: Callable[[], object], repeats: int = 7) -> float:
 
 def rows() -> list[Row]:
     """Everything but Appendix A."""
-    out = [*compiling()]
+    out: list[Row] = []
     curves = {(exact, F_0): exact_response(table_1(exact), F_0) for exact in NAMES for F_0 in FORCINGS}
     for exact in NAMES:
         out += (
@@ -69,20 +70,6 @@ def rows() -> list[Row]:
     for exact in NAMES:
         out += sweeps(exact, curves[exact, 0.04])
     return [*out, *closed_forms(), *turns()]
-
-
-def compiling() -> list[Row]:
-    """Once per process and expression."""
-    if default_integrator().name != "heyoka":
-        return []
-    out = []
-    for exact, name in NAMES.items():
-        fresh = HeyokaIntegrator()
-        start = time.perf_counter()
-        for piece in table_1(exact).force.pieces:
-            fresh._for(piece)
-        out.append(Row(f"{name}: compiling both pieces", time.perf_counter() - start, "s"))
-    return out
 
 
 def one_frequency(exact: bool) -> list[Row]:
@@ -157,7 +144,7 @@ def approximations(exact: bool, curve: Response) -> list[Row]:
 
 
 def frequency_at(exact: bool, F_0: float, A: float, guess: tuple[float, float]) -> float:
-    """Omega of the motion of amplitude A near the guess (theta, Omega): no continuation, no heyoka in it."""
+    """Omega of the motion of amplitude A near the guess (theta, Omega): no continuation, no C in it."""
     force, (u_cr,) = isolator(**TABLE_1, exact=exact)[1]
 
     def mirrored(x: np.ndarray) -> tuple[float, float]:
@@ -247,7 +234,7 @@ def closed_forms() -> list[Row]:
 
 def turns() -> list[Row]:
     """200 turns at one frequency, with events."""
-    forced = Forced(table_1(False), 0.9, 0.04, default_integrator())
+    forced = Forced(table_1(False), 0.9, 0.04, default_integrator(table_1(False)))
     out = [Row("200 turns at Omega = 0.9, events", 1e3 * best(lambda: follow(forced, 0.0, 0.0, 0.0, 200 * TURN)), "ms")]
     slow = ScipyIntegrator()
     state = steady_state(table_1(False), 0.9, 0.04)
@@ -255,7 +242,7 @@ def turns() -> list[Row]:
     other = steady_state(table_1(False), 0.9, 0.04, near, integrator=slow)
     job = lambda: steady_state(table_1(False), 0.9, 0.04, near, integrator=slow)  # noqa: E731
     out.append(Row("one frequency by SciPy", 1e3 * best(job, 3), "ms"))
-    out.append(Row("amplitude by SciPy less that by heyoka", abs(other.A - state.A), "", 1e-9))
+    out.append(Row("amplitude by SciPy less that by the compiled integrator", abs(other.A - state.A), "", 1e-9))
     return out
 
 
@@ -282,7 +269,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--direct", action="store_true", help="Appendix A's direct integration too")
     arguments = parser.parse_args()
-    print(f"integrator: {default_integrator().name}")
+    print(f"integrator: {default_integrator(table_1(False)).name}")
     for row in rows() + (direct() if arguments.direct else []):
         target = "" if row.bound is None else f"<= {row.bound:g}  {'kept' if row.kept else 'MISSED'}"
         print(f"{row.measured:12.3g} {row.unit:3s} {target:20s} {row.job}")

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from slowflow.exact.integrate import default_integrator
+from slowflow.backend import EXACT
 from slowflow.paper.example import isolator
 from tests.oracles.exact_cases import table_1
 
 figure = pytest.importorskip("matplotlib.figure")
 
 
-@pytest.mark.skipif(default_integrator().name != "heyoka", reason="heyoka is not installed: curves take too long")
+@pytest.mark.skipif(EXACT is None, reason="not compiled: curves take too long")
 def test_figure_2():
     from slowflow.paper.figure_2 import figure_2a, figure_2b
 

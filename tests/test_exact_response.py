@@ -7,13 +7,14 @@ import pytest
 from scipy.optimize import minimize_scalar, root
 
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
-from slowflow.exact.integrate import ScipyIntegrator, default_integrator
+from slowflow.exact.compiled import default_integrator
+from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.paper.example import TABLE_1
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.oracles.exact_scipy import half_turn
 
-QUICK = default_integrator().name == "heyoka"
-heyoka = pytest.mark.skipif(not QUICK, reason="heyoka is not installed: a whole curve by SciPy takes ten seconds")
+QUICK = default_integrator(table_1(False)).name != "scipy"
+compiled = pytest.mark.skipif(not QUICK, reason="not compiled: a whole curve by SciPy takes ten seconds")
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
 # (untruncated force?, F_0): each force once by SciPy, with and without detachment
 CURVES = [(exact, F_0) for exact in (False, True) for F_0 in FORCINGS] if QUICK else [(False, 0.025), (True, 0.04)]
@@ -143,7 +144,7 @@ def test_peak_of_the_linear_oscillator(zeta):
         assert peak.Omega == 0.5 and peak.A == pytest.approx(0.1 / abs(1 - 0.25 + 0.9j), rel=1e-12)
 
 
-@heyoka
+@compiled
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 0.6])
 def test_a_peak_does_not_depend_on_the_step(ratio):
     """Light damping, a sharp peak, stops on the flanks: the points miss it by up to 9e-4, the peak does not."""
@@ -156,7 +157,7 @@ def test_a_peak_does_not_depend_on_the_step(ratio):
         assert curve.peak.Omega == pytest.approx(finest.Omega, rel=1e-10)
 
 
-@heyoka
+@compiled
 @pytest.mark.parametrize("exact", [False, True])
 @pytest.mark.parametrize("F_0", [0.03, 0.04])
 def test_sweeps_jump_at_the_folds(curves, exact, F_0):
@@ -180,7 +181,7 @@ def _phase(curve, Omega, A):
     return -float(curve.states[index].z[1])
 
 
-@heyoka
+@compiled
 def test_curve_with_stops_and_loops():
     """Down to Omega = 0.1 the mass stops up to four times a turn; the curve goes through every change of order."""
     curve = exact_response(table_1(exact=True), 0.04, (0.1, 1.5))
@@ -207,7 +208,7 @@ def test_border_to_sticking_is_den_hartogs():
     assert not curve.folds
 
 
-@heyoka
+@compiled
 def test_start_in_the_middle_goes_both_ways():
     system = table_1(exact=False)
     whole = exact_response(system, 0.04, (0.7, 1.2))
@@ -229,7 +230,7 @@ def test_short_curve_by_scipy():
         assert abs(state.A - point.equations.A) <= 1e-9
 
 
-@heyoka
+@compiled
 def test_a_whole_curve_by_scipy(curves):
     """Both integrators, on steps of their own, agree about peak, folds and where the springs detach."""
     slow = exact_response(table_1(exact=True), 0.04, (0.7, 1.1), step=0.2, integrator=ScipyIntegrator())
@@ -242,7 +243,7 @@ def test_a_whole_curve_by_scipy(curves):
         assert min(abs(Omega - o) + abs(A - a) for o, a in quick.borders) <= 1e-9
 
 
-@heyoka
+@compiled
 def test_unbounded_resonance_in_words():
     with pytest.raises(ArithmeticError, match="resonance is unbounded"):
         exact_response(EquationOfMotion(linear(), 0.3, 0.0), 1.0, (0.6, 1.4))
@@ -260,7 +261,7 @@ def test_errors_in_words():
         sweep(system, 0.04, [])
 
 
-@heyoka
+@compiled
 def test_random_curves_go_through():
     """Whole curves of random isolators, with stops, detachment and superharmonic loops: folds come in pairs."""
     borders = 0
@@ -275,7 +276,7 @@ def test_random_curves_go_through():
     assert borders >= 20
 
 
-@heyoka
+@compiled
 def test_a_trial_beyond_zero_frequency_is_none():
     """Negative stiffness: a step of Newton's went to Omega < 0 and never came back; the curve can be followed."""
     system = isolator(3, 1.7799765049665899, 0.30647249977631186, 0.005296695821561307, 0.02370128262012328, False)[0]
@@ -284,7 +285,7 @@ def test_a_trial_beyond_zero_frequency_is_none():
     assert np.isfinite(curve.A).all() and curve.Omega.min() == 0.3
 
 
-@heyoka
+@compiled
 @pytest.mark.parametrize("step", [0.01, 0.02, 0.05, 0.1])
 def test_kinds_of_folds_beside_a_sharp_peak(step):
     """Light damping: the curve folds just behind its peak, and a coarse step passes both at once."""
@@ -293,7 +294,7 @@ def test_kinds_of_folds_beside_a_sharp_peak(step):
     assert [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
 
 
-@heyoka
+@compiled
 def test_corner_fold_of_the_truncated_force():
     """Just above the forcing that detaches the springs, the jump of the force (6) adds a corner and two folds.
 

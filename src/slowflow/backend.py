@@ -2,6 +2,7 @@
 
     KERNELS   compiled kernels (slowflow_kernels._native)
     SOLVER    compiled solvers (slowflow._native)
+    EXACT     the compiled equation of motion (slowflow._exact)
     record_of the record of a mechanism that these take
 
 `slowflow_kernels` decides, once, at its first import: SLOWFLOW_BACKEND=native demands what is compiled,
@@ -18,25 +19,25 @@ from typing import Any
 
 from slowflow_support.backend import NATIVE, BackendWarning
 
-__all__ = ["KERNELS", "NAME", "SOLVER", "BackendWarning", "record_of"]
+__all__ = ["EXACT", "KERNELS", "NAME", "SOLVER", "BackendWarning", "record_of"]
 
 
-def _solver() -> ModuleType | None:
-    """The compiled solvers where the kernels are compiled too."""
+def _loaded(name: str, what: str) -> ModuleType | None:
+    """An extension module of ours where the kernels are compiled too."""
     if NATIVE is None:
         return None
     try:
-        return importlib.import_module("slowflow._native")
+        return importlib.import_module(name)
     except ImportError as error:
         if os.environ.get("SLOWFLOW_BACKEND") == "native":
             raise
-        text = f"slowflow runs on NumPy: its compiled solvers do not load: {error}"
-        warnings.warn(text, BackendWarning, stacklevel=2)
+        warnings.warn(f"{what}: {error}", BackendWarning, stacklevel=2)
         return None
 
 
 KERNELS: ModuleType | None = NATIVE
-SOLVER: ModuleType | None = _solver()
+SOLVER: ModuleType | None = _loaded("slowflow._native", "slowflow runs on NumPy: its compiled solvers do not load")
+EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions run on SciPy: the compiled ones do not load")
 NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
 
 

@@ -20,8 +20,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.cycle import Array, Cycle, Equations, closed_cycle
-from slowflow.exact.integrate import Integrator, default_integrator, limited
+from slowflow.exact.compiled import default_integrator
+from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
+from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
 from slowflow.mechanism import EquationOfMotion
@@ -135,7 +136,7 @@ def exact_response(
     if not 0 < step <= 0.5:
         raise ValueError(f"step = {step} must lie in (0, 0.5]")
     check_forcing(system, low, F_0)
-    integrator = integrator or default_integrator()
+    integrator = integrator or default_integrator(system)
     if start is None:
         start = steady_state(system, low, F_0, integrator=integrator)
     if not low <= start.Omega <= high:
@@ -236,7 +237,12 @@ class _Path:
             tangent = np.linalg.svd(matrix)[2][-1]
         else:
             tangent = np.linalg.solve(np.vstack((matrix, row)), np.append(np.zeros(matrix.shape[0]), 1.0))
-        unit: Array = tangent / math.sqrt(float(tangent @ (weights * tangent)))
+        return self._unit(z, tangent)
+
+    def _unit(self, z: Array, tangent: Array | None) -> Array:
+        """The tangent at z, of unit length."""
+        assert tangent is not None
+        unit: Array = tangent / math.sqrt(float(tangent @ (self._weights(z) * tangent)))
         return unit
 
     def _corrected(self, point: _Point, size: float) -> _Point | None:
@@ -246,16 +252,10 @@ class _Path:
         predicted = point.z + size * point.tangent
         row = self._weights(point.z) * point.tangent
 
-        def on_plane(z: Array, _: Equations) -> tuple[float, Array]:
-            return float(row @ (z - predicted)), row
-
-        found = point.cycle.newton(predicted, self.F_0, on_plane, most=8)
+        found = point.cycle.newton(predicted, self.F_0, Row(row, float(row @ predicted)), most=8)
         if found is None:
             return None
-        try:
-            tangent = self._tangent(found[0], found[1], point.tangent)
-        except np.linalg.LinAlgError:
-            return None
+        tangent = self._unit(found[0], found[1].along)
         return _Point(point.cycle, *found, tangent, "")
 
     def _cosine(self, a: _Point, b: _Point) -> float:
@@ -441,12 +441,7 @@ class _Path:
 
     def _with_fixed(self, cycle: Cycle, z: Array, row: Array, last: _Point) -> _Point | None:
         """The solution with one unknown kept, if its order of switches holds and it lies near the border."""
-        kept = float(row @ z)
-
-        def keep(at: Array, _: Equations) -> tuple[float, Array]:
-            return float(row @ at) - kept, row
-
-        found = cycle.newton(z, self.F_0, keep)
+        found = cycle.newton(z, self.F_0, Row(row, float(row @ z)))
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
         return _Point(cycle, *found, self._tangent(found[0], found[1], None), "")
@@ -470,12 +465,8 @@ class _Path:
             margins = [abs(border.margin) for border in simple.equations.borders]
             index = margins.index(min(margins))
 
-            def at_border(_: Array, equations: Equations) -> tuple[float, Array]:
-                border = equations.borders[index]
-                return border.margin, border.gradient[:-1]
-
             # to rounding: beyond a touching point everything grows like the square root of its error
-            found = simple.cycle.newton(simple.z, self.F_0, at_border, tolerance=1e-16)
+            found = simple.cycle.newton(simple.z, self.F_0, AtBorder(index), tolerance=1e-16)
             # the border may also be a stop in mid-slip, of which no margin tells: then `last` is as good as it gets
             if (
                 found is not None

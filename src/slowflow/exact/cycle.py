@@ -12,15 +12,18 @@ phase appears or vanishes: its span passes through zero there, while the monodro
 
 from __future__ import annotations
 
+import cmath
 import functools
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.exact import compiled
+from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import FAR, PHASE_WORK, Drive, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
@@ -46,7 +49,8 @@ class Equations(NamedTuple):
     """residual (k+2), jacobian (k+2, k+4): columns u_0, theta_0, k spans, Omega, F_0; monodromy over the cycle (2, 2).
 
     A is the largest |u| at a switch, of_A its derivatives by the same unknowns; borders lists the margins within which
-    the order of switches holds.
+    the order of switches holds. `along`, after Newton's iteration with one more equation: the change of the unknowns
+    that keeps all others and raises the value of that one at rate 1, shape (k+3,).
     """
 
     residual: Array
@@ -55,9 +59,32 @@ class Equations(NamedTuple):
     A: float
     of_A: Array
     borders: tuple[Border, ...]
+    along: Array | None = None
 
 
-Extra = Callable[[Array, Equations], tuple[float, Array]]
+class Row(NamedTuple):
+    """One more equation for Newton's iteration: row @ z = value."""
+
+    row: Array
+    value: float
+
+    def at(self, z: Array, _: Equations) -> tuple[float, Array]:
+        """Its value, to be made zero, and its gradient by z."""
+        return float(self.row @ z) - self.value, self.row
+
+
+class AtBorder(NamedTuple):
+    """One more equation for Newton's iteration: that the margin of a border vanishes."""
+
+    border: int
+
+    def at(self, _: Array, equations: Equations) -> tuple[float, Array]:
+        """Its value, to be made zero, and its gradient by z."""
+        border = equations.borders[self.border]
+        return border.margin, border.gradient[:-1]
+
+
+Extra = Row | AtBorder
 
 
 @dataclass(frozen=True)
@@ -87,6 +114,11 @@ class Cycle:
         """
         system, integrator, phases = self.system, self.integrator, self.signature
         k = len(phases)
+        if isinstance(integrator, TaylorIntegrator):
+            found = self._compiled(z.copy(), F_0, None, 0, 0.0)
+            if found is None:
+                raise ArithmeticError(f"the cycle at Omega = {z[-1]} cannot be integrated")
+            return found
         spend(PHASE_WORK * k)
         Omega = float(z[-1])
         forced = Forced(system, Omega, F_0, integrator)
@@ -329,8 +361,12 @@ class Cycle:
     ) -> tuple[Array, Equations] | None:
         """Newton's iteration; None where it does not converge.
 
-        Omega is kept unless `extra` gives one more equation: its value and its gradient by z.
+        Omega is kept unless `extra` gives one more equation.
         """
+        if isinstance(self.integrator, TaylorIntegrator):
+            z = np.array(z)
+            solved = self._compiled(z, F_0, extra, most, tolerance)
+            return None if solved is None else (z, solved)
         # a trial may overshoot to where the force is not defined; it is then given up
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             return self._newton(z, F_0, extra, most, tolerance)
@@ -345,7 +381,7 @@ class Cycle:
                 if extra is None:
                     residual, jacobian = found.residual, found.jacobian[:, :-2]
                 else:
-                    value, gradient = extra(z, found)
+                    value, gradient = extra.at(z, found)
                     residual = np.append(found.residual, value)
                     jacobian = np.vstack((found.jacobian[:, :-1], gradient))
                 step = np.linalg.solve(jacobian, -residual)
@@ -359,16 +395,59 @@ class Cycle:
             if extra is not None and not abs(step[-1]) < 0.5 * z[-1]:
                 return None
             if error <= tolerance or (error <= 100.0 * tolerance and size >= 0.5 * last):
+                if extra is not None:
+                    found = found._replace(along=np.linalg.solve(jacobian, np.eye(step.size)[-1]))
                 return z, found
             z = z.copy()
             z[: step.size] += step
             last = size
         return None
 
+    @functools.cached_property
+    def _packed(self) -> bytes:
+        """The signature as C takes it."""
+        return np.array(self.signature, dtype=np.intc).tobytes()
+
+    def _compiled(self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float) -> Equations | None:
+        """Newton's iteration in C, which moves z; None where it does not converge or integration fails."""
+        assert isinstance(self.integrator, TaylorIntegrator)
+        if extra is None:
+            asked = (compiled.NO_MORE, z, 0.0, 0)
+        elif isinstance(extra, Row):
+            asked = (compiled.ROW, np.ascontiguousarray(extra.row), extra.value, 0)
+        else:
+            asked = (compiled.BORDER, z, 0.0, extra.border)
+        outcome, numbers, along, (A, monodromy, borders) = self.integrator.newton(
+            self.system, self._packed, self.half_turns, z, F_0, asked, most, tolerance
+        )
+        if outcome:
+            return None
+        k = len(self.signature)
+        n = k + 4
+        ends = np.cumsum((k + 2, (k + 2) * n, n, 2 * k * n))
+        residual, jacobian, of_A, gradients = (numbers[a:b] for a, b in pairwise((0, *ends)))
+        return Equations(
+            residual,
+            jacobian.reshape(k + 2, n),
+            np.array(monodromy).reshape(2, 2),
+            A,
+            of_A,
+            tuple(
+                Border(phase, bool(rest), margin, gradients[i * n : (i + 1) * n])
+                for i, (phase, rest, margin) in enumerate(borders)
+            ),
+            None if extra is None else along,
+        )
+
     def multipliers(self, equations: Equations) -> NDArray[np.complex128]:
         """Floquet multipliers over the cycle of `half_turns`: their squares hold for a period if `sign` is -1."""
-        values: NDArray[np.complex128] = np.linalg.eigvals(equations.monodromy).astype(np.complex128)
-        return values
+        (a, b), (c, d) = equations.monodromy.tolist()
+        half_trace, determinant = 0.5 * (a + d), a * d - b * c
+        root = cmath.sqrt((0.5 * (a - d)) ** 2 + b * c)
+        # the larger first: the smaller one would be a difference
+        larger = half_trace + (root if half_trace >= 0.0 else -root) if root.imag == 0.0 else half_trace + root
+        smaller = half_trace - root if root.imag != 0.0 else determinant / larger if larger != 0 else 0.0
+        return np.array((larger, smaller), dtype=np.complex128)
 
     @property
     def stops(self) -> int:

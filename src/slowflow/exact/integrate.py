@@ -3,25 +3,21 @@
 In:  a piece of the force, the constants of the phase, a state, a span of theta.
 Out: the state at its end, with its derivatives or up to the first stop or breakpoint, or on a grid.
 
-Primes are derivatives by theta; v is the velocity du/dtau. The Taylor integrator heyoka is used where it is installed,
-SciPy's DOP853 elsewhere; both offer what `Integrator` lists and agree to 1e-9.
+Primes are derivatives by theta; v is the velocity du/dtau. `compiled` has the integrator in C that the derivation
+generates recurrences for; SciPy's DOP853 here serves where there is no compiler, and for forces that are not generated.
 """
 
 from __future__ import annotations
 
 import contextlib
-import functools
-import operator
-import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextvars import ContextVar
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
-from slowflow.mechanism import Expression, Piece
+from slowflow.mechanism import Piece
 from slowflow_kernels import motion
 
 Array = NDArray[np.float64]
@@ -31,7 +27,6 @@ FAR = 1e6  # stands for "no breakpoint ahead": no motion of an isolator comes ne
 MOST_STEPS = 200_000  # of one integration, or calls by SciPy: a slip takes some tens, hundreds at low frequency
 MOST_WORK = 3_000_000  # steps or calls of one question, twenty times what a curve of 300 points takes
 PHASE_WORK = 30  # steps that take as long as all else that is done for a phase of a motion
-CHUNK = 20_000  # steps between two looks at Ctrl-C: some hundredths of a second
 
 
 class _OutOfWork(Exception):
@@ -98,146 +93,6 @@ class Integrator(Protocol):
     def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
         """States on the grid, which lies at or after theta and does not fall: shape (grid.size, 2)."""
         ...
-
-
-class _Compiled(NamedTuple):
-    variations: Any
-    events: Any
-
-
-class _Traced(np.lib.mixins.NDArrayOperatorsMixin):
-    """A symbol of heyoka's that NumPy's operators and functions can be applied to."""
-
-    def __init__(self, expression: Any) -> None:
-        self.expression = expression
-
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **_: Any) -> Any:
-        function = _UFUNCS.get(ufunc.__name__)
-        if function is None or method != "__call__":
-            raise TypeError(f"a force with numpy.{ufunc.__name__} cannot be translated for heyoka")
-        return _Traced(function(*(i.expression if isinstance(i, _Traced) else float(i) for i in inputs)))
-
-
-def _square_root(expression: Any) -> Any:
-    import heyoka
-
-    return heyoka.sqrt(expression)
-
-
-_UFUNCS: dict[str, Callable[..., Any]] = {
-    "add": operator.add,
-    "subtract": operator.sub,
-    "multiply": operator.mul,
-    "divide": operator.truediv,
-    "negative": operator.neg,
-    "sqrt": _square_root,
-}
-
-
-class HeyokaIntegrator(threading.local):
-    """Taylor series of order 20, error per step of one rounding; each expression is compiled once, in about 0.4 s.
-
-    Its compiled integrators hold state: every thread has its own, whichever motions share this object.
-    """
-
-    name = "heyoka"
-
-    def __init__(self) -> None:
-        import heyoka
-
-        # it warns where it cannot separate two stops within one rounding of each other, which is what a border is
-        heyoka.set_logger_level_error()
-        self._heyoka = heyoka
-        self._compiled: dict[Expression, _Compiled] = {}
-        self._by_text: dict[str, _Compiled] = {}
-        self._end = heyoka.taylor_outcome.time_limit
-
-    def _for(self, piece: Piece) -> _Compiled:
-        found = self._compiled.get(piece.expression)
-        if found is None:
-            hy = self._heyoka
-            constants = [_Traced(hy.par[6 + i]) for i in range(len(piece.constants))]
-            force = piece.expression(_Traced(hy.make_vars("u")), *constants).expression
-            found = self._by_text.get(str(force))
-            if found is None:
-                found = self._by_text[str(force)] = self._compile(force)
-            self._compiled[piece.expression] = found
-        return found
-
-    def _compile(self, force: Any) -> _Compiled:
-        hy = self._heyoka
-        u, v = hy.make_vars("u", "v")
-        Omega, F_0, zeta, friction, slip, edge = (hy.par[i] for i in range(6))
-        rates = motion.rates(hy.cos(hy.time), v, Omega, F_0, zeta, friction, force)
-        system = list(zip((u, v), rates, strict=True))
-        variational = hy.var_ode_sys(system, args=[u, v, Omega, F_0], order=1)
-        events = [
-            hy.t_event(slip * v, direction=hy.event_direction.negative),
-            hy.t_event(slip * (u - edge), direction=hy.event_direction.positive),
-        ]
-        return _Compiled(
-            hy.taylor_adaptive(variational, [0.0, 0.0]), hy.taylor_adaptive(system, [0.0, 0.0], t_events=events)
-        )
-
-    @staticmethod
-    def _set(integrator: Any, piece: Piece, drive: Drive, slip: float, edge: float, theta: float) -> None:
-        # an integrator has as many parameters as its expressions mention
-        integrator.pars[:] = (*drive, slip, edge, *piece.constants)[: len(integrator.pars)]
-        integrator.time = theta
-
-    def _propagated(self, integrator: Any, end: float) -> Any:
-        """heyoka's outcome at `end` or at an event; in chunks, as it is deaf to Ctrl-C."""
-        left = MOST_STEPS
-        while True:
-            outcome, _, _, steps, *_ = integrator.propagate_until(end, max_steps=min(CHUNK, left))
-            spend(int(steps))
-            left -= int(steps)
-            if outcome != self._heyoka.taylor_outcome.step_limit or left <= 0:
-                return outcome
-
-    def advance(
-        self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
-    ) -> tuple[float, float, Array]:
-        """See `Integrator`."""
-        integrator = self._for(piece).variations
-        self._set(integrator, piece, drive, 0.0, FAR, theta)
-        state = integrator.state
-        state[:] = (u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-        if self._propagated(integrator, end) != self._end:
-            raise ArithmeticError(f"the integration from theta = {theta} to {end} failed at theta = {integrator.time}")
-        return float(state[0]), float(state[1]), state[2:].reshape(2, 4).copy()
-
-    def until(
-        self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
-    ) -> tuple[float, float, float, int]:
-        """See `Integrator`."""
-        integrator = self._for(piece).events
-        self._set(integrator, piece, drive, slip, edge, theta)
-        state = integrator.state
-        state[:] = (u, v)
-        integrator.reset_cooldowns()
-        outcome = self._propagated(integrator, end)
-        if outcome == self._end:
-            event = TIME
-        else:
-            # heyoka numbers a terminal event i that stops the integration -i - 1
-            index = -int(outcome) - 1
-            if index not in (0, 1):
-                raise ArithmeticError(f"the integration from theta = {theta} failed at theta = {integrator.time}")
-            event = EDGE if index else STOP
-        return float(integrator.time), float(state[0]), float(state[1]), event
-
-    def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
-        """See `Integrator`."""
-        integrator = self._for(piece).events
-        self._set(integrator, piece, drive, 0.0, FAR, theta)
-        integrator.state[:] = (u, v)
-        integrator.reset_cooldowns()
-        states: list[Array] = []
-        for at in grid:
-            self._propagated(integrator, at)
-            states.append(integrator.state.copy())
-        return np.array(states).reshape(-1, 2)
 
 
 class ScipyIntegrator:
@@ -318,6 +173,8 @@ class ScipyIntegrator:
         return states[where]
 
     def _solve(self, field: Any, span: tuple[float, float], start: Array, **options: Any) -> Any:
+        from scipy.integrate import solve_ivp
+
         left = MOST_STEPS
 
         def counted(theta: float, y: Array) -> Any:
@@ -334,12 +191,3 @@ class ScipyIntegrator:
         if solution.status < 0:
             raise ArithmeticError(f"the integration from theta = {span[0]} to {span[1]} failed: {solution.message}")
         return solution
-
-
-@functools.cache
-def default_integrator() -> Integrator:
-    """heyoka where it is installed, SciPy otherwise; one for the process, so that each law is compiled once."""
-    try:
-        return HeyokaIntegrator()
-    except ImportError:
-        return ScipyIntegrator()

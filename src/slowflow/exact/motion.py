@@ -12,6 +12,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from slowflow.exact import compiled
+from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import EDGE, FAR, PHASE_WORK, STOP, TIME, Drive, Integrator, spend
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow_kernels import motion
@@ -20,6 +22,15 @@ TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
 GRAZING = 1e-13  # a velocity at a breakpoint that cannot be told from rest: the way beyond would be its square
 MOST_PHASES = 400  # in one turn of the forcing; more means that switches accumulate
+
+CHATTERS = (
+    "more than {most} switches in one turn of the forcing at Omega = {Omega}: the mass chatters near u = {u:.6g}, "
+    "where the restoring force jumps"
+)
+ESCAPES = "the motion escapes at Omega = {Omega}, F_0 = {F_0}: |u| passes {far:g}, the restoring force does not hold it"
+STALLS = (
+    "the integration from theta = {theta} at u = {u:.6g} failed: its steps become too many, or the force ends there"
+)
 
 
 class Phase(NamedTuple):
@@ -115,6 +126,14 @@ def follow(
     Raises ArithmeticError if switches accumulate (the mass chatters at a jump of the force) or the motion escapes.
     """
     system, integrator = forced.system, forced.integrator
+    if isinstance(integrator, TaylorIntegrator):
+        outcome, rows = integrator.follow(system, forced.Omega, forced.F_0, (theta, u, v), end, start)
+        phases = [
+            Phase(int(slip), int(region), theta, u, v, end, u_end, v_end, int(event))
+            for slip, region, theta, u, v, end, u_end, v_end, event, _ in rows
+        ]
+        _refuse(outcome, forced, phases[-1] if phases else None)
+        return phases
     if start is not None:
         slip, region = start
     else:
@@ -122,24 +141,18 @@ def follow(
         slip = (1 if v > 0 else -1) if v != 0 else after_stop(forced, 0, region, theta, u)
         if slip != 0 and u == edge_ahead(system, slip, region):
             region += slip
-    phases: list[Phase] = []
+    phases = []
     most = MOST_PHASES * (1 + math.ceil((end - theta) / TURN))
     while theta < end:
         if len(phases) >= most:
-            raise ArithmeticError(
-                f"more than {MOST_PHASES} switches in one turn of the forcing at Omega = {forced.Omega}: the mass "
-                f"chatters near u = {u:.6g}, where the restoring force jumps"
-            )
+            raise ArithmeticError(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=u))
         if slip == 0:
             at, slip = break_away(forced, region, theta, u)
             theta = _rest(phases, region, theta, u, min(at, end), end)
             continue
         edge = edge_ahead(system, slip, region)
         if slip * u >= FAR:
-            raise ArithmeticError(
-                f"the motion escapes at Omega = {forced.Omega}, F_0 = {forced.F_0}: |u| passes {FAR:g}, the restoring "
-                f"force does not hold it"
-            )
+            raise ArithmeticError(ESCAPES.format(Omega=forced.Omega, F_0=forced.F_0, far=FAR))
         if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
             region += slip
             continue
@@ -170,6 +183,19 @@ def follow(
         elif event == EDGE:
             region += slip
     return phases
+
+
+def _refuse(outcome: int, forced: Forced, last: Phase | None) -> None:
+    """Says in words why C gave up."""
+    if outcome == compiled.CHATTERS and last is not None:
+        raise ArithmeticError(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=last.u_end))
+    if outcome == compiled.ESCAPES:
+        raise ArithmeticError(ESCAPES.format(Omega=forced.Omega, F_0=forced.F_0, far=FAR))
+    if outcome == compiled.NO_MEMORY:
+        raise MemoryError("no memory for the phases of the motion")
+    if outcome:
+        theta, u = (0.0, 0.0) if last is None else (last.end, last.u_end)
+        raise ArithmeticError(STALLS.format(theta=theta, u=u))
 
 
 def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float, end: float) -> float:

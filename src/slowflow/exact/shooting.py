@@ -16,8 +16,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.exact.compiled import default_integrator
 from slowflow.exact.cycle import Cycle, Equations, closed_cycle
-from slowflow.exact.integrate import Integrator, default_integrator, limited
+from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
 
@@ -140,7 +141,7 @@ def steady_state(
     periodic is found.
     """
     check_forcing(system, Omega, F_0)
-    integrator = integrator or default_integrator()
+    integrator = integrator or default_integrator(system)
     forced = Forced(system, float(Omega), float(F_0), integrator)
     tries = HALF_TURNS if half_turns is None else (half_turns,)
     theta, u = 0.0, 0.0
@@ -172,7 +173,9 @@ def near(
     check_forcing(system, Omega, F_0)
     theta, u = _start(guess)
     try:
-        return _near(Forced(system, float(Omega), float(F_0), integrator or default_integrator()), theta, u, HALF_TURNS)
+        return _near(
+            Forced(system, float(Omega), float(F_0), integrator or default_integrator(system)), theta, u, HALF_TURNS
+        )
     except ArithmeticError:
         return None
 

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.integrate import Integrator, default_integrator, limited
+from slowflow.exact.compiled import default_integrator
+from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
 from slowflow.exact.shooting import HALF_TURNS, check_forcing, settle
 from slowflow.mechanism import EquationOfMotion
@@ -65,7 +66,7 @@ def sweep(
         raise ValueError(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
     for frequency in frequencies:
         check_forcing(system, float(frequency), F_0)
-    integrator = integrator or default_integrator()
+    integrator = integrator or default_integrator(system)
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
     settled = np.zeros(frequencies.size, bool)
     u, v = 0.0, 0.0

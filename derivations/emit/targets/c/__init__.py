@@ -1,4 +1,4 @@
-"""C99: a header of inline functions for each generated module, the arctangent that they share, and the records.
+"""C99: a header of inline functions for each generated module, the arctangent that they share, records and series.
 
 In:  `Module`s with the straight-line code of their kernels.
 Out: a dict from file name (below `generated/`) to text.
@@ -14,7 +14,7 @@ import sympy as sp
 from derivations.emit.arctangent import estrin, series
 from derivations.emit.form import Module
 from derivations.emit.provenance import tools
-from derivations.emit.targets.c import records
+from derivations.emit.targets.c import records, taylor
 from derivations.emit.targets.c.printer import CPrinter
 from derivations.emit.targets.printing import literal
 from derivations.emit.views import (
@@ -52,6 +52,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             **sources(module),
         )
     result["native/records.h"] = records.text(modules, environment)
+    result["native/taylor.h"] = taylor.text(modules, environment)
     return result
 
 

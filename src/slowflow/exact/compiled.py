@@ -1,0 +1,162 @@
+"""The compiled integrator: in go questions about smooth motion, whole motions and cycles, out come C's answers.
+
+In:  pieces of a force that the derivation generated recurrences for, states, orders of switches.
+Out: `TaylorIntegrator`, an `Integrator` that also follows motions and solves cycles by itself, without the GIL.
+
+What it computes is stated in `integrate`, `motion` and `cycle`, whose Python is the reference for it. The oscillator
+that the C functions take is made once for each and never changes; they share nothing else, so any thread may call them.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import numpy as np
+
+from slowflow import backend
+from slowflow.exact.integrate import Array, Drive, Integrator, ScipyIntegrator, spend, steps_left
+from slowflow.mechanism import EquationOfMotion, Expression, Piece
+
+EXACT: Any = backend.EXACT
+PHASE = 10  # numbers of a phase as C gives it
+#: what C says of a call that failed, see `sf_outcome`
+STALLS, CHATTERS, ESCAPES, SINGULAR, DIVERGES, NO_MEMORY = range(1, 7)
+#: the further equation of Newton's iteration in C, see `sf_extra`
+NO_MORE, ROW, BORDER = range(3)
+
+
+def law(expression: Expression) -> int | None:
+    """The number of a piece's recurrences in C; None for a force that was not generated, or without the extension."""
+    module = getattr(expression, "__module__", "").rpartition(".")[2]
+    found: int | None = None if EXACT is None else EXACT.LAWS.get(f"{module}.{getattr(expression, '__name__', '')}")
+    return found
+
+
+def compiles(system: EquationOfMotion) -> bool:
+    """Whether every piece of the force has recurrences in C."""
+    return all(law(piece.expression) is not None for piece in system.force.pieces)
+
+
+@functools.lru_cache(maxsize=4096)
+def of_system(system: EquationOfMotion) -> Any:
+    """The oscillator for C."""
+    pieces = system.force.pieces
+    laws, constants = tuple(law(piece.expression) for piece in pieces), tuple(piece.constants for piece in pieces)
+    return EXACT.system(laws, constants, system.force.breakpoints, system.mu, system.zeta)
+
+
+@functools.lru_cache(maxsize=4096)
+def of_piece(piece: Piece) -> Any:
+    """An oscillator of that piece alone."""
+    return EXACT.system((law(piece.expression),), (piece.constants,), (), 0.0, 0.0)
+
+
+class TaylorIntegrator:
+    """Taylor series of order 24 from the generated recurrences, error per step of one rounding."""
+
+    name = "taylor"
+
+    def advance(
+        self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, Array]:
+        """See `Integrator`."""
+        flow = np.empty((2, 4))
+        outcome, steps, u, v = EXACT.advance(of_piece(piece), drive, theta, u, v, end, steps_left(), flow)
+        spend(steps)
+        if outcome:
+            raise ArithmeticError(f"the integration from theta = {theta} to {end} failed")
+        return u, v, flow
+
+    def until(
+        self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
+    ) -> tuple[float, float, float, int]:
+        """See `Integrator`."""
+        outcome, steps, at, u, v, event, _ = EXACT.until(
+            of_piece(piece), drive, slip, edge, theta, u, v, end, steps_left()
+        )
+        spend(steps)
+        if outcome:
+            raise ArithmeticError(f"the integration from theta = {theta} failed at theta = {at}")
+        return at, u, v, event
+
+    def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
+        """See `Integrator`."""
+        states = np.empty((grid.size, 2))
+        outcome, steps = EXACT.sample(
+            of_piece(piece), drive, theta, u, v, steps_left(), np.ascontiguousarray(grid), states
+        )
+        spend(steps)
+        if outcome:
+            raise ArithmeticError(f"the integration from theta = {theta} to {grid[-1]} failed")
+        return states
+
+    def follow(
+        self,
+        system: EquationOfMotion,
+        Omega: float,
+        F_0: float,
+        state: tuple[float, float, float],
+        end: float,
+        start: tuple[int, int] | None,
+        last_only: bool = False,
+    ) -> tuple[int, list[list[float]]]:
+        """The outcome and the phases of `motion.follow`, each as its numbers and whether it is undecided."""
+        outcome, steps, phases = EXACT.follow(
+            of_system(system),
+            Omega,
+            F_0,
+            *state,
+            end,
+            start is not None,
+            *(start or (0, 0)),
+            steps_left(),
+            last_only,
+        )
+        spend(steps)
+        return outcome, np.frombuffer(phases).reshape(-1, PHASE).tolist()
+
+    def newton(
+        self,
+        system: EquationOfMotion,
+        signature: bytes,
+        half_turns: int,
+        z: Array,
+        F_0: float,
+        extra: tuple[int, Array, float, int],
+        most: int,
+        tolerance: float,
+    ) -> tuple[int, Array, Array, tuple[Any, ...]]:
+        """Newton's iteration from z, which it moves, or the equations at z where `most` is 0.
+
+        extra -- kind, row, value, number of the border
+        Gives the outcome, the equations' arrays one after the other, the direction in which they all stay zero, and A,
+        the monodromy matrix row by row and the borders.
+        """
+        k = z.size - 3
+        equations, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * (k + 4)), np.zeros(z.size)
+        kind, row, value, border = extra
+        outcome, steps, *rest = EXACT.newton(
+            of_system(system),
+            signature,
+            half_turns,
+            z,
+            F_0,
+            kind,
+            row,
+            value,
+            border,
+            most,
+            tolerance,
+            steps_left(),
+            equations,
+            along,
+        )
+        # elimination, next to steps
+        spend(steps + k**3 // 1000)
+        return outcome, equations, along, tuple(rest)
+
+
+def default_integrator(system: EquationOfMotion) -> Integrator:
+    """The compiled one where every piece of the force has recurrences in C, SciPy's elsewhere."""
+    return TaylorIntegrator() if compiles(system) else ScipyIntegrator()

@@ -1,0 +1,290 @@
+/* The extension module slowflow._exact: the equation of motion, integrated and solved without the GIL.
+ *
+ * An oscillator is a capsule that nothing changes after it is made; all else is on the stack or allocated by the call:
+ * any number of threads may ask at once. Every function that integrates takes the steps that it may spend and returns
+ * (outcome, steps spent, ...); see `sf_outcome`. */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#include "cycle.h"
+#include "taylor.h"
+
+#define NAME "slowflow._exact.system"
+
+static void free_system(PyObject *capsule) { PyMem_Free(PyCapsule_GetPointer(capsule, NAME)); }
+
+/* the numbers of a tuple; -1 with an error set if they are not, or too many */
+static Py_ssize_t numbers(PyObject *tuple, double *out, Py_ssize_t most)
+{
+    const Py_ssize_t count = PyTuple_Size(tuple);
+    if (count > most) {
+        PyErr_Format(PyExc_ValueError, "%zd numbers where at most %zd are allowed", count, most);
+        return -1;
+    }
+    for (Py_ssize_t i = 0; i < count; i++) {
+        out[i] = PyFloat_AsDouble(PyTuple_GetItem(tuple, i));
+        if (PyErr_Occurred())
+            return -1;
+    }
+    return count;
+}
+
+static PyObject *make_system(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *laws, *constants, *breakpoints;
+    double mu, zeta;
+    if (!PyArg_ParseTuple(arguments, "O!O!O!dd", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
+                          &breakpoints, &mu, &zeta))
+        return NULL;
+    sf_system *const system = PyMem_Calloc(1, sizeof *system);
+    if (system == NULL)
+        return PyErr_NoMemory();
+    const Py_ssize_t pieces = PyTuple_Size(laws);
+    system->mu = mu, system->zeta = zeta, system->pieces = (int)pieces;
+    if (pieces < 1 || pieces > SF_MOST_LAWS || PyTuple_Size(constants) != pieces ||
+        numbers(breakpoints, system->breakpoint, SF_MOST_LAWS) != pieces - 1) {
+        if (!PyErr_Occurred())
+            PyErr_Format(PyExc_ValueError, "%zd pieces of a force, with other numbers of constants or ends", pieces);
+        PyMem_Free(system);
+        return NULL;
+    }
+    for (Py_ssize_t i = 0; i < pieces; i++) {
+        const long law = PyLong_AsLong(PyTuple_GetItem(laws, i));
+        PyObject *const own = PyTuple_GetItem(constants, i);
+        if (law < 0 || law >= SF_LAWS || !PyTuple_Check(own) ||
+            numbers(own, system->constants[i], SF_MOST_CONSTANTS) < 0) {
+            if (!PyErr_Occurred())
+                PyErr_Format(PyExc_ValueError, "piece %zd: no such law, or constants that are no tuple", i);
+            PyMem_Free(system);
+            return NULL;
+        }
+        system->law[i] = &sf_laws[law];
+    }
+    PyObject *const capsule = PyCapsule_New(system, NAME, free_system);
+    if (capsule == NULL)
+        PyMem_Free(system);
+    return capsule;
+}
+
+static PyObject *advance(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    sf_drive drive;
+    double theta, u, v, end;
+    long left;
+    Py_buffer out;
+    if (!PyArg_ParseTuple(arguments, "O(dddd)ddddlw*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta, &drive.friction,
+                          &theta, &u, &v, &end, &left, &out))
+        return NULL;
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    if (system == NULL || out.len < (Py_ssize_t)(2 * SF_COLUMNS * sizeof(double))) {
+        PyBuffer_Release(&out);
+        return system == NULL ? NULL : PyErr_Format(PyExc_ValueError, "room for too few derivatives");
+    }
+    double flow[2][SF_COLUMNS];
+    const long most = left;
+    sf_outcome outcome;
+    Py_BEGIN_ALLOW_THREADS
+    outcome = sf_advance(system->law[0], system->constants[0], &drive, theta, end, &u, &v, flow, &left);
+    Py_END_ALLOW_THREADS
+    memcpy(out.buf, flow, sizeof flow);
+    PyBuffer_Release(&out);
+    return Py_BuildValue("ildd", (int)outcome, most - left, u, v);
+}
+
+static PyObject *until(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    sf_drive drive;
+    double edge, theta, u, v, end;
+    int slip, undecided = 0;
+    long left;
+    if (!PyArg_ParseTuple(arguments, "O(dddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta, &drive.friction,
+                          &slip, &edge, &theta, &u, &v, &end, &left))
+        return NULL;
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    if (system == NULL)
+        return NULL;
+    const sf_law *const law = system->law[0];
+    const double *const p = system->constants[0];
+    const long most = left;
+    sf_event event = SF_TIME;
+    sf_outcome outcome = SF_GOOD;
+    Py_BEGIN_ALLOW_THREADS
+    const double push = drive.F_0 * cos(theta) - sf_force(law, p, u) - drive.friction;
+    if (theta < end)
+        outcome = sf_until(law, p, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v,
+                           &left, &event, &undecided);
+    Py_END_ALLOW_THREADS
+    return Py_BuildValue("ildddii", (int)outcome, most - left, theta, u, v, (int)event, undecided);
+}
+
+static PyObject *sample(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    sf_drive drive;
+    double theta, u, v;
+    long left;
+    Py_buffer grid, out;
+    if (!PyArg_ParseTuple(arguments, "O(dddd)dddly*w*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta, &drive.friction,
+                          &theta, &u, &v, &left, &grid, &out))
+        return NULL;
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    const long count = (long)(grid.len / (Py_ssize_t)sizeof(double)), most = left;
+    sf_outcome outcome = SF_GOOD;
+    if (system != NULL && out.len >= 2 * grid.len) {
+        Py_BEGIN_ALLOW_THREADS
+        outcome = sf_sample(system->law[0], system->constants[0], &drive, theta, u, v, grid.buf, count, out.buf, &left);
+        Py_END_ALLOW_THREADS
+    }
+    else if (system != NULL)
+        PyErr_SetString(PyExc_ValueError, "room for too few states");
+    PyBuffer_Release(&grid);
+    PyBuffer_Release(&out);
+    return PyErr_Occurred() ? NULL : Py_BuildValue("il", (int)outcome, most - left);
+}
+
+/* (outcome, steps, phases as bytes: rows of slip, region, theta, u, v, end, u_end, v_end, event, undecided) */
+static PyObject *follow(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule;
+    sf_forced forced = {0};
+    double theta, u, v, end;
+    int given, start[2], last;
+    if (!PyArg_ParseTuple(arguments, "Oddddddpiilp", &capsule, &forced.Omega, &forced.F_0, &theta, &u, &v, &end, &given,
+                          &start[0], &start[1], &forced.left, &last))
+        return NULL;
+    forced.system = PyCapsule_GetPointer(capsule, NAME);
+    if (forced.system == NULL)
+        return NULL;
+    const long most = forced.left;
+    sf_phases phases = {0};
+    sf_outcome outcome;
+    Py_BEGIN_ALLOW_THREADS
+    outcome = sf_follow(&forced, theta, u, v, end, given ? start : NULL, &phases);
+    Py_END_ALLOW_THREADS
+    enum { NUMBERS = 10 };
+    const long from = last && phases.count ? phases.count - 1 : 0;
+    PyObject *const bytes =
+        PyBytes_FromStringAndSize(NULL, (phases.count - from) * NUMBERS * (Py_ssize_t)sizeof(double));
+    if (bytes != NULL) {
+        double *row = (double *)PyBytes_AsString(bytes);
+        for (long i = from; i < phases.count; i++, row += NUMBERS) {
+            const sf_phase *const at = &phases.at[i];
+            const double values[NUMBERS] = {at->slip, at->region, at->theta, at->u,     at->v,
+                                            at->end,  at->u_end,  at->v_end, at->event, at->undecided};
+            memcpy(row, values, sizeof values);
+        }
+    }
+    free(phases.at);
+    return bytes == NULL ? NULL : Py_BuildValue("ilN", (int)outcome, most - forced.left, bytes);
+}
+
+/* (outcome, steps, A, monodromy, borders): residual, jacobian, of_A, gradients one after the other in `out`; z is moved,
+ * `along` filled where it is given. `extra` is None, a row with its value, or the number of a border. */
+static PyObject *newton(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule, *result = NULL;
+    Py_buffer signature, z, row, out, along;
+    double F_0, value, tolerance;
+    int half_turns, kind, most;
+    long border, left;
+    if (!PyArg_ParseTuple(arguments, "Oy*iw*diy*dlidlw*w*", &capsule, &signature, &half_turns, &z, &F_0, &kind, &row,
+                          &value, &border, &most, &tolerance, &left, &out, &along))
+        return NULL;
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    const long k = (long)(signature.len / (Py_ssize_t)(2 * sizeof(int))), n = k + 4;
+    const Py_ssize_t unknowns = (k + 3) * (Py_ssize_t)sizeof(double);
+    const size_t numbers_of_work = (size_t)((k + 3) * (k + 3) + 2 * (k + 3) + 3 * n);
+    double *const work = malloc(numbers_of_work * sizeof *work);
+    sf_border *const at = malloc((size_t)(2 * k + 1) * sizeof *at);
+    const int fits = k > 0 && z.len == unknowns && out.len >= (Py_ssize_t)(sf_numbers(k) * sizeof(double)) &&
+                     along.len == unknowns && (kind != SF_ROW || row.len == unknowns);
+    if (work == NULL || at == NULL)
+        PyErr_NoMemory();
+    else if (system != NULL && !fits)
+        PyErr_SetString(PyExc_ValueError, "arrays that do not fit the phases of the cycle");
+    else if (system != NULL) {
+        sf_forced forced = {system, 0.0, F_0, left};
+        const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
+        double *const buffer = out.buf;
+        sf_equations found = {.residual = buffer,
+                              .jacobian = buffer + (k + 2),
+                              .of_A = buffer + (k + 2) + (k + 2) * n,
+                              .gradients = buffer + (k + 2) + (k + 3) * n,
+                              .border = at};
+        const sf_extra extra = {kind, row.buf, value, border};
+        sf_outcome outcome;
+        Py_BEGIN_ALLOW_THREADS
+        if (most > 0)
+            outcome = sf_newton(&forced, &cycle, z.buf, &extra, most, tolerance, &found, along.buf, work);
+        else
+            outcome = sf_cycle_equations(&forced, &cycle, z.buf, &found, work);
+        Py_END_ALLOW_THREADS
+        PyObject *const borders = PyTuple_New(outcome == SF_GOOD ? found.borders : 0);
+        for (long i = 0; borders != NULL && outcome == SF_GOOD && i < found.borders; i++)
+            PyTuple_SetItem(borders, i, Py_BuildValue("iid", at[i].phase, at[i].rest, at[i].margin));
+        if (borders != NULL)
+            result = Py_BuildValue("ild(dddd)N", (int)outcome, left - forced.left, found.A, found.monodromy[0][0],
+                                   found.monodromy[0][1], found.monodromy[1][0], found.monodromy[1][1], borders);
+    }
+    free(work);
+    free(at);
+    PyBuffer_Release(&signature);
+    PyBuffer_Release(&z);
+    PyBuffer_Release(&row);
+    PyBuffer_Release(&out);
+    PyBuffer_Release(&along);
+    return result;
+}
+
+static PyMethodDef methods[] = {
+    {"system", make_system, METH_VARARGS, "laws, constants, breakpoints, mu, zeta -> an oscillator."},
+    {"advance", advance, METH_VARARGS, "system, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
+    {"until", until, METH_VARARGS,
+     "system, drive, slip, edge, theta, u, v, end, steps -> outcome, spent, theta, u, v, event, undecided."},
+    {"sample", sample, METH_VARARGS, "system, drive, theta, u, v, steps, grid, states -> outcome, spent."},
+    {"follow", follow, METH_VARARGS,
+     "system, Omega, F_0, theta, u, v, end, started, slip, region, steps, last only -> outcome, spent, phases."},
+    {"newton", newton, METH_VARARGS,
+     "system, phases, half_turns, z, F_0, extra, row, value, border, most, tolerance, steps, equations, along -> "
+     "outcome, spent, A, monodromy, borders."},
+    {NULL, NULL, 0, NULL},
+};
+
+static int fill(PyObject *self)
+{
+    PyObject *const laws = PyDict_New();
+    for (int i = 0; laws != NULL && i < SF_LAWS; i++) {
+        PyObject *const number = PyLong_FromLong(i);
+        const int failed = number == NULL || PyDict_SetItemString(laws, sf_laws[i].name, number) < 0;
+        Py_XDECREF(number);
+        if (failed) {
+            Py_DECREF(laws);
+            return -1;
+        }
+    }
+    const int failed = laws == NULL || PyModule_AddObjectRef(self, "LAWS", laws) < 0;
+    Py_XDECREF(laws);
+    return failed ? -1 : 0;
+}
+
+static PyModuleDef_Slot slots[] = {
+    {Py_mod_exec, (void *)fill},
+    {0, NULL},
+};
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_exact", "The equation of motion, compiled.", 0, methods, slots, NULL, NULL, NULL,
+};
+
+PyMODINIT_FUNC PyInit__exact(void)
+{
+    return PyModuleDef_Init(&definition);
+}

@@ -1,0 +1,248 @@
+/* The equations of a periodic motion with a given order of switches, their Jacobian, and Newton's iteration, as
+ * slowflow.exact.cycle states them. */
+#ifndef SF_CYCLE_H
+#define SF_CYCLE_H
+
+#include "motion.h"
+
+/* phases of a cycle with k of them: slip[i] and region[i], the factor `sign` of the state after the cycle */
+typedef struct {
+    long k;
+    const int *phase; /* k pairs (slip, region) */
+    int half_turns, sign;
+} sf_cycle;
+
+/* A margin that is positive while no phase has to be put in at a turning point; `rest`: the excess of the push over
+ * friction, else the distance of the turning point from the breakpoint ahead. Its gradient has k + 4 entries. */
+typedef struct {
+    int phase, rest;
+    double margin;
+} sf_border;
+
+/* residual (k + 2), jacobian (k + 2, k + 4) with columns u_0, theta_0, k spans, Omega, F_0; borders (2 k) */
+typedef struct {
+    double *residual, *jacobian, *of_A, *gradients;
+    double monodromy[2][2], A;
+    sf_border *border;
+    long borders;
+} sf_equations;
+
+/* The numbers of workspace for a cycle of k phases: residual, jacobian, of_A, gradients, two rows of the state's
+ * derivatives and one of theta's. */
+static inline size_t sf_numbers(long k) { return (size_t)(k + 2) + (k + 2) * (k + 4) + (k + 4) + 2 * k * (k + 4); }
+
+static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, const double *z, sf_equations *out,
+                                     double *work)
+{
+    const sf_system *const system = forced->system;
+    const long k = cycle->k, n = k + 4;
+    const double Omega = forced->Omega = z[k + 2], F_0 = forced->F_0, mu = system->mu;
+    double u = z[0], v = 0.0, theta = z[1];
+    double *const of_u = work, *const of_v = work + n, *const of_theta = work + 2 * n;
+    memset(work, 0, 3 * (size_t)n * sizeof *work);
+    memset(out->jacobian, 0, (size_t)((k + 2) * n) * sizeof *out->jacobian);
+    of_u[0] = 1.0, of_theta[1] = 1.0;
+    double M[2][2] = {{1.0, 0.0}, {0.0, 1.0}};
+    out->A = fabs(u);
+    for (long j = 0; j < n; j++)
+        out->of_A[j] = copysign(1.0, u) * of_u[j];
+    out->borders = 0;
+    for (long i = 0; i < k; i++) {
+        const int slip = cycle->phase[2 * i], region = cycle->phase[2 * i + 1], flip = i == k - 1 ? cycle->sign : 1;
+        const long next = (i + 1) % k;
+        const int next_slip = flip * cycle->phase[2 * next], next_region = flip * cycle->phase[2 * next + 1];
+        const double end = theta + z[2 + i];
+        double *const row = out->jacobian + i * n;
+        const sf_law *const law = sf_law_of(system, region);
+        const double *const p = sf_constants_of(system, region);
+        if (slip == 0) {
+            of_theta[2 + i] = 1.0;
+            out->residual[i] = sf_push(forced, region, end, u) - next_slip * mu;
+            const double stiffness = sf_stiffness(law, p, u);
+            for (long j = 0; j < n; j++) {
+                of_v[j] = 0.0;
+                row[j] = -F_0 * sin(end) * of_theta[j] - stiffness * of_u[j];
+            }
+            row[n - 1] += cos(end);
+            /* at break-away the push balances friction: the acceleration is continuous, only v is forgotten */
+            M[1][0] = M[1][1] = 0.0;
+            v = 0.0, theta = end;
+            continue;
+        }
+        const sf_drive drive = sf_drive_of(forced, slip);
+        const double rate_u = v / Omega, rate_v = sf_acceleration(forced, slip, region, theta, u, v) / Omega;
+        double flow[2][SF_COLUMNS];
+        const sf_outcome outcome = sf_advance(law, p, &drive, theta, end, &u, &v, flow, &forced->left);
+        if (outcome != SF_GOOD)
+            return outcome;
+        const double acceleration = sf_acceleration(forced, slip, region, end, u, v);
+        for (long j = 0; j < n; j++) {
+            const double a = of_u[j] - rate_u * of_theta[j], b = of_v[j] - rate_v * of_theta[j];
+            const double at_end = of_theta[j] + (j == 2 + i ? 1.0 : 0.0);
+            of_u[j] = flow[0][0] * a + flow[0][1] * b + v / Omega * at_end;
+            of_v[j] = flow[1][0] * a + flow[1][1] * b + acceleration / Omega * at_end;
+        }
+        of_theta[2 + i] = 1.0;
+        for (int c = 2; c < SF_COLUMNS; c++)
+            of_u[k + c] += flow[0][c], of_v[k + c] += flow[1][c];
+        for (int c = 0; c < 2; c++) {
+            const double a = M[0][c], b = M[1][c];
+            M[0][c] = flow[0][0] * a + flow[0][1] * b;
+            M[1][c] = flow[1][0] * a + flow[1][1] * b;
+        }
+        theta = end;
+        if (fabs(u) > out->A) {
+            out->A = fabs(u);
+            for (long j = 0; j < n; j++)
+                out->of_A[j] = copysign(1.0, u) * of_u[j];
+        }
+        const double edge = sf_edge_ahead(system, slip, region);
+        if (next_region != region) {
+            out->residual[i] = u - edge;
+            memcpy(row, of_u, (size_t)n * sizeof *row);
+            const double jump = sf_acceleration(forced, slip, next_region, end, u, v) - acceleration;
+            if (v != 0.0)
+                for (int c = 0; c < 2; c++)
+                    M[1][c] += jump / v * M[0][c];
+            continue;
+        }
+        out->residual[i] = v;
+        memcpy(row, of_v, (size_t)n * sizeof *row);
+        const double after = sf_acceleration(forced, next_slip, region, end, u, v);
+        for (int c = 0; c < 2; c++)
+            M[1][c] *= next_slip == 0 ? 0.0 : acceleration != 0.0 ? after / acceleration : 1.0;
+        if (fabs(edge) != SF_FAR) {
+            double *const gradient = out->gradients + out->borders * n;
+            for (long j = 0; j < n; j++)
+                gradient[j] = -slip * of_u[j];
+            out->border[out->borders++] = (sf_border){(int)i, 0, slip * (edge - u)};
+        }
+        if (next_slip != 0 && mu > 0) {
+            double *const gradient = out->gradients + out->borders * n;
+            const double stiffness = sf_stiffness(law, p, u);
+            for (long j = 0; j < n; j++)
+                gradient[j] = next_slip * (-F_0 * sin(end) * of_theta[j] - stiffness * of_u[j]);
+            gradient[n - 1] += next_slip * cos(end);
+            out->border[out->borders++] = (sf_border){(int)i, 1, next_slip * sf_push(forced, region, end, u) - mu};
+        }
+    }
+    double *const closes = out->jacobian + k * n, *const spans = closes + n;
+    out->residual[k] = u - cycle->sign * z[0];
+    memcpy(closes, of_u, (size_t)n * sizeof *closes);
+    closes[0] -= cycle->sign;
+    double whole = 0.0;
+    for (long i = 0; i < k; i++)
+        whole += z[2 + i], spans[2 + i] = 1.0;
+    out->residual[k + 1] = whole - 0.5 * SF_TURN * cycle->half_turns;
+    for (int r = 0; r < 2; r++)
+        for (int c = 0; c < 2; c++)
+            out->monodromy[r][c] = cycle->sign * M[r][c];
+    return SF_GOOD;
+}
+
+/* Solves m x = b for two right-hand sides, b[0] and b[1], in place, by elimination with partial pivoting; 0 where m is
+ * singular. */
+static int sf_solve(double *m, long n, double *const b[2])
+{
+    for (long i = 0; i < n; i++) {
+        long best = i;
+        for (long r = i + 1; r < n; r++)
+            if (fabs(m[r * n + i]) > fabs(m[best * n + i]))
+                best = r;
+        if (!(fabs(m[best * n + i]) > 0.0))
+            return 0;
+        if (best != i) {
+            for (long c = i; c < n; c++) {
+                const double kept = m[i * n + c];
+                m[i * n + c] = m[best * n + c], m[best * n + c] = kept;
+            }
+            for (int s = 0; s < 2; s++) {
+                const double kept = b[s][i];
+                b[s][i] = b[s][best], b[s][best] = kept;
+            }
+        }
+        for (long r = i + 1; r < n; r++) {
+            const double factor = m[r * n + i] / m[i * n + i];
+            if (factor == 0.0)
+                continue;
+            for (long c = i + 1; c < n; c++)
+                m[r * n + c] -= factor * m[i * n + c];
+            for (int s = 0; s < 2; s++)
+                b[s][r] -= factor * b[s][i];
+        }
+    }
+    for (int s = 0; s < 2; s++)
+        for (long i = n - 1; i >= 0; i--) {
+            double sum = b[s][i];
+            for (long c = i + 1; c < n; c++)
+                sum -= m[i * n + c] * b[s][c];
+            b[s][i] = sum / m[i * n + i];
+        }
+    return 1;
+}
+
+/* One more equation, so that Omega is free: row z = value, or that a border's margin vanishes; or none. */
+typedef struct {
+    enum { SF_NO_MORE, SF_ROW, SF_BORDER } kind;
+    const double *row; /* k + 3 */
+    double value;
+    long border;
+} sf_extra;
+
+/* Newton's iteration from z, which it moves. SF_DIVERGES where it does not converge. `along`, if not NULL: the solution
+ * of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */
+static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z, const sf_extra *extra, int most,
+                            double tolerance, sf_equations *out, double *along, double *work)
+{
+    const long k = cycle->k, n = k + 4, size = k + 2 + (extra->kind != SF_NO_MORE);
+    double *const m = work, *const step = m + size * size, *const other = step + size, *const rest = other + size;
+    double last = HUGE_VAL;
+    for (int i = 0; i < most; i++) {
+        const sf_outcome outcome = sf_cycle_equations(forced, cycle, z, out, rest);
+        if (outcome != SF_GOOD)
+            return outcome;
+        double error = 0.0;
+        for (long r = 0; r < k + 2; r++) {
+            memcpy(m + r * size, out->jacobian + r * n, (size_t)size * sizeof *m);
+            step[r] = -out->residual[r], other[r] = 0.0;
+            error = fmax(error, fabs(out->residual[r]));
+        }
+        if (extra->kind == SF_ROW) {
+            double value = -extra->value;
+            for (long j = 0; j < size; j++)
+                value += extra->row[j] * z[j];
+            memcpy(m + (k + 2) * size, extra->row, (size_t)size * sizeof *m);
+            step[k + 2] = -value, other[k + 2] = 1.0;
+            error = fmax(error, fabs(value));
+        }
+        else if (extra->kind == SF_BORDER) {
+            if (extra->border >= out->borders)
+                return SF_DIVERGES;
+            memcpy(m + (k + 2) * size, out->gradients + extra->border * n, (size_t)size * sizeof *m);
+            step[k + 2] = -out->border[extra->border].margin, other[k + 2] = 1.0;
+            error = fmax(error, fabs(step[k + 2]));
+        }
+        double *const sides[2] = {step, other};
+        if (!sf_solve(m, size, sides))
+            return SF_SINGULAR;
+        double length = 0.0;
+        for (long j = 0; j < size; j++)
+            length = isfinite(step[j]) ? fmax(length, fabs(step[j])) : HUGE_VAL;
+        if (!(length <= 2.0) || !isfinite(error))
+            return SF_DIVERGES;
+        /* towards Omega = 0 a turn takes ever longer: a trial that goes half the way is none */
+        if (extra->kind != SF_NO_MORE && !(fabs(step[k + 2]) < 0.5 * z[k + 2]))
+            return SF_DIVERGES;
+        if (error <= tolerance || (error <= 100.0 * tolerance && length >= 0.5 * last)) {
+            if (along != NULL)
+                memcpy(along, other, (size_t)size * sizeof *along);
+            return SF_GOOD;
+        }
+        for (long j = 0; j < size; j++)
+            z[j] += step[j];
+        last = length;
+    }
+    return SF_DIVERGES;
+}
+
+#endif

@@ -1,0 +1,316 @@
+/* Motion from switch to switch, as slowflow.exact.motion states it: slip in one direction over one piece, or rest. */
+#ifndef SF_MOTION_H
+#define SF_MOTION_H
+
+#include <stdlib.h>
+
+#include "step.h"
+#include "first_zero.h"
+
+enum { SF_MOST_LAWS = 8 };
+
+#define SF_FAR 1e6       /* stands for "no breakpoint ahead": no motion of an isolator comes near */
+#define SF_GRAZING 1e-13 /* a velocity at a breakpoint that cannot be told from rest: the way beyond is its square */
+#define SF_GLIMPSE 1e-6  /* a slip from rest of less, in theta, is none: the push exceeds friction by rounding */
+#define SF_TURN 6.283185307179586
+
+/* the equation of motion without its forcing; a negative region is the mirror image of that piece */
+typedef struct {
+    int pieces;
+    const sf_law *law[SF_MOST_LAWS];
+    double constants[SF_MOST_LAWS][SF_MOST_CONSTANTS], breakpoint[SF_MOST_LAWS];
+    double mu, zeta;
+} sf_system;
+
+typedef struct {
+    const sf_system *system;
+    double Omega, F_0;
+    long left; /* steps that may still be taken */
+} sf_forced;
+
+/* STALLS: more steps than allowed, or numbers that are not finite */
+typedef enum { SF_GOOD, SF_STALLS, SF_CHATTERS, SF_ESCAPES, SF_SINGULAR, SF_DIVERGES, SF_NO_MEMORY } sf_outcome;
+
+typedef enum { SF_TIME, SF_STOP, SF_EDGE, SF_NOTHING } sf_event;
+
+/* A stretch of smooth motion. slip: sign of the velocity, 0 at rest; undecided: touches a stop within rounding */
+typedef struct {
+    int slip, region, event, undecided;
+    double theta, u, v, end, u_end, v_end;
+} sf_phase;
+
+typedef struct {
+    long count, room;
+    sf_phase *at;
+} sf_phases;
+
+static inline const sf_law *sf_law_of(const sf_system *system, int region) { return system->law[abs(region)]; }
+static inline const double *sf_constants_of(const sf_system *system, int region)
+{
+    return system->constants[abs(region)];
+}
+
+static inline sf_drive sf_drive_of(const sf_forced *forced, int slip)
+{
+    const sf_system *const system = forced->system;
+    return (sf_drive){forced->Omega, forced->F_0, system->zeta, slip * system->mu};
+}
+
+/* what friction has to hold at rest */
+static inline double sf_push(const sf_forced *forced, int region, double theta, double u)
+{
+    const sf_system *const system = forced->system;
+    return forced->F_0 * cos(theta) - sf_force(sf_law_of(system, region), sf_constants_of(system, region), u);
+}
+
+static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
+{
+    return sf_push(forced, region, theta, u) - 2.0 * forced->system->zeta * v - slip * forced->system->mu;
+}
+
+static inline double sf_edge_ahead(const sf_system *system, int slip, int region)
+{
+    const int outward = slip * region;
+    if (outward >= 0)
+        return outward < system->pieces - 1 ? slip * system->breakpoint[outward] : slip * SF_FAR;
+    return -slip * system->breakpoint[-outward - 1];
+}
+
+static inline int sf_region_of(const sf_system *system, double u)
+{
+    int index = 0;
+    for (int i = 0; i < system->pieces - 1; i++)
+        index += fabs(u) > system->breakpoint[i];
+    return u > 0 ? index : -index;
+}
+
+/* when and in which direction a mass at rest at u moves off, at or after theta; infinity and 0 if never */
+static double sf_break_away(const sf_forced *forced, int region, double theta, double u, int *direction)
+{
+    const sf_system *const system = forced->system;
+    const double force = sf_force(sf_law_of(system, region), sf_constants_of(system, region), u);
+    double first = HUGE_VAL;
+    *direction = 0;
+    for (int slip = -1; slip <= 1; slip += 2) {
+        const double cosine = (force + slip * system->mu) / forced->F_0;
+        if (!(fabs(cosine) < 1.0))
+            continue;
+        /* cos theta rises through it for slip = 1 and falls for slip = -1 */
+        const double angle = -slip * acos(cosine);
+        const double at = fmax(angle + SF_TURN * ceil((theta - angle) / SF_TURN - 1e-14), theta);
+        if (at < first)
+            first = at, *direction = slip;
+    }
+    return first;
+}
+
+/* what follows a stop reached in direction slip: the next direction, 0 if friction holds the mass */
+static inline int sf_after_stop(const sf_forced *forced, int slip, int region, double theta, double u)
+{
+    const double push = sf_push(forced, region, theta, u), mu = forced->system->mu;
+    if (mu > 0 && fabs(push) <= mu)
+        return 0;
+    return slip ? -slip : push > 0 ? 1 : -1;
+}
+
+/* Slip from (theta, u, v) up to the first stop, to u = edge, or to `end`. `zeros`: of the velocity at the start, 0 if it
+ * moves, 1 from rest, 2 where the acceleration vanishes too, at break-away. */
+static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *drive, int slip, double edge, double end,
+                           int zeros, double *theta, double *u, double *v, long *left, sf_event *event, int *undecided)
+{
+    const double start = *theta, whole = (end - start) / drive->Omega;
+    double passed = 0.0;
+    sf_expansion x;
+    *undecided = 0;
+    for (;;) {
+        if ((*left)-- <= 0)
+            return SF_STALLS;
+        sf_expand(law, p, drive, *theta, *u, *v, &x);
+        double h = fmin(sf_step_of(&x, 0), whole - passed);
+        if (!(h >= 0.0) || !isfinite(x.v[SF_ORDER]))
+            return SF_STALLS;
+        const int last = h == whole - passed;
+        double a[SF_TERMS] = {0.0}, power = slip, zero;
+        for (int k = 0; k <= SF_ORDER; k++, power *= h)
+            if (k >= zeros)
+                a[k - zeros] = x.v[k] * power;
+        const sf_found stop = h > 0.0 ? sf_first_zero(a, &zero) : SF_NONE;
+        *undecided |= stop == SF_UNDECIDED;
+        *event = last ? SF_TIME : SF_NOTHING;
+        double at = h;
+        if (stop == SF_ONE)
+            at = h * zero, *event = SF_STOP;
+        double there = sf_at(x.w[0], at);
+        if (slip * (there - edge) > 0.0) { /* up to there u is monotone */
+            double beyond[SF_TERMS];
+            power = -slip;
+            for (int k = 0; k <= SF_ORDER; k++, power *= h)
+                beyond[k] = x.w[0][k] * power;
+            beyond[0] += slip * edge;
+            at = beyond[0] > 0.0 ? h * sf_refined(beyond, SF_ORDER, 0.0, at / h) : 0.0;
+            there = edge, *event = SF_EDGE;
+        }
+        *v = *event == SF_STOP ? 0.0 : sf_at(x.v, at);
+        *u = there;
+        passed += at;
+        *theta = start + drive->Omega * passed;
+        if (*event == SF_TIME)
+            *theta = end;
+        if (*event != SF_NOTHING)
+            return SF_GOOD;
+        zeros = 0;
+    }
+}
+
+/* State at `end`, which may lie before theta, and its derivatives by the state at theta, Omega and F_0. */
+static sf_outcome sf_advance(const sf_law *law, const double *p, const sf_drive *drive, double theta, double end,
+                             double *u, double *v, double flow[2][SF_COLUMNS], long *left)
+{
+    const double start = theta, whole = (end - start) / drive->Omega;
+    double passed = 0.0;
+    sf_expansion x;
+    memset(flow, 0, 2 * sizeof flow[0]);
+    flow[0][0] = flow[1][1] = 1.0;
+    while (passed != whole) {
+        if ((*left)-- <= 0)
+            return SF_STALLS;
+        sf_expand_both(law, p, drive, theta, *u, *v, (const double (*)[SF_COLUMNS])flow, &x);
+        const double most = sf_step_of(&x, 1), rest = whole - passed;
+        if (!(most > 0.0) || !isfinite(x.V[SF_ORDER][0]))
+            return SF_STALLS;
+        const double h = fabs(rest) <= most ? rest : copysign(most, rest);
+        passed = h == rest ? whole : passed + h;
+        *u = sf_at(x.w[0], h), *v = sf_at(x.v, h);
+        sf_columns_at(x.U, h, flow[0]);
+        sf_columns_at(x.V, h, flow[1]);
+        theta = start + drive->Omega * passed;
+    }
+    return isfinite(*u) && isfinite(*v) ? SF_GOOD : SF_STALLS;
+}
+
+/* States (u, v) on a grid of theta that does not fall, at or after the start. */
+static sf_outcome sf_sample(const sf_law *law, const double *p, const sf_drive *drive, double theta, double u, double v,
+                            const double *grid, long count, double (*out)[2], long *left)
+{
+    const double start = theta;
+    double passed = 0.0;
+    long i = 0;
+    sf_expansion x;
+    while (i < count) {
+        if ((*left)-- <= 0)
+            return SF_STALLS;
+        sf_expand(law, p, drive, theta, u, v, &x);
+        const double h = sf_step_of(&x, 0);
+        if (!(h > 0.0) || !isfinite(x.v[SF_ORDER]))
+            return SF_STALLS;
+        for (; i < count; i++) {
+            const double at = (grid[i] - start) / drive->Omega - passed;
+            if (!(at <= h))
+                break;
+            out[i][0] = sf_at(x.w[0], at), out[i][1] = sf_at(x.v, at);
+        }
+        u = sf_at(x.w[0], h), v = sf_at(x.v, h);
+        passed += h;
+        theta = start + drive->Omega * passed;
+    }
+    return SF_GOOD;
+}
+
+static int sf_append(sf_phases *phases, sf_phase phase)
+{
+    if (phases->count == phases->room) {
+        const long room = 2 * phases->room + 16;
+        sf_phase *const more = realloc(phases->at, (size_t)room * sizeof *more);
+        if (more == NULL)
+            return 0;
+        phases->at = more, phases->room = room;
+    }
+    phases->at[phases->count++] = phase;
+    return 1;
+}
+
+/* adds a rest, or prolongs one that the last phase is */
+static int sf_rest(sf_phases *phases, int region, double *theta, double u, double until, double end)
+{
+    const int event = until < end ? SF_STOP : SF_TIME;
+    sf_phase *const last = phases->count ? &phases->at[phases->count - 1] : NULL;
+    const double from = *theta;
+    *theta = until;
+    if (last != NULL && last->slip == 0) {
+        last->end = until, last->event = event;
+        return 1;
+    }
+    return sf_append(phases, (sf_phase){0, region, event, 0, from, u, 0.0, until, u, 0.0});
+}
+
+enum { SF_MOST_PHASES = 400 }; /* in one turn of the forcing; more means that switches accumulate */
+
+/* All phases from (theta, u, v) to `end`; `start` = {slip, region} overrides the state, e.g. at break-away. */
+static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v, double end, const int *start,
+                            sf_phases *phases)
+{
+    const sf_system *const system = forced->system;
+    int slip, region, zeros = v == 0.0;
+    if (start != NULL) {
+        slip = start[0], region = start[1];
+        zeros = v != 0.0 ? 0 : slip && slip * sf_acceleration(forced, slip, region, theta, u, 0.0) > 0.0 ? 1 : 2;
+    }
+    else {
+        region = sf_region_of(system, u);
+        slip = v != 0 ? (v > 0 ? 1 : -1) : sf_after_stop(forced, 0, region, theta, u);
+        if (slip != 0 && u == sf_edge_ahead(system, slip, region))
+            region += slip;
+    }
+    const double most = SF_MOST_PHASES * (1.0 + ceil((end - theta) / SF_TURN));
+    phases->count = 0;
+    while (theta < end) {
+        if ((double)phases->count >= most)
+            return SF_CHATTERS;
+        if (slip == 0) {
+            const double at = sf_break_away(forced, region, theta, u, &slip);
+            if (!sf_rest(phases, region, &theta, u, fmin(at, end), end))
+                return SF_NO_MEMORY;
+            zeros = 2;
+            continue;
+        }
+        const double edge = sf_edge_ahead(system, slip, region);
+        if (slip * u >= SF_FAR)
+            return SF_ESCAPES;
+        if (slip * (u - edge) >= 0.0) { /* turned round within rounding of a breakpoint */
+            region += slip;
+            continue;
+        }
+        const sf_law *const law = sf_law_of(system, region);
+        const sf_drive drive = sf_drive_of(forced, slip);
+        sf_phase phase = {slip, region, SF_TIME, 0, theta, u, v, 0.0, 0.0, 0.0};
+        sf_event event;
+        const sf_outcome outcome = sf_until(law, sf_constants_of(system, region), &drive, slip, edge, end, zeros, &theta,
+                                            &u, &v, &forced->left, &event, &phase.undecided);
+        if (outcome != SF_GOOD)
+            return outcome;
+        if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && system->mu > 0) {
+            theta = phase.theta, u = phase.u;
+            const double at = sf_break_away(forced, region, theta + SF_GLIMPSE, u, &slip);
+            if (!sf_rest(phases, region, &theta, u, fmin(at, end), end))
+                return SF_NO_MEMORY;
+            zeros = 2;
+            continue;
+        }
+        zeros = 0;
+        if (event == SF_EDGE && fabs(v) < SF_GRAZING &&
+            slip * sf_acceleration(forced, slip, region + slip, theta, u, v) < 0.0)
+            v = 0.0, event = SF_STOP;
+        phase.event = event, phase.end = theta, phase.u_end = u, phase.v_end = v;
+        if (!sf_append(phases, phase))
+            return SF_NO_MEMORY;
+        if (event == SF_STOP) {
+            slip = sf_after_stop(forced, slip, region, theta, u);
+            zeros = 1;
+        }
+        else if (event == SF_EDGE)
+            region += slip;
+    }
+    return SF_GOOD;
+}
+
+#endif

@@ -1,0 +1,165 @@
+"""The compiled equation of motion: its series against 30 digits, its motions against heyoka's, its refusals."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from slowflow.backend import EXACT
+from slowflow.exact import EquationOfMotion, duffing, linear, rod_spring, rod_spring_exact, steady_state
+from slowflow.exact.compiled import TaylorIntegrator, default_integrator, law
+from slowflow.exact.integrate import STOP, TIME, Drive
+from slowflow.isolator import Duffing, Isolator
+from tests.oracles.exact_cases import random_cases
+
+pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
+OURS = TaylorIntegrator()
+
+# a piece, the same force and its slope by hand for mpmath, and a state well inside of it
+PIECES = {
+    "linear": (linear().pieces[0], lambda u: u, lambda u: 1, (0.3, -0.2)),
+    "duffing": (
+        duffing(0.7, 1.3).pieces[0],
+        lambda u: mp.mpf(0.7) * u + mp.mpf(1.3) * u**3,
+        lambda u: mp.mpf(0.7) + 3 * mp.mpf(1.3) * u**2,
+        (0.9, 0.4),
+    ),
+    "truncated": (
+        rod_spring(0.2, 1.5, 1.1, 0.9).pieces[0],
+        lambda u: mp.mpf(0.2) * u + mp.mpf(1.5) * u**3 + mp.mpf(1.1) * u**5,
+        lambda u: mp.mpf(0.2) + 3 * mp.mpf(1.5) * u**2 + 5 * mp.mpf(1.1) * u**4,
+        (0.4, 0.3),
+    ),
+    "untruncated": (
+        rod_spring_exact(3.0, 0.6, 0.25).pieces[0],
+        lambda u: u + 3 * mp.mpf(0.6) * ((1 - mp.mpf(0.25)) / mp.sqrt(1 - u * u) - 1) * u,
+        lambda u: 1 + 3 * mp.mpf(0.6) * ((1 - mp.mpf(0.25)) / mp.sqrt(1 - u * u) ** 3 - 1),
+        (0.35, -0.2),
+    ),
+}
+
+
+@pytest.mark.parametrize("end", [2.9, -0.6])
+@pytest.mark.parametrize("name", PIECES)
+def test_states_and_derivatives_against_twenty_five_digits(name, end):
+    """Forwards and backwards in theta, and the derivatives from the equations of variation, typed by hand."""
+    piece, force, slope, (u, v) = PIECES[name]
+    Omega, F_0, zeta, friction, theta = 0.9, 0.11, 0.03, -0.02, 0.4
+    with mp.workdps(25):
+        sign = 1 if end > theta else -1  # mpmath goes forwards only
+        Om, F, z = mp.mpf(Omega), mp.mpf(F_0), mp.mpf(zeta)
+
+        def rates(s, y):
+            at = mp.mpf(theta) + sign * s
+            of_u = y[1] / Om
+            of_v = (F * mp.cos(at) - force(y[0]) - 2 * z * y[1] - mp.mpf(friction)) / Om
+            out = [of_u, of_v]
+            for c in range(4):
+                out.append(y[6 + c] / Om - (of_u / Om if c == 2 else 0))
+            for c in range(4):
+                U, V = y[2 + c], y[6 + c]
+                own = -of_v / Om if c == 2 else mp.cos(at) / Om if c == 3 else 0
+                out.append((-slope(y[0]) * U - 2 * z * V) / Om + own)
+            return [sign * rate for rate in out]
+
+        start = [mp.mpf(u), mp.mpf(v), 1, 0, 0, 0, 0, 1, 0, 0]
+        y = mp.odefun(rates, 0, start, tol=mp.mpf(10) ** -20)(abs(mp.mpf(end) - mp.mpf(theta)))
+    found_u, found_v, flow = OURS.advance(piece, Drive(Omega, F_0, zeta, friction), theta, u, v, end)
+    assert max(abs(found_u - y[0]), abs(found_v - y[1])) <= 4e-16
+    assert np.max(np.abs(flow.ravel() - np.array(y[2:], dtype=float))) <= 5e-15
+
+
+@pytest.mark.parametrize("zeta", [0.0, 0.02, 0.7])
+def test_a_stop_is_found_where_the_closed_form_has_it(zeta):
+    """The linear oscillator released from rest: v = 0 again where the closed form says, to the last places."""
+    Omega, F_0, friction, theta, u = 0.37, 0.2, 0.05, 1.1, 0.6
+    at, _, v_end, event = OURS.until(
+        linear().pieces[0], Drive(Omega, F_0, zeta, -friction), -1, -1e6, theta, u, 0.0, theta + 6.0
+    )
+    with mp.workdps(40):
+        Om, z = mp.mpf(Omega), mp.mpf(zeta)
+        response = mp.mpf(F_0) / (1 - Om**2 + 2j * z * Om)
+        root = -z + mp.sqrt(z * z - 1) if z != 0 else mp.mpc(0, 1)
+        other = -z - mp.sqrt(z * z - 1) if z != 0 else mp.mpc(0, -1)
+        forced = lambda s: (response * mp.expj(theta + Om * s)).real + mp.mpf(friction)  # noqa: E731
+        rate = (response * mp.mpc(0, 1) * Om * mp.expj(theta)).real
+        b = (-rate - root * (mp.mpf(u) - forced(0))) / (other - root)
+        a = mp.mpf(u) - forced(0) - b
+
+        def velocity(s):
+            return (response * mp.mpc(0, 1) * Om * mp.expj(theta + Om * s)).real + (
+                a * root * mp.exp(root * s) + b * other * mp.exp(other * s)
+            ).real
+
+        first = mp.findroot(velocity, (mp.mpf(at) - theta) / Om)
+        assert all(velocity(first * k / 400) < 0 for k in range(1, 400)), "an earlier stop was skipped"
+        expected = theta + Om * first
+    assert event == STOP and v_end == 0.0
+    assert abs(at - expected) <= 1e-15 * max(1.0, float(abs(expected)))
+
+
+def test_a_graze_is_told_from_a_stop():
+    """v(t) of u'' = F_0 cos theta - u comes within a depth d of zero and back: a stop for d < 0, none for d > 0.
+
+    With u(0) = V F_0 and any v_0 > 0 the velocity is v_0 cos t - V F_0 Omega sin(Omega t); v_0 is chosen by 40 digits
+    so that its first minimum is d.
+    """
+    Omega, F_0 = 5.3, 1.0
+    V = 1 / (1 - mp.mpf(Omega) ** 2)
+    with mp.workdps(40):
+
+        def velocity(t, v_0):
+            return v_0 * mp.cos(t) - V * F_0 * mp.mpf(Omega) * mp.sin(mp.mpf(Omega) * t)
+
+        def lowest(v_0):
+            at = mp.findroot(lambda t: mp.diff(lambda s: velocity(s, v_0), t), 3 * mp.pi / 2 / Omega)
+            return at, velocity(at, v_0)
+
+        touching = mp.findroot(lambda v_0: lowest(v_0)[1], mp.mpf("0.25"))
+        where = lowest(touching)[0]
+    drive, piece = Drive(Omega, F_0, 0.0, 0.0), linear().pieces[0]
+    for depth in (1e-3, 1e-6, 1e-9, 1e-12, 1e-14):
+        over = OURS.until(piece, drive, 1, 1e6, 0.0, float(V * F_0), float(touching) + depth, Omega * 1.3)
+        under = OURS.until(piece, drive, 1, 1e6, 0.0, float(V * F_0), float(touching) - depth, Omega * 1.3)
+        assert over[3] == TIME, depth
+        assert under[3] == STOP and abs(under[0] / Omega - float(where)) <= 4 * math.sqrt(depth), depth
+
+
+def test_200_random_motions_by_heyoka():
+    """Amplitude, multipliers and switches of independent integrators: to 1e-10 times the motion's condition."""
+    heyoka = pytest.importorskip("tests.oracles.exact_heyoka").HeyokaIntegrator()
+    for case in random_cases(200, seed=11):
+        found = steady_state(case.system, case.Omega, case.F_0)
+        other = steady_state(case.system, case.Omega, case.F_0, found, integrator=heyoka)
+        condition = 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
+        assert other.cycle.signature == found.cycle.signature, case
+        assert abs(other.A - found.A) <= 1e-10 * condition * found.A, case
+        assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, case
+        assert found.residual <= 1e-13, case
+
+
+def test_every_shipped_force_is_compiled():
+    for oscillator in (Isolator(lam=3, r=1.0, delta_h=0.1, mu=0.01, zeta=0.02), Duffing(1.0, 0.5, 0.01, 0.02)):
+        for which in (None, "truncated", "untruncated") if isinstance(oscillator, Isolator) else (None,):
+            assert default_integrator(EquationOfMotion(oscillator.restoring_force(which), 0.01, 0.02)).name == "taylor"
+
+
+def test_c_refuses_what_does_not_fit():
+    piece = linear().pieces[0]
+    number = law(piece.expression)
+    with pytest.raises(ValueError, match="pieces of a force"):
+        EXACT.system((number,), (), (), 0.0, 0.1)
+    with pytest.raises(ValueError, match="no such law"):
+        EXACT.system((10**6,), ((),), (), 0.0, 0.1)
+    with pytest.raises(ValueError, match="numbers where at most"):
+        EXACT.system((number,), (tuple(range(99)),), (), 0.0, 0.1)
+    system = EXACT.system((number,), ((0.0,),), (), 0.0, 0.1)
+    with pytest.raises(ValueError, match="room for too few"):
+        EXACT.advance(system, (1.0, 1.0, 0.1, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
+    with pytest.raises(ValueError, match="do not fit"):
+        EXACT.newton(
+            system, b"\0" * 8, 1, np.zeros(9), 0.1, 0, np.zeros(9), 0.0, 0, 5, 1e-13, 100, np.zeros(99), np.zeros(9)
+        )
+    with pytest.raises(ValueError, match="PyCapsule"):
+        EXACT.follow(3, 1.0, 0.1, 0.0, 0.0, 0.0, 1.0, False, 0, 0, 100, False)
