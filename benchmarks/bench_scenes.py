@@ -46,8 +46,8 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
     whole = isolator().model
     p, mu, zeta = whole.parameters, whole.mu, whole.zeta
     attached = Model(rod_spring_attached, p, mu, zeta, attached=True)
-    no_preload = Model(rod_spring, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), mu, zeta)
-    linear = Model(duffing, (1.0, 0.0), mu, zeta)
+    no_preload = Model(rod_spring.MECHANISM, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), mu, zeta)
+    linear = Model(duffing.MECHANISM, (1.0, 0.0), mu, zeta)
     knows = isolator()
     knows.saddle_node_onset()
     Omega = np.array([0.8])
@@ -77,7 +77,9 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
         ),
     ]
     for name, m, z in (("mu = 0", 0.0, zeta), ("zeta = 0", mu, 0.0), ("mu = zeta = 0", 0.0, 0.0)):
-        pairs.append((name, "frequency_response", curve(whole, 0.04), curve(Model(rod_spring, p, m, z), 0.04)))
+        pairs.append(
+            (name, "frequency_response", curve(whole, 0.04), curve(Model(rod_spring.MECHANISM, p, m, z), 0.04))
+        )
     return [
         {
             "skip": skip,

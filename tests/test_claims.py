@@ -26,11 +26,6 @@ def isolator(row):
     return example.isolator(mu=row["ratio"] * row["F_0"])
 
 
-def motion(averaged):
-    """The equation of motion, untruncated force."""
-    return EquationOfMotion(averaged.restoring_force("untruncated"), averaged.mu, averaged.zeta)
-
-
 def nearest(averaged, Omega, F_0, A):
     """Amplitude and phase of the averaged state nearest to A, as a guess of the exact one; None where there is none."""
     states = averaged.amplitudes(Omega=Omega, F_0=F_0)
@@ -41,13 +36,13 @@ def nearest(averaged, Omega, F_0, A):
 def state(averaged, Omega, F_0, A=None):
     """The exact motion, untruncated force, beside the averaged state nearest to A; without A from rest."""
     guess = None if A is None else nearest(averaged, Omega, F_0, A)
-    return steady_state(motion(averaged), Omega, F_0, guess, integrator=SCIPY)
+    return steady_state(averaged.equation_of_motion("untruncated"), Omega, F_0, guess, integrator=SCIPY)
 
 
 def curve(averaged, F_0, window, Omega, A=None):
     """A short piece of the exact curve, through that motion."""
     start = state(averaged, Omega, F_0, A)
-    system = motion(averaged)
+    system = averaged.equation_of_motion("untruncated")
     return exact_response(system, F_0, window, start=start, step=claims.STEP, integrator=SCIPY)
 
 
@@ -112,7 +107,7 @@ def test_exact_jumps_where_averaging_has_none():
     low, high = (fold["Omega"] for fold in row["exact"]["folds"])
     averaged, F_0 = isolator(row), row["F_0"]
     assert len(averaged.saddle_nodes(F_0)) == 0
-    system, window = motion(averaged), (0.995 * low, 1.005 * high)
+    system, window = averaged.equation_of_motion("untruncated"), (0.995 * low, 1.005 * high)
     close(exact_response(system, F_0, window, step=claims.STEP, integrator=SCIPY).folds, row["exact"]["folds"])
 
 

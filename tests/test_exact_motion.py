@@ -7,18 +7,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from slowflow import Duffing
-from slowflow.exact import (
-    EquationOfMotion,
-    Force,
-    Piece,
-    duffing,
-    linear,
-    rod_spring,
-    rod_spring_exact,
-    steady_state,
-    sweep,
-)
+from slowflow import Duffing, Isolator
+from slowflow.exact import EquationOfMotion, Force, Piece, linear, steady_state, sweep
 from slowflow.exact import compiled as exact_compiled
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Drive, ScipyIntegrator
@@ -239,7 +229,7 @@ def test_a_slip_that_turns_round_unseen_is_no_motion():
 
     Duffing(1, -0.3, 0.01, 0.05), F_0 = 0.05, from what averaging guesses at Omega = 0.3; from rest there is one motion.
     """
-    system = EquationOfMotion(duffing(1.0, -0.3), 0.01, 0.05)
+    system = Duffing(1.0, -0.3, 0.01, 0.05).equation_of_motion()
     from_rest = steady_state(system, 0.3, 0.05)
     states = Duffing(1.0, -0.3, 0.01, 0.05).amplitudes(Omega=0.3, F_0=0.05)
     found = steady_state(system, 0.3, 0.05, (float(states.A[0]), float(states.phi[0])))
@@ -250,7 +240,7 @@ def test_a_slip_that_turns_round_unseen_is_no_motion():
 @each_integrator
 def test_escape_in_words(integrator):
     """A softening spring that pulls outwards beyond |u| = 1.83 lets the mass go: said, not looped over for ever."""
-    system = EquationOfMotion(duffing(1.0, -0.3), 0.01, 0.05)
+    system = Duffing(1.0, -0.3, 0.01, 0.05).equation_of_motion()
     with pytest.raises(ArithmeticError, match="motion escapes"):
         steady_state(system, 0.7, 0.6, integrator=integrator)
     with pytest.raises(ArithmeticError, match="motion escapes"):
@@ -262,7 +252,7 @@ def test_escape_in_words(integrator):
 @each_integrator
 def test_a_wall_within_reach(integrator):
     """u_cr = 0.99995: Newton's trials run against the force (5) near |u| = 1, where it has no bound."""
-    system = EquationOfMotion(rod_spring_exact(3, 0.1, 0.99), 0.012, 0.02)
+    system = Isolator(lam=3, r=0.1, delta_h=0.99, mu=0.012, zeta=0.02).equation_of_motion("untruncated")
     state = steady_state(system, 0.5, 0.9, (1.3187, -0.04), integrator=integrator)
     assert state.stable and state.residual <= 1e-9
     again = steady_state(system, 0.5, 0.9, state, integrator=INTEGRATOR)
@@ -274,7 +264,7 @@ def test_a_wall_within_reach(integrator):
 @each_integrator
 def test_ever_faster_motion_is_given_up(integrator):
     """A trial may end where the mass swings a million times a turn: an error, not a wait."""
-    stiff, drive = duffing(1.0, 1e12).pieces[0], Drive(0.5, 0.1, 0.02, 0.0)
+    stiff, drive = Duffing(1.0, 1e12).restoring_force().pieces[0], Drive(0.5, 0.1, 0.02, 0.0)
     with pytest.raises(ArithmeticError, match="the integration from theta = 0"):
         integrator.advance(stiff, drive, 0.0, 1.0, 0.0, 3.0)
 
@@ -290,6 +280,6 @@ def test_errors_in_words():
     with pytest.raises(ValueError, match="without any damping"):
         EquationOfMotion(linear(), 0.0, 0.0)
     with pytest.raises(ValueError, match="breakpoints"):
-        rod_spring(0.5, 1.0, 1.0, -0.3)
+        Force(linear().pieces * 2, (-0.3,))
     with pytest.raises(ValueError, match="guess"):
         steady_state(system, 0.9, 0.04, (-0.1, 0.0))

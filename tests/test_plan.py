@@ -1,7 +1,7 @@
 """Scenes: what the plan says, that it is obeyed, and that a scene's answer is the general path's."""
 
+import dataclasses
 import json
-import types
 from pathlib import Path
 
 import numpy as np
@@ -93,7 +93,7 @@ def test_an_unknown_question_is_named():
 def test_the_attached_scene_gives_what_the_whole_force_gives(record):
     values = {name: float.fromhex(value[0]) for name, value in record["parameters"].items()}
     oscillator = Isolator(**values)
-    whole = Model(rod_spring, oscillator.model.parameters, oscillator.mu, oscillator.zeta)
+    whole = Model(rod_spring.MECHANISM, oscillator.model.parameters, oscillator.mu, oscillator.zeta)
     F_cr = oscillator.detachment().F_cr
     for share in (0.3, 0.9, 0.999):
         F_0 = whole.m + share * (F_cr - whole.m)
@@ -109,7 +109,9 @@ def test_the_attached_scene_gives_what_the_whole_force_gives(record):
 
 def test_the_linear_scene_gives_what_the_whole_force_gives():
     linear = isolator(delta_h=0)
-    whole = Model(rod_spring, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), linear.mu, linear.zeta)
+    whole = Model(
+        rod_spring.MECHANISM, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), linear.mu, linear.zeta
+    )
     Omega = np.linspace(0.3, 1.5, 25)
     one, other = linear.amplitudes(Omega=Omega, F_0=0.04), solvers.amplitudes(whole, Omega, 0.04)
     assert np.allclose(one.A, other.A, rtol=1e-13, atol=0) and np.allclose(one.phi, other.phi, rtol=1e-12, atol=0)
@@ -126,10 +128,8 @@ def test_a_damping_scene_is_the_limit_of_the_general_one(mu, zeta):
 
 
 def test_a_mechanism_that_is_derived_but_not_compiled_is_solved_all_the_same():
-    kernels = types.ModuleType("slowflow_kernels.fresh")
-    kernels.__dict__.update({name: value for name, value in vars(duffing).items() if not name.startswith("__")})
-    kernels.NAME = "fresh"
-    fresh, known = Model(kernels, (1.0, 0.5), 0.01, 0.02), Model(duffing, (1.0, 0.5), 0.01, 0.02)
+    mechanism = dataclasses.replace(duffing.MECHANISM, name="fresh")
+    fresh, known = Model(mechanism, (1.0, 0.5), 0.01, 0.02), Model(duffing.MECHANISM, (1.0, 0.5), 0.01, 0.02)
     same_folds(solvers.saddle_nodes(fresh, 0.1), solvers.saddle_nodes(known, 0.1))
     assert solvers.onset(fresh).F_SN == pytest.approx(solvers.onset(known).F_SN, rel=1e-13)
 
@@ -143,7 +143,7 @@ def test_an_error_inside_the_compiled_path_is_not_taken_for_a_missing_mechanism(
 
     monkeypatch.setattr(backend.SOLVER, "onset", broken)
     with pytest.raises(IndexError):
-        solvers.onset(Model(duffing, (1.0, 0.5), 0.01, 0.02))
+        solvers.onset(Model(duffing.MECHANISM, (1.0, 0.5), 0.01, 0.02))
 
 
 @pytest.mark.parametrize("question", ["frequency_response", "amplitudes"])

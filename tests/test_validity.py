@@ -113,7 +113,7 @@ def test_near_pi_over_4_every_answer_says_so():
         oscillator.saddle_nodes(F_0),
     ):
         assert "mu/F_0 = 0.7 is near pi/4" in answer.message
-    assert near_sticking(0.0, 0.04) == near_sticking(0.012, 0.04) == ""
+    assert near_sticking(isolator(mu=0).model, 0.04) == near_sticking(isolator().model, 0.04) == ""
 
 
 def test_low_frequencies_stop():

@@ -1,7 +1,7 @@
 /* Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/loci.py, derivations/resultants.py
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/loci.py, derivations/resultants.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
@@ -190,6 +190,15 @@ static inline void slow_flow_mu0_jacobian(double Omega, double A, double m, doub
     out[1] = t2 * (A * t1 + h);
     out[2] = t2 * (-h_A - t1) / A;
     out[3] = t0;
+}
+
+/* Mean of the stiffness over a cycle; a motion about u = 0 stays about it where positive.
+   Equation beside (30). Domain: A > 0.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double slow_flow_mu0_mean_stiffness(double A, double h, double h_A)
+{
+    return -0.5 * h_A - 0.5 * h / A;
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.

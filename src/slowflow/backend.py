@@ -3,7 +3,7 @@
     KERNELS   compiled kernels (slowflow_kernels._native)
     SOLVER    compiled solvers (slowflow._native)
     EXACT     the compiled equation of motion (slowflow._exact)
-    record_of the record of a mechanism that these take
+    record_of, compiled_model   what the solvers take: a mechanism's record, and one oscillator
 
 `slowflow_kernels` decides, once, at its first import: SLOWFLOW_BACKEND=native demands what is compiled,
 SLOWFLOW_BACKEND=numpy leaves it alone, and without it the compiled code runs where it was built.
@@ -19,7 +19,7 @@ from typing import Any
 
 from slowflow_support.backend import NATIVE, BackendWarning
 
-__all__ = ["EXACT", "KERNELS", "NAME", "SOLVER", "BackendWarning", "record_of"]
+__all__ = ["EXACT", "KERNELS", "NAME", "SOLVER", "BackendWarning", "compiled_model", "record_of"]
 
 
 def _loaded(name: str, what: str) -> ModuleType | None:
@@ -41,6 +41,14 @@ EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions run on SciP
 NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
 
 
-def record_of(kernels: Any) -> Any:
+def record_of(mechanism: str) -> Any:
     """The compiled record of a mechanism, None where there is none: its solvers are NumPy's then."""
-    return None if SOLVER is None else SOLVER.RECORDS.get(kernels.NAME)
+    return None if SOLVER is None else SOLVER.RECORDS.get(mechanism)
+
+
+def compiled_model(
+    mechanism: str, parameters: tuple[float, ...], damping: tuple[float, float], *, attached: bool
+) -> Any:
+    """One oscillator as the compiled solvers take it, None where they have no record of its mechanism."""
+    record = record_of(mechanism)
+    return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, attached)

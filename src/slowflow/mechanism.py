@@ -1,6 +1,6 @@
-"""The restoring force as the integrators want it: pieces in |u|, each two generated expressions with their constants.
+"""The mechanism's record, and its restoring force as the integrators want it.
 
-In:  the generated kernels of a mechanism, its parameters.
+In:  `Mechanism`, the record that the derivation fills for each equation of motion, and a mechanism's parameters.
 Out: `Force` (pieces and breakpoints) and `EquationOfMotion` (force, friction, damping), both immutable and hashable.
 
 A piece's expressions are plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
@@ -9,16 +9,30 @@ numbers and an integrator's symbols. Integrators compile an expression once; con
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
-from slowflow_kernels import duffing as duffing_kernels
-from slowflow_kernels import rod_spring as rod_spring_kernels
+from slowflow_kernels import duffing
+from slowflow_support.record import Mechanism, Parameter
+
+__all__ = [
+    "EquationOfMotion",
+    "Expression",
+    "Floats",
+    "Force",
+    "Mechanism",
+    "Parameter",
+    "Piece",
+    "linear",
+    "told",
+]
 
 Expression = Callable[..., Any]
+Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -58,9 +72,32 @@ class Force:
         if any(not b > a for a, b in zip((0.0, *self.breakpoints), self.breakpoints, strict=False)):
             raise ValueError(f"breakpoints = {self.breakpoints} must be positive and rise")
 
+    @classmethod
+    def of(cls, mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:
+        """The force of a mechanism with these parameters; a breakpoint at 0 leaves only what lies beyond."""
+        pieces = tuple(Piece(expression, by_u, parameters) for expression, by_u in mechanism.pieces)
+        ends = tuple(float(end) for end in mechanism.breakpoints(*parameters))
+        kept = [i for i, end in enumerate(ends) if end != 0.0]
+        return cls((*(pieces[i] for i in kept), pieces[-1]), tuple(ends[i] for i in kept))
+
     def value(self, u: float) -> float:
         """f(u), dimensionless."""
         return self.pieces[sum(abs(u) > b for b in self.breakpoints)].value(u)
+
+    def __call__(self, u: Floats) -> Floats:
+        """f(u) at displacements of any shape, dimensionless."""
+        return self._by_piece(u, [piece.expression for piece in self.pieces])
+
+    def stiffness(self, u: Floats) -> Floats:
+        """df/du at displacements of any shape, dimensionless; at a breakpoint that of the inner piece."""
+        return self._by_piece(u, [piece.by_u for piece in self.pieces])
+
+    def _by_piece(self, u: Floats, expressions: list[Expression]) -> Floats:
+        held = np.searchsorted(self.breakpoints, np.abs(u), side="left")
+        values = np.empty_like(u)
+        for number, (expression, piece) in enumerate(zip(expressions, self.pieces, strict=True)):
+            values[held == number] = expression(u[held == number], *piece.constants)
+        return values
 
 
 @dataclass(frozen=True)
@@ -83,33 +120,15 @@ class EquationOfMotion:
 
 def linear() -> Force:
     """f(u) = u: the isolator without preload (delta_h = 0), Den Hartog's oscillator."""
-    return rod_spring(0.0, 0.0, 0.0, 0.0)
+    return Force.of(duffing.MECHANISM, (1.0, 0.0))
 
 
-def duffing(alpha: float, beta: float) -> Force:
-    """f(u) = alpha u + beta u^3 without an end."""
-    return from_kernels(duffing_kernels.FORCE, (float(alpha), float(beta)), ())
+def told(domains: Iterable[Parameter]) -> str:
+    """Parameters and their domains, a line each, as a docstring has them."""
+    return "\n".join(f"    {domain.name} -- {domain.doc}, {allowed(domain)}" for domain in domains)
 
 
-def rod_spring(alpha: float, beta: float, gamma: float, u_cr: float) -> Force:
-    """Truncated force (6): alpha u + beta u^3 + gamma u^5 up to u_cr, u beyond; it jumps at u_cr."""
-    constants = (float(alpha), float(beta), float(gamma), float(u_cr))
-    return from_kernels(rod_spring_kernels.FORCE, constants, (constants[-1],))
-
-
-def rod_spring_exact(lam: float, r: float, delta_h: float) -> Force:
-    """Untruncated force (5) plus u; the springs detach at u_cr (7)."""
-    u_cr = float(rod_spring_kernels.coefficients(lam, r, delta_h)[-1])
-    return from_kernels(rod_spring_kernels.UNTRUNCATED_FORCE, (float(lam), float(r), float(delta_h)), (u_cr,))
-
-
-def from_kernels(
-    table: tuple[tuple[Expression, Expression], ...], constants: tuple[float, ...], breakpoints: tuple[float, ...]
-) -> Force:
-    """The force whose pieces, each with its slope, a generated module lists as FORCE or UNTRUNCATED_FORCE.
-
-    A breakpoint at 0 (no preload) leaves only what lies beyond.
-    """
-    pieces = [Piece(expression, by_u, constants) for expression, by_u in table]
-    kept = [i for i, end in enumerate(breakpoints) if end != 0.0]
-    return Force((*(pieces[i] for i in kept), pieces[-1]), tuple(breakpoints[i] for i in kept))
+def allowed(domain: Parameter) -> str:
+    """Which numbers a domain holds, in words."""
+    limits = ((">", domain.above), (">=", domain.least), ("<", domain.below), ("<=", domain.most))
+    return " and ".join(f"{sign} {limit:g}" for sign, limit in limits if limit is not None) or "any finite number"

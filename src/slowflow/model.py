@@ -1,4 +1,4 @@
-"""One oscillator as numbers: in go a mechanism's kernels and parameters, out come the functions that solvers call.
+"""One oscillator as numbers: in go a mechanism's record and parameters, out come the functions that solvers call.
 
 The scene (which damping terms vanish) is chosen here, once: a scene has slow-flow kernels of its own, derived with the
 zeros put in.
@@ -6,19 +6,18 @@ zeros put in.
 
 from __future__ import annotations
 
-import importlib
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import ModuleType
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
-from slowflow import backend
+from slowflow import backend, validate
+from slowflow.mechanism import Floats, Mechanism
 from slowflow_kernels import slow_flow as general_flow
+from slowflow_kernels.domains import DAMPING
 
-Floats = npt.NDArray[np.float64]
+__all__ = ["Floats", "Model", "check_names", "flow_of", "scene"]
 
 
 def scene(mu: float, zeta: float) -> str:
@@ -26,44 +25,92 @@ def scene(mu: float, zeta: float) -> str:
     return "_".join(name for name, value in (("mu0", mu), ("zeta0", zeta)) if value == 0)
 
 
+def flow_of(mu: float, zeta: float) -> ModuleType:
+    """The generated slow flow of a scene; loaded when it is first wanted, most need one."""
+    flow: ModuleType = general_flow
+    if mu == 0 and zeta == 0:
+        from slowflow_kernels import slow_flow_mu0_zeta0
+
+        flow = slow_flow_mu0_zeta0
+    elif mu == 0:
+        from slowflow_kernels import slow_flow_mu0
+
+        flow = slow_flow_mu0
+    elif zeta == 0:
+        from slowflow_kernels import slow_flow_zeta0
+
+        flow = slow_flow_zeta0
+    return flow
+
+
+def check_names(mechanism: Mechanism, values: Mapping[str, Any]) -> list[str]:
+    """The names of a design's numbers, mu and zeta last, if the values have just these; else a TypeError names one."""
+    names = [domain.name for domain in (*mechanism.design, *DAMPING)]
+    for name in (*values, *names):
+        if name not in values or name not in names:
+            what = "is missing for" if name in names else "is no number of"
+            raise TypeError(f"{name} {what} {mechanism.name}: it takes {', '.join(names)}")
+    return names
+
+
 @dataclass(frozen=True)
 class Model:
     """The slow flow of one oscillator, dimensionless.
 
-    kernels    -- generated module of the mechanism
-    parameters -- its parameters, in the order of `kernels.PARAMETERS`
+    mechanism  -- record of its restoring force
+    parameters -- the force's parameters, in the order of `mechanism.parameters`
     mu, zeta   -- dry friction and viscous damping ratio
-    attached   -- whether the first piece of the force holds at every amplitude, as in the kernels of that scene
+    attached   -- whether the first piece of the force stands for all of it, at every amplitude
     m          -- 4 mu/pi, friction's share of I (23)
     flow       -- generated slow flow of the scene
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
-    reach      -- largest |u| of the mechanism, inf if it has none
     native     -- the same as the compiled solvers take it, None where they have no record of the mechanism
     """
 
-    kernels: Any
+    mechanism: Mechanism
     parameters: tuple[float, ...]
     mu: float
     zeta: float
     attached: bool = False
     m: float = field(init=False)
-    flow: ModuleType = field(init=False)
+    flow: ModuleType = field(init=False, compare=False, repr=False)
     breakpoints: tuple[float, ...] = field(init=False)
     jumps: tuple[float, ...] = field(init=False)
     native: Any = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        name = scene(self.mu, self.zeta)
-        flow = importlib.import_module(f"slowflow_kernels.slow_flow_{name}") if name else general_flow
-        object.__setattr__(self, "flow", flow)
-        object.__setattr__(self, "m", float(general_flow.friction(self.mu)))
-        ends = () if self.attached else map(float, self.kernels.breakpoints(*self.parameters))
-        jumps = () if self.attached else map(float, self.kernels.jumps(*self.parameters))
+        ends = map(float, self.law.breakpoints(*self.parameters))
+        jumps = map(float, self.law.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
-        object.__setattr__(self, "breakpoints", tuple(end for end, _ in kept))
-        object.__setattr__(self, "jumps", tuple(jump for _, jump in kept))
-        object.__setattr__(self, "native", self._compiled())
+        self.__dict__.update(
+            flow=flow_of(self.mu, self.zeta),
+            m=float(general_flow.friction(self.mu)),
+            breakpoints=tuple(end for end, _ in kept),
+            jumps=tuple(jump for _, jump in kept),
+            native=backend.compiled_model(
+                self.mechanism.name, self.parameters, (self.mu, self.zeta), attached=self.attached
+            ),
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.attached)
+
+    @classmethod
+    def of(cls, mechanism: Mechanism, values: Mapping[str, Any]) -> Model:
+        """The slow flow of a design, its numbers and mu and zeta given by name.
+
+        Raises ValueError for a number outside its domain, TypeError for a name that is missing or unknown.
+        """
+        check_names(mechanism, values)
+        domains = (*mechanism.design, *DAMPING)
+        *design, mu, zeta = (validate.within(domain, values[domain.name]) for domain in domains)
+        return cls(mechanism, tuple(float(value) for value in mechanism.coefficients(*design)), mu, zeta)
+
+    @property
+    def law(self) -> Mechanism:
+        """The record whose averages hold here: of the whole force, or of its first piece."""
+        return self.mechanism.attached if self.attached and self.mechanism.attached else self.mechanism
 
     @cached_property
     def linear(self) -> bool:
@@ -72,19 +119,14 @@ class Model:
 
     @property
     def reach(self) -> float:
-        return float(self.kernels.REACH)
-
-    def _compiled(self) -> Any:
-        record = backend.record_of(self.kernels)
-        if backend.SOLVER is None or record is None:
-            return None
-        return backend.SOLVER.model(record, self.parameters, (self.mu, self.zeta), self.attached)
+        """Largest |u| of the mechanism, inf if it has none."""
+        return self.mechanism.reach
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
-        h, h_A, h_AA, h_AAA = self.kernels.averaged(A, *self.parameters)
+        h, h_A, h_AA, h_AAA = self.law.averaged(A, *self.parameters)
         return h, h_A, h_AA, h_AAA
 
     def harmonics(self, A: Any) -> tuple[Floats, ...]:
         """h_3 and h_5, each with its three derivatives, at the amplitudes A (any shape)."""
-        return tuple(self.kernels.harmonics(A, *self.parameters))
+        return tuple(self.law.harmonics(A, *self.parameters))

@@ -5,13 +5,14 @@ The averaged questions come from `Averaged`; the second approximation and the ex
 
 from __future__ import annotations
 
+import warnings
 from functools import cached_property
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from slowflow import validate
+from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
-from slowflow.mechanism import Force
+from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import Model
 
 if TYPE_CHECKING:
@@ -21,24 +22,89 @@ if TYPE_CHECKING:
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
 EXACT_WINDOW = (0.5, 1.5)
 
+#: the force of the equation of motion: (6), or (5)
+FORCES = ("truncated", "untruncated")
+
 
 class Oscillator(Averaged):
-    """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3).
+    """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), dimensionless.
 
-    Not made directly: see `Isolator` and `Duffing`.
+    mechanism -- the record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`
+    mu, zeta  -- dry friction and viscous damping ratio, >= 0
+    design    -- the numbers that `mechanism.design` names, each within its domain
+
+    It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
+    makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
+    or unknown.
     """
 
-    def __init__(self, kernels: ModuleType, parameters: tuple[float, ...], mu: Any, zeta: Any) -> None:
-        mu = validate.number("mu", mu, least=0.0)
-        zeta = validate.number("zeta", zeta, least=0.0)
-        super().__init__(Model(kernels, parameters, mu, zeta))
+    given: dict[str, Any]
+    design: tuple[float, ...]
+
+    def __init__(self, mechanism: Mechanism, *, mu: float = 0.0, zeta: float = 0.0, **design: float) -> None:
+        values = {**design, "mu": mu, "zeta": zeta}
+        super().__init__(Model.of(mechanism, values))
+        given = {name: float(value) for name, value in values.items()}
+        own = tuple(given[domain.name] for domain in mechanism.design)
+        known = {name.name: value for name, value in zip(mechanism.parameters, self.model.parameters, strict=True)}
+        # not by attribute: these cannot be set
+        self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
+        self.__dict__.update(design=own, given={"mechanism": mechanism, **given})
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{name} cannot be set, an oscillator does not change: replace({name}=...) makes another")
+
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError(f"{name} cannot be deleted, an oscillator does not change")
+
+    def replace(self, **changes: Any) -> Self:
+        """Another oscillator with some of the numbers changed that this one was made from, by name."""
+        return type(self)(**{**self.given, **changes})
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and isinstance(other, Oscillator) and self.given == other.given
+
+    def __hash__(self) -> int:
+        return hash((type(self), *self.given.values()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _remade, (type(self), self.given)
+
+    def __repr__(self) -> str:
+        told = {**self.given, "mechanism": self.model.mechanism.name}
+        return f"Oscillator({', '.join(f'{name}={value!r}' for name, value in told.items())})"
+
+    def force(self, u: Any) -> Floats:
+        """The whole restoring force f(u) that is averaged, at displacements of any shape, both dimensionless (3)."""
+        return self.restoring_force()(validate.finite_array("u", u))
+
+    def stiffness(self, u: Any) -> Floats:
+        """df/du at displacements of any shape, both dimensionless; at a breakpoint that of the inner piece."""
+        return self.restoring_force().stiffness(validate.finite_array("u", u))
 
     def restoring_force(self, which: str | None = None) -> Force:
         """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).
 
-        Without `which` the one that is averaged. Raises ValueError for another word.
+        Without `which` the one that is averaged. Raises ValueError for another word, or where there is no such force.
         """
-        raise NotImplementedError
+        mechanism = self.model.mechanism
+        own = FORCES[0] if mechanism.truncated else FORCES[1]
+        wanted = own if which is None else validate.choice("force", which, FORCES)
+        if wanted == own:
+            return Force.of(mechanism, self.model.parameters)
+        if mechanism.load_untruncated is None:
+            raise ValueError(
+                f"force = {which!r} is not allowed: the force of {mechanism.name} is {own}, it has no other"
+            )
+        other = mechanism.load_untruncated()
+        return Force.of(other, tuple(float(value) for value in other.coefficients(*self.design)))
+
+    def equation_of_motion(self, which: str | None = None) -> EquationOfMotion:
+        """Equation (3) without its forcing, the force as in `restoring_force`.
+
+        Raises ValueError where neither friction nor viscous damping lets a motion settle.
+        """
+        return EquationOfMotion(self.restoring_force(which), self.mu, self.zeta)
 
     def steady_state(
         self, *, Omega: float, F_0: float, A: float | None = None, force: str | None = None
@@ -54,7 +120,7 @@ class Oscillator(Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.steady_state(self, self.restoring_force(force), Omega, F_0, A)
+        return questions.steady_state(self, self.equation_of_motion(force), Omega, F_0, A)
 
     def exact_response(
         self,
@@ -75,7 +141,7 @@ class Oscillator(Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.exact_response(self, self.restoring_force(force), F_0, Omega, start, step)
+        return questions.exact_response(self, self.equation_of_motion(force), F_0, Omega, start, step)
 
     def sweep(self, *, Omega: Any, F_0: float, force: str | None = None) -> exact.Sweep:
         """What an experiment sees that steps through the frequencies `Omega` in their order: amplitudes and jumps.
@@ -87,7 +153,7 @@ class Oscillator(Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.sweep(self, self.restoring_force(force), Omega, F_0)
+        return questions.sweep(self.equation_of_motion(force), Omega, F_0)
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:
@@ -97,11 +163,20 @@ class Oscillator(Averaged):
         """
         from slowflow.second import SecondApproximation
 
-        kernels = self.model.kernels
-        for u_cr in self.model.breakpoints:
-            if u_cr > kernels.HARMONICS_UP_TO:
-                raise ValueError(
-                    f"u_cr = {u_cr:g} is not allowed here: the harmonics of this force are derived for "
-                    f"u_cr <= {kernels.HARMONICS_UP_TO:g}"
-                )
         return SecondApproximation(self)
+
+    @classmethod
+    def many(cls, mechanism: Mechanism, *, mu: Any = 0.0, zeta: Any = 0.0, **design: Any) -> Designs:
+        """Many designs of one mechanism at once, from arrays that broadcast; see `slowflow.averaged.many`.
+
+        Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
+        missing or unknown, and nothing for a single design: each answer has a status.
+        """
+        return Designs(mechanism, {**design, "mu": mu, "zeta": zeta})
+
+
+def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:
+    """For pickle: its warnings were given when the oscillator was first made."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return kind(**given)

@@ -1,10 +1,17 @@
-"""What the questions are answered with: plain records of arrays; where there is no answer, `message` says why."""
+"""What the questions are answered with: plain records of arrays; where there is no answer, `message` says why.
+
+Answers do not change, their arrays included, and equal each other by content. Those that hold several entries have a
+length, and an index or a loop gives one entry as a named tuple: `for fold in iso.saddle_nodes(0.04): fold.Omega`.
+"""
 
 from __future__ import annotations
 
+import dataclasses
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from enum import IntFlag
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -13,8 +20,164 @@ from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
 
 
-@dataclass(frozen=True)
-class SteadyStates:
+class Remark(IntFlag):
+    """What to bear in mind with an answer, as codes that add up; `.message` has them in words."""
+
+    #: mu/F_0 is near pi/4, where averaging fails
+    NEAR_STICKING = 1
+    #: amplitudes above the mechanism's reach
+    BEYOND_REACH = 2
+    #: the stiffness at rest is negative: u = 0 is no resting place
+    NEGATIVE_STIFFNESS = 4
+    #: motions about u = 0 that leave it, the mean stiffness over their cycle being negative
+    LEAVES_CENTRE = 8
+    #: a fold or an onset on a breakpoint at which a truncated force jumps: the untruncated force has none there
+    OF_TRUNCATION = 16
+    #: below the onset there are folds that end at Omega = 0
+    FOLDS_AT_REST = 32
+
+
+class Answer:
+    """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand."""
+
+    def __post_init__(self) -> None:
+        for value in self.__dict__.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+
+    def _content(self) -> dict[str, Any]:
+        """What was found and asked, by name; the slow flow behind it left out."""
+        names = (entry.name for entry in dataclasses.fields(self) if entry.repr)  # type: ignore[arg-type]
+        return {name: getattr(self, name) for name in names}
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Answer) or type(self) is not type(other):
+            return NotImplemented
+        return all(
+            _same(one, two) for one, two in zip(self._content().values(), other._content().values(), strict=True)
+        )
+
+    def __hash__(self) -> int:
+        content = (value.tobytes() if isinstance(value, np.ndarray) else value for value in self._content().values())
+        return hash((type(self), *content))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The answer in plain Python: lists for arrays, numbers and words, by name."""
+        return {
+            name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in self._content().items()
+        }
+
+
+def _same(one: Any, two: Any) -> bool:
+    if isinstance(one, np.ndarray):
+        return np.array_equal(one, two, equal_nan=one.dtype.kind == "f")
+    return bool(one == two)
+
+
+class Table(Answer):
+    """An answer with several entries: arrays of one length, `entry` naming those that make up one of them."""
+
+    entry: ClassVar[Any]
+
+    def __len__(self) -> int:
+        return int(getattr(self, self.entry._fields[0]).size)
+
+    def __getitem__(self, k: int) -> Any:
+        return self.entry(*(getattr(self, name)[k].item() for name in self.entry._fields))
+
+    def __iter__(self) -> Iterator[Any]:
+        columns = (getattr(self, name).tolist() for name in self.entry._fields)
+        return (self.entry(*values) for values in zip(*columns, strict=True))
+
+
+class State(NamedTuple):
+    """A steady state, as in `SteadyStates`."""
+
+    Omega: float
+    A: float
+    phi: float
+    stable: bool
+
+
+class CurvePoint(NamedTuple):
+    """A point of a response curve, as in `FrequencyResponse`."""
+
+    Omega: float
+    A: float
+    phi: float
+    stable: bool
+    branch: int
+
+
+class SaddleNode(NamedTuple):
+    """A fold, as in `SaddleNodes`."""
+
+    Omega: float
+    A: float
+    kind: str
+    corner: bool
+
+
+class SecondState(NamedTuple):
+    """A steady state in the second approximation, as in `SecondStates`."""
+
+    Omega: float
+    A: float
+    A_1: float
+    phi: float
+    stable: bool
+
+
+class SecondCurvePoint(NamedTuple):
+    """A point of a response curve in the second approximation, as in `SecondResponse`."""
+
+    Omega: float
+    A: float
+    A_1: float
+    phi: float
+    stable: bool
+    branch: int
+
+
+class SecondFold(NamedTuple):
+    """A fold in the second approximation, as in `SecondFolds`."""
+
+    Omega: float
+    A: float
+    A_1: float
+    kind: str
+    corner: bool
+
+
+class LocusPoint(NamedTuple):
+    """A point of the fold locus, as in `FoldLocus`."""
+
+    Omega: float
+    A: float
+    F_0: float
+    branch: int
+
+
+class Cusp(NamedTuple):
+    """A cusp of the fold locus, as in `Cusps`."""
+
+    F_0: float
+    Omega: float
+    A: float
+    minimum: bool
+
+
+class IsolaPoint(NamedTuple):
+    """A point where an isolated curve is born, dies or merges, as in `IsolaPoints`."""
+
+    F_0: float
+    Omega: float
+    A: float
+    kind: str
+
+
+@dataclass(frozen=True, eq=False)
+class SteadyStates(Table):
     """Steady states, one entry each: flat arrays of one length.
 
     Omega, A -- frequency and amplitude, dimensionless
@@ -22,10 +185,13 @@ class SteadyStates:
     message  -- remarks in words; empty if there is nothing to say
     """
 
+    entry: ClassVar[Any] = State
+
     Omega: Floats
     A: Floats
     stable: npt.NDArray[np.bool_]
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model = field(repr=False)
 
     @cached_property
@@ -41,7 +207,7 @@ class SteadyStates:
         return of_states(self._model, self.Omega, self.A)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FrequencyResponse(SteadyStates):
     """A response curve: points in order along each branch.
 
@@ -50,18 +216,22 @@ class FrequencyResponse(SteadyStates):
     F_0    -- the forcing
     """
 
+    entry: ClassVar[Any] = CurvePoint
+
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     F_0: float
 
 
-@dataclass(frozen=True)
-class SaddleNodes:
+@dataclass(frozen=True, eq=False)
+class SaddleNodes(Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
 
     kind   -- "jump-up": a sweep leaves the fold for a larger amplitude; "jump-down": for a smaller one
     corner -- True where the fold sits on a breakpoint of the force
     """
+
+    entry: ClassVar[Any] = SaddleNode
 
     Omega: Floats
     A: Floats
@@ -69,10 +239,8 @@ class SaddleNodes:
     corner: npt.NDArray[np.bool_]
     F_0: float
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model = field(repr=False)
-
-    def __len__(self) -> int:
-        return self.A.size
 
     @cached_property
     def validity(self) -> Validity:
@@ -80,8 +248,8 @@ class SaddleNodes:
         return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
 
 
-@dataclass(frozen=True)
-class SecondStates:
+@dataclass(frozen=True, eq=False)
+class SecondStates(Table):
     """Steady states in the second approximation, one entry each: flat arrays of one length.
 
     Omega, A -- frequency, and largest displacement
@@ -89,6 +257,8 @@ class SecondStates:
     stable   -- True where the steady state is stable
     message  -- remarks in words; empty if there is nothing to say
     """
+
+    entry: ClassVar[Any] = SecondState
 
     Omega: Floats
     A: Floats
@@ -98,24 +268,28 @@ class SecondStates:
     message: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SecondResponse(SecondStates):
     """A response curve in the second approximation: points in order along each branch.
 
     branch, isola, F_0 -- as in `FrequencyResponse`
     """
 
+    entry: ClassVar[Any] = SecondCurvePoint
+
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     F_0: float
 
 
-@dataclass(frozen=True)
-class SecondFolds:
+@dataclass(frozen=True, eq=False)
+class SecondFolds(Table):
     """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
 
     Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`
     """
+
+    entry: ClassVar[Any] = SecondFold
 
     Omega: Floats
     A: Floats
@@ -125,12 +299,9 @@ class SecondFolds:
     F_0: float
     message: str
 
-    def __len__(self) -> int:
-        return self.A.size
 
-
-@dataclass(frozen=True)
-class SaddleNodeOnset:
+@dataclass(frozen=True, eq=False)
+class SaddleNodeOnset(Answer):
     """The lowest forcing that has a fold; None and a message where there is none.
 
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
@@ -142,15 +313,18 @@ class SaddleNodeOnset:
     A: float | None
     kind: str
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
 
 
-@dataclass(frozen=True)
-class FoldLocus:
+@dataclass(frozen=True, eq=False)
+class FoldLocus(Table):
     """The saddle nodes of every forcing: points in order along each branch, in arrays of one length.
 
     Omega, A, F_0 -- a fold and the forcing that has it
     branch        -- number of the connected branch that a point lies on, from 0; breakpoints separate branches
     """
+
+    entry: ClassVar[Any] = LocusPoint
 
     Omega: Floats
     A: Floats
@@ -158,16 +332,15 @@ class FoldLocus:
     branch: npt.NDArray[np.intp]
     message: str
 
-    def __len__(self) -> int:
-        return self.A.size
 
-
-@dataclass(frozen=True)
-class Cusps:
+@dataclass(frozen=True, eq=False)
+class Cusps(Table):
     """Cusps of the fold locus, F = F_A = F_AA = 0, by rising amplitude: arrays of one length.
 
     minimum -- True where two folds come into being as the forcing rises; False where two meet and vanish
     """
+
+    entry: ClassVar[Any] = Cusp
 
     F_0: Floats
     Omega: Floats
@@ -175,17 +348,16 @@ class Cusps:
     minimum: npt.NDArray[np.bool_]
     message: str
 
-    def __len__(self) -> int:
-        return self.A.size
 
-
-@dataclass(frozen=True)
-class IsolaPoints:
+@dataclass(frozen=True, eq=False)
+class IsolaPoints(Table):
     """Points with F = F_A = F_Omega = 0, by rising amplitude: arrays of one length.
 
     kind -- what happens there as the forcing rises: an isolated curve's "birth", its "death", or a "merger" of two
             parts of the response curve (or their separation)
     """
+
+    entry: ClassVar[Any] = IsolaPoint
 
     F_0: Floats
     Omega: Floats
@@ -193,28 +365,27 @@ class IsolaPoints:
     kind: npt.NDArray[np.str_]
     message: str
 
-    def __len__(self) -> int:
-        return self.A.size
 
-
-@dataclass(frozen=True)
-class Peak:
+@dataclass(frozen=True, eq=False)
+class Peak(Answer):
     """The highest peak of the response at one forcing, isolas included; None and a message where there is none."""
 
     A: float | None
     Omega: float | None
     F_0: float
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
 
 
-@dataclass(frozen=True)
-class Detachment:
+@dataclass(frozen=True, eq=False)
+class Detachment(Answer):
     """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr."""
 
     F_cr: float | None
     Omega_cr: float | None
     u_cr: float | None
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
 
 
 def joined(*remarks: Any) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.model import Floats
+from slowflow.mechanism import Floats, Parameter
 
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
@@ -51,6 +51,12 @@ def number(
     return result
 
 
+def within(domain: Parameter, value: Any) -> float:
+    """A finite real number in a parameter's domain, as a float."""
+    bounds = {"above": domain.above, "least": domain.least, "below": domain.below, "most": domain.most}
+    return number(domain.name, value, **{side: bound for side, bound in bounds.items() if bound is not None})
+
+
 def count(name: str, value: Any, *, least: int) -> int:
     """An integer of at least `least`."""
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)) or value < least:
@@ -83,6 +89,15 @@ def positive_array(name: str, value: Any) -> Floats:
     bad = ~(np.isfinite(array) & (array > 0))
     if bad.any():
         raise _refuse(name, array[bad].flat[0] if array.ndim else value, allowed)
+    return array
+
+
+def finite_array(name: str, value: Any) -> Floats:
+    """Finite real numbers, of any shape, as floats."""
+    allowed = "a finite real number, or an array of such"
+    array = _array(name, value, allowed).astype(float)
+    if not np.isfinite(array).all():
+        raise _refuse(name, array[~np.isfinite(array)].flat[0], allowed)
     return array
 
 

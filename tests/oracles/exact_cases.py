@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slowflow.exact import EquationOfMotion, rod_spring, rod_spring_exact
+from slowflow import Isolator
+from slowflow.exact import EquationOfMotion
 from slowflow.paper.example import TABLE_1
 from tests.oracles import exact_brute
 
@@ -22,16 +23,14 @@ class Case:
 
 def isolator(lam, r, delta_h, mu, zeta, exact):
     """EquationOfMotion and its force by hand."""
+    iso = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
     if exact:
-        return EquationOfMotion(rod_spring_exact(lam, r, delta_h), mu, zeta), exact_brute.untruncated(lam, r, delta_h)
+        return iso.equation_of_motion("untruncated"), exact_brute.untruncated(lam, r, delta_h)
     # equation (7)
     alpha = 1 - lam * r * delta_h
     beta, gamma = lam / 2 * r * (1 - delta_h), 3 / 8 * lam * r * (1 - delta_h)
     u_cr = math.sqrt(1 - (1 - delta_h) ** 2)
-    return (
-        EquationOfMotion(rod_spring(alpha, beta, gamma, u_cr), mu, zeta),
-        exact_brute.truncated(alpha, beta, gamma, u_cr),
-    )
+    return iso.equation_of_motion(), exact_brute.truncated(alpha, beta, gamma, u_cr)
 
 
 def table_1(exact):

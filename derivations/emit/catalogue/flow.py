@@ -13,6 +13,7 @@ import sympy as sp
 
 from derivations.emit.form import Kernel, Module, by_even_power, in_words, plain, suffix
 from derivations.loci import Along, Damped, Undamped, p, p_A, q, root
+from derivations.offset import mean_stiffness
 from derivations.resultants import Elimination
 from derivations.results import Results
 from derivations.slow_flow import I, R, SlowFlow, m
@@ -26,7 +27,7 @@ def slow_flow_module(results: Results, scene: str) -> Module:
     return Module(
         name="slow_flow" + suffix(scene),
         title="Slow flow of any mechanism, in h = H - A and its derivatives" + in_words(scene),
-        inputs=("averaging.py", "slow_flow.py", "loci.py", "resultants.py"),
+        inputs=("averaging.py", "slow_flow.py", "offset.py", "loci.py", "resultants.py"),
         kernels=kernels,
     )
 
@@ -96,6 +97,14 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             tuple(flow.jacobian),
             "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.",
             "(28)",
+        ),
+        plain(
+            "mean_stiffness",
+            (A, h, h_A),
+            mean_stiffness(),
+            "Mean of the stiffness over a cycle; a motion about u = 0 stays about it where positive.",
+            "beside (30)",
+            amplitude,
         ),
         of_flow(
             "stability",

@@ -12,25 +12,48 @@ broadcast views included. A design that has no answer, or is none, gets NaN and 
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend, validate
+from slowflow.averaged import remarks
 from slowflow.averaged.compiled import ONSET_KINDS, Status
-from slowflow.model import Floats
+from slowflow.averaged.questions import Averaged
+from slowflow.mechanism import Mechanism
+from slowflow.model import Floats, Model, check_names
 
 Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
 
 
 @dataclass(frozen=True)
-class Detachments:
+class Batch:
+    """What all answers to a batch share: `remarks`, computed when first asked for."""
+
+    if TYPE_CHECKING:  # each has it as its last column
+        status: Codes
+    _designs: Designs = field(repr=False, kw_only=True)
+    _F_0: Any = field(repr=False, kw_only=True, default=np.nan)
+
+    def _found(self) -> tuple[Any, Any]:
+        """The amplitudes of each design along one more axis, NaN for none, and which are folds on a corner."""
+        raise NotImplementedError
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
+        asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
+        return np.where(asked, self._designs.remarks(self._F_0, *self._found()), np.uint8(0))
+
+
+@dataclass(frozen=True)
+class Detachments(Batch):
     """The lowest forcing that reaches u_cr, its frequency, and u_cr, for each design (34)."""
 
     F_cr: Floats
@@ -38,9 +61,12 @@ class Detachments:
     u_cr: Floats
     status: Codes
 
+    def _found(self) -> tuple[Any, Any]:
+        return self.u_cr[..., np.newaxis], False
+
 
 @dataclass(frozen=True)
-class Onsets:
+class Onsets(Batch):
     """The lowest forcing that has a fold, for each design (33).
 
     kind -- 1 a cusp, 2 an isola's birth, 3 on a breakpoint, 0 none
@@ -52,9 +78,12 @@ class Onsets:
     kind: Codes
     status: Codes
 
+    def _found(self) -> tuple[Any, Any]:
+        return self.A[..., np.newaxis], (self.kind == ONSET_KINDS.index("corner"))[..., np.newaxis]
+
 
 @dataclass(frozen=True)
-class Folds:
+class Folds(Batch):
     """The folds at one forcing, for each design; Omega, A and kind have one more axis, with `places` places.
 
     Omega, A -- by rising Omega, then NaN
@@ -69,53 +98,68 @@ class Folds:
     count: Codes
     status: Codes
 
+    def _found(self) -> tuple[Any, Any]:
+        return self.A, np.abs(self.kind) == 2
+
 
 @dataclass(frozen=True)
-class Peaks:
+class Peaks(Batch):
     """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega."""
 
     A: Floats
     Omega: Floats
     status: Codes
 
+    def _found(self) -> tuple[Any, Any]:
+        return self.A[..., np.newaxis], False
+
 
 class Designs:
     """Arrays of designs of one mechanism, and the questions about them.
 
-    make    -- one oscillator from its parameters, by name
-    kernels -- generated module of the mechanism
-    values  -- the parameters by name, mu and zeta last; real arrays that broadcast
+    mechanism -- record of the mechanism
+    values    -- the numbers of its design by name, mu and zeta last; real arrays that broadcast
+
+    Raises TypeError for a name that is missing or unknown.
     """
 
-    def __init__(self, make: Callable[..., Any], kernels: ModuleType, values: dict[str, Any]) -> None:
-        self._make = make
-        self._record = backend.record_of(kernels)
-        self._values = {key: validate.real_array(key, value) for key, value in values.items()}
+    def __init__(self, mechanism: Mechanism, values: dict[str, Any]) -> None:
+        names = check_names(mechanism, values)
+        self._mechanism = mechanism
+        self._values = {name: validate.real_array(name, values[name]) for name in names}
         self.shape = validate.common_shape(self._values)
 
     def detachment(self) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; status 3 for a mechanism without breakpoints."""
-        return Detachments(*self._ask(DETACHMENT))
+        return Detachments(*self._ask(DETACHMENT), _designs=self)
 
     def saddle_node_onset(self) -> Onsets:
         """F_SN of every design, with its Omega and A."""
-        return Onsets(*self._ask(ONSET))
+        return Onsets(*self._ask(ONSET), _designs=self)
 
     def saddle_nodes(self, F_0: Any, places: int = 6) -> Folds:
         """Every fold at F_0, which broadcasts with the designs; status 6 where there are more than `places`."""
         places = validate.count("places", places, least=1)
-        return Folds(*self._ask(SADDLE_NODES, F_0, places))
+        return Folds(*self._ask(SADDLE_NODES, F_0, places), _designs=self, _F_0=F_0)
 
     def peak(self, F_0: Any) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""
-        return Peaks(*self._ask(PEAK, F_0))
+        return Peaks(*self._ask(PEAK, F_0), _designs=self, _F_0=F_0)
+
+    def remarks(self, F_0: Any, A: Any, corner: Any) -> remarks.Codes:
+        """What to bear in mind with amplitudes A of each design, along one more axis; see `remarks.of_designs`."""
+        *design, mu, _ = (np.asarray(value, dtype=float) for value in self._values.values())
+        with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
+            parameters = tuple(np.asarray(value) for value in self._mechanism.coefficients(*design))
+            return remarks.of_designs(self._mechanism, parameters, mu, F_0, A, corner)
 
     def _ask(self, question: Question, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
         values = dict(self._values) if F_0 is None else {**self._values, "F_0": validate.real_array("F_0", F_0)}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
-        if backend.SOLVER is not None and self._record is not None:
-            question.batch(backend.SOLVER)(self._record)(*values.values(), out=tuple(outputs))
+        record = backend.record_of(self._mechanism.name)
+        if backend.SOLVER is not None and record is not None:
+            question.batch(backend.SOLVER)(record)(*values.values(), out=tuple(outputs))
         else:
             self._loop(question.one, list(np.broadcast_arrays(*values.values())), F_0 is not None, places, outputs)
         return outputs
@@ -136,9 +180,7 @@ class Designs:
         asked = () if F_0 is None else (F_0,)
         blank = one(None, *asked, places)[:-1]
         try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # a negative stiffness at rest is an answer like others
-                oscillator = self._make(**dict(zip(self._values, given, strict=True)))
+            oscillator = Averaged(Model.of(self._mechanism, dict(zip(self._values, given, strict=True))))
             if F_0 is not None and not (validate.number("F_0", F_0, above=0.0) > oscillator.sticking_forcing):
                 return (*blank, Status.STICKS)
             return one(oscillator, *asked, places)

@@ -14,9 +14,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from slowflow import validate
-from slowflow.averaged import plan, solvers
+from slowflow.averaged import plan, remarks, solvers
 from slowflow.averaged.reference.folds import NO_FOLD
-from slowflow.measured import validity
 from slowflow.model import Floats, Model
 from slowflow.results import (
     Cusps,
@@ -31,7 +30,8 @@ from slowflow.results import (
     joined,
 )
 
-Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes)
+State = TypeVar("State", FrequencyResponse, SteadyStates)
+Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
 
 
 class Averaged:
@@ -40,13 +40,36 @@ class Averaged:
     model -- its slow flow
     """
 
+    model: Model
+
     def __init__(self, model: Model) -> None:
-        self.model = model
+        # not by attribute: what inherits from this cannot be changed
+        self.__dict__["model"] = model
 
     @cached_property
     def first_piece(self) -> Model | None:
-        """The first piece of the force alone, where a response to less than F_cr is known to stay on it; else None."""
-        return None
+        """The first piece of the force alone, where a response to less than F_cr is known to stay on it; else None.
+
+        While f(u)/u rises with |u| so does -h/A with A, and with both the least forcing that holds an amplitude: once
+        F_0 < F_cr leaves the first breakpoint out of reach, it leaves all above out too. A negative averaged stiffness
+        breaks this.
+        """
+        model = self.model
+        if (
+            model.mechanism.attached is None
+            or not model.breakpoints
+            or not self.hardens
+            or model.averaged(model.breakpoints[0])[0] >= 0
+        ):
+            return None
+        return dataclasses.replace(model, attached=True)
+
+    @cached_property
+    def hardens(self) -> bool:
+        """Whether f(u)/u is known to rise with |u|, jumps included."""
+        model = self.model
+        rises = all(value >= 0 for value in model.mechanism.hardening(*model.parameters))
+        return rises and all(jump <= 0 for jump in model.jumps)
 
     @property
     def mu(self) -> float:
@@ -87,7 +110,7 @@ class Averaged:
         if planned.model is None:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
             return FrequencyResponse(none, none, flags, self._sticks(F_0), self.model, np.empty(0, np.intp), (), F_0)
-        return solvers.frequency_response(planned.model, F_0, samples, shown)
+        return self._centred(solvers.frequency_response(planned.model, F_0, samples, shown))
 
     def amplitudes(self, *, Omega: Any, F_0: float) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
@@ -105,7 +128,7 @@ class Averaged:
         if planned.model is None:
             none = np.empty(0)
             return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self.model)
-        return solvers.amplitudes(planned.model, at, F_0)
+        return self._centred(solvers.amplitudes(planned.model, at, F_0))
 
     def saddle_nodes(self, F_0: float) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
@@ -123,11 +146,11 @@ class Averaged:
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
-        return self._onset
+        return self._remarked(self._onset, math.nan)
 
     def detachment(self) -> Detachment:
         """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34)."""
-        return self._detachment
+        return self._remarked(self._detachment, math.nan)
 
     def peak(self, F_0: float) -> Peak:
         """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
@@ -138,7 +161,7 @@ class Averaged:
         planned = self._plan("peak", F_0)
         if planned.model is None:
             return Peak(None, None, F_0, self._sticks(F_0))
-        return solvers.peak(planned.model, F_0)
+        return self._remarked(solvers.peak(planned.model, F_0), F_0)
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
         """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
@@ -215,16 +238,30 @@ class Averaged:
     def _sticks(self, F_0: float) -> str:
         return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self.model.m:g}"
 
+    def _centred(self, found: State) -> State:
+        """The answer, its states stable only if they stay about u = 0 as well, where that is not known beforehand."""
+        if self.hardens and self.model.averaged(0.0)[1] <= 0:
+            return found
+        kept = remarks.keeps_centre(self.model.mechanism, self.model.parameters, found.A)
+        return dataclasses.replace(found, stable=found.stable & kept)
+
     def _remarked(self, found: Answer, F_0: float) -> Answer:
-        """The answer with remarks where averaging fails for friction, and where amplitudes exceed the reach."""
+        """The answer with what there is to say beside it; F_0 is nan where the question has none."""
         if F_0 <= self.model.m:
             return found
-        remark = joined(self.beyond_reach(found.A, found.message), validity.near_sticking(self.mu, F_0))
-        return dataclasses.replace(found, message=joined(found.message, remark)) if remark else found
+        beside = remarks.of_one(self.model, F_0, *_amplitudes(found)) | found.remarks
+        if not beside:
+            return found
+        said = remarks.words(beside, self.model, F_0)
+        return dataclasses.replace(found, message=joined(found.message, *said), remarks=beside)
 
-    def beyond_reach(self, A: Floats, message: str) -> str:
-        """The remark for amplitudes that the mechanism cannot take; empty for others, and where `message` says it."""
-        reach = self.model.reach
-        if not A.size or A.max() <= reach or "cut at" in message:
-            return ""
-        return f"amplitudes above {reach:g} are not reached: {self.model.kernels.REACH_REASON}"
+
+def _amplitudes(found: Any) -> tuple[Any, Any]:
+    """The amplitudes of an answer, NaN for none, and on which of them a fold sits on a corner."""
+    if isinstance(found, SaddleNodes):
+        return found.A, found.corner
+    if isinstance(found, SaddleNodeOnset):
+        return np.nan if found.A is None else found.A, found.kind == "corner"
+    if isinstance(found, Detachment):
+        return np.nan if found.u_cr is None or found.F_cr is None else found.u_cr, False
+    return np.nan if found.A is None else found.A, False

@@ -7,16 +7,7 @@ Out: `steady_state`, `exact_response`, `sweep`; motions switch exactly between s
 from slowflow.exact.continuation import Fold, Response, exact_response
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
-from slowflow.mechanism import (
-    EquationOfMotion,
-    Force,
-    Piece,
-    duffing,
-    from_kernels,
-    linear,
-    rod_spring,
-    rod_spring_exact,
-)
+from slowflow.mechanism import EquationOfMotion, Force, Piece, linear
 
 __all__ = [
     "EquationOfMotion",
@@ -26,12 +17,8 @@ __all__ = [
     "Response",
     "SteadyState",
     "Sweep",
-    "duffing",
     "exact_response",
-    "from_kernels",
     "linear",
-    "rod_spring",
-    "rod_spring_exact",
     "steady_state",
     "sweep",
 ]

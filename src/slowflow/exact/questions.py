@@ -14,7 +14,7 @@ from slowflow import validate
 from slowflow.exact import continuation, shooting
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as stepped
-from slowflow.mechanism import EquationOfMotion, Force
+from slowflow.mechanism import EquationOfMotion
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
@@ -31,12 +31,13 @@ OTHER = (
 )
 
 
-def steady_state(averaged: Averaged, force: Force, Omega: float, F_0: float, A: float | None) -> shooting.SteadyState:
+def steady_state(
+    averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float, A: float | None
+) -> shooting.SteadyState:
     """See `slowflow.oscillator.Oscillator.steady_state`."""
     Omega = validate.number("Omega", Omega, above=0.0)
     F_0 = validate.number("F_0", F_0, above=0.0)
     wanted = None if A is None else validate.number("A", A, above=0.0)
-    system = EquationOfMotion(force, averaged.mu, averaged.zeta)
     if wanted is None:
         return _from_rest(averaged, system, Omega, F_0)
     shooting.check_forcing(system, Omega, F_0)
@@ -49,7 +50,7 @@ def steady_state(averaged: Averaged, force: Force, Omega: float, F_0: float, A: 
 
 def exact_response(
     averaged: Averaged,
-    force: Force,
+    system: EquationOfMotion,
     F_0: float,
     Omega: tuple[float, float],
     start: shooting.SteadyState | None,
@@ -60,7 +61,6 @@ def exact_response(
     low, high = validate.window("Omega", Omega)
     low = validate.number("Omega[0]", low, above=0.0)
     step = validate.number("step", step, above=0.0, most=0.5)
-    system = EquationOfMotion(force, averaged.mu, averaged.zeta)
     if start is None:
         start = _from_rest(averaged, system, low, F_0)
     elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
@@ -88,11 +88,11 @@ def _others(averaged: Averaged, found: continuation.Response, window: tuple[floa
     return "; ".join(remarks)
 
 
-def sweep(averaged: Averaged, force: Force, Omega: Any, F_0: float) -> Sweep:
+def sweep(system: EquationOfMotion, Omega: Any, F_0: float) -> Sweep:
     """See `slowflow.oscillator.Oscillator.sweep`."""
     F_0 = validate.number("F_0", F_0, above=0.0)
     frequencies = validate.positive_array("Omega", Omega)
-    return stepped(EquationOfMotion(force, averaged.mu, averaged.zeta), F_0, frequencies)
+    return stepped(system, F_0, frequencies)
 
 
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:

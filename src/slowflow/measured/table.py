@@ -5,6 +5,8 @@ Written by `make validity` from benchmarks/results/validity.json; never edit. Me
 
 # fmt: off
 
+# the mechanisms that were measured, by name
+MECHANISMS = ("rod_spring", "rod_spring_attached", "rod_spring_untruncated")
 # edges of mu/F_0 and of mu/(A Omega^2)
 RATIOS = (0, 0.25, 0.35, 0.45, 0.525, 0.575, 0.625, 0.675, 0.72)
 RESTS = (0, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 3)
@@ -39,7 +41,6 @@ SECOND_BY_REST = (0.000761, 0.000793, 0.000817, 0.000779, 0.00152, 0.00608, 0.00
 NEAR = 0.575
 STOPS_FROM = 0.7
 # what (6) costs against (5): a row for each of U_CRS, a column for each A/u_cr of LEVELS
-TRUNCATED = ("rod_spring", "rod_spring_attached")
 U_CRS = (0.243, 0.341, 0.436, 0.527, 0.6, 0.714, 0.8)
 LEVELS = (0.4, 0.6, 0.8, 0.9, 0.97, 1.05, 1.2)
 TRUNCATION = (

@@ -1,11 +1,13 @@
 """How far averaged answers are from the equation of motion: in go amplitudes and frequencies, out come sizes, words.
 
-The sizes were measured on exact motions of the paper's isolator, see docs/validity.md; `validity_table` holds them.
+The sizes were measured on exact motions of the paper's isolator, see docs/validity.md; `table` holds them, and names
+the mechanisms that they hold for. Of any other mechanism this says that nothing was measured.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -16,14 +18,14 @@ from slowflow.model import Floats, Model
 WORTH = 0.02
 WORTH_TRUNCATION = 0.005
 
-NEAR_STICKING = (
-    "mu/F_0 = {0:.3g} is near pi/4, where averaging fails: amplitudes were measured to be off by up to {1:.0%}, "
-    ".validity tells it for each"
-)
+NOT_MEASURED = "not measured: how far averaging is off is known of the paper's isolator only (docs/validity.md)"
+NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
+OFF_BY = "were measured to be off by up to {:.0%}, .validity tells it for each"
+OFF_UNKNOWN = "are off, by how much was not measured for this mechanism"
 STOPS_SECOND = (
-    "in {} of {} states the mass stops within the cycle, or nearly so (mu/(A Omega^2) >= {:g}): their amplitudes were "
-    "measured to be off by up to {:.0%}"
+    "in {} of {} states the mass stops within the cycle, or nearly so (mu/(A Omega^2) >= {:g}): their amplitudes "
 )
+OFF_SECOND = "were measured to be off by up to {:.0%}"
 
 CORNER = (
     "a fold sits on the corner at u_cr, where the truncated force (6) jumps: it and its partner beside it are of the "
@@ -42,6 +44,7 @@ class Validity:
     error      -- the same for 95 of 100; beside a jump that averaging misplaces it is the height of the jump.
                   Figures below 1 % say no more than that the exact curve passes within that 1 %
     truncation -- the share of it that comes from the truncated force (6), nearest measured case; 0 where none was made
+                  (all three: nan for a mechanism that was not measured)
     message    -- remarks in words; empty if there is nothing to say
     """
 
@@ -62,6 +65,10 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     F_0 = np.hypot(model.flow.R(Omega, A, h), model.flow.I(Omega, A, model.m, model.zeta))
     with np.errstate(divide="ignore"):
         ratio, rest = model.mu / F_0, np.where(model.mu > 0, model.mu / (A * Omega**2), 0.0)
+    if not _is_measured(model):
+        unknown = np.full(np.shape(A), np.nan)
+        truncation = unknown if model.mechanism.truncated else np.zeros_like(unknown)
+        return Validity(ratio, rest, unknown, unknown, truncation, NOT_MEASURED)
     chosen = _bin(measured.RATIOS, ratio), _bin(measured.RESTS, rest)
     typical, error = (np.array(sizes)[chosen] for sizes in (measured.TYPICAL, measured.ERROR))
     truncation = _truncation(model, A)
@@ -83,29 +90,36 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
         remarks.append(
             f"the truncated force (6) is off by {truncation[at]:.1%} at A = {A[at]:.3g}; force='untruncated' has none"
         )
-    if corner and _is_truncated(model):
+    if corner and model.mechanism.truncated:
         remarks.append(CORNER)
     return Validity(ratio, rest, typical, error, truncation, "; ".join(remarks))
 
 
-def near_sticking(mu: float, F_0: float) -> str:
+def is_near_sticking(mu: Any, F_0: Any) -> Any:
+    """Whether mu/F_0 is so near pi/4 that averaging fails; shapes that broadcast."""
+    return np.asarray(mu) > measured.NEAR * np.asarray(F_0)
+
+
+def near_sticking(model: Model, F_0: float) -> str:
     """The remark for a forcing that does not exceed friction by much; empty for others."""
-    if not mu > measured.NEAR * F_0:
+    if not is_near_sticking(model.mu, F_0):
         return ""
-    ratio = mu / F_0
-    return NEAR_STICKING.format(ratio, measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
+    ratio = model.mu / F_0
+    off = OFF_BY.format(measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
+    return NEAR_STICKING.format(ratio) + (off if _is_measured(model) else OFF_UNKNOWN)
 
 
-def of_second(mu: float, Omega: Floats, A: Floats) -> str:
+def of_second(model: Model, Omega: Floats, A: Floats) -> str:
     """The remark for states of the second approximation in which the mass stops; empty if there are none."""
     with np.errstate(divide="ignore"):
-        rest = mu / (A * Omega**2)
+        rest = model.mu / (A * Omega**2)
     off = np.array(measured.SECOND_BY_REST)[_bin(measured.RESTS, rest)]
     stopping = off >= WORTH
     if not stopping.any():
         return ""
     least = next(edge for edge, size in zip(measured.RESTS, measured.SECOND_BY_REST, strict=True) if size >= WORTH)
-    return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, least, off.max())
+    size = OFF_SECOND.format(off.max()) if _is_measured(model) else OFF_UNKNOWN
+    return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, least) + size
 
 
 def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:
@@ -113,15 +127,15 @@ def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:
     return np.clip(np.searchsorted(edges, values, side="right") - 1, 0, len(edges) - 1)
 
 
-def _is_truncated(model: Model) -> bool:
-    return model.kernels.__name__.rpartition(".")[2] in measured.TRUNCATED
+def _is_measured(model: Model) -> bool:
+    return model.mechanism.name in measured.MECHANISMS
 
 
 def _truncation(model: Model, A: Floats) -> Floats:
     """The measured difference that (6) makes, between the cases measured over u_cr and A/u_cr."""
-    if not _is_truncated(model):
+    if not model.mechanism.truncated:
         return np.zeros_like(A)
-    u_cr = float(model.parameters[model.kernels.PARAMETERS.index("u_cr")])
+    u_cr = float(model.mechanism.breakpoints(*model.parameters)[0])
     if u_cr == 0:
         return np.zeros_like(A)
     # preloads beyond those measured get the error of the last

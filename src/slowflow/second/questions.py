@@ -18,9 +18,10 @@ import numpy.typing as npt
 from scipy.optimize import brentq, root
 
 from slowflow import validate
+from slowflow.averaged import remarks
 from slowflow.measured import validity
 from slowflow.model import Floats
-from slowflow.results import Detachment, SaddleNodeOnset, SecondFolds, SecondResponse, SecondStates, joined
+from slowflow.results import Detachment, Remark, SaddleNodeOnset, SecondFolds, SecondResponse, SecondStates, joined
 from slowflow.second.balance import SMALL, Balance, Flags
 from slowflow.second.curve import DONE, STEPS, Curve, follow, on_curve
 
@@ -170,7 +171,9 @@ class SecondApproximation:
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
-        return joined(message, self.first.beyond_reach(A, message), validity.of_second(self.first.mu, Omega, A))
+        model = self.first.model
+        beside = remarks.of_one(model, math.nan, A) & ~Remark.OF_TRUNCATION
+        return joined(message, *remarks.words(beside, model, math.nan), validity.of_second(model, Omega, A))
 
     def _around(self, F_0: float, Omega: Floats) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""

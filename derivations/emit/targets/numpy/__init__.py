@@ -15,7 +15,7 @@ from derivations.emit.form import AVERAGED, Module
 from derivations.emit.provenance import tools
 from derivations.emit.targets.numpy.printer import NumpyPrinter
 from derivations.emit.views import Calls, Code, Language, composition_view, regimes, sources, templates, view
-from derivations.mechanisms import Parameter
+from derivations.mechanisms import DAMPING, FORCING, Parameter
 
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))
@@ -40,6 +40,9 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             tools=tools(),
             **sources(module),
         )
+    result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
+        damping=DAMPING, forcing=FORCING
+    )
     result["slowflow_kernels/__init__.py"] = environment.get_template("init.py.jinja").render(modules=modules)
     return result
 

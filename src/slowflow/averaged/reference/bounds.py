@@ -34,7 +34,7 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     """
     words = "unbounded without viscous damping: cut at A = "
     if np.isfinite(model.reach):
-        return model.reach, f"{words}{model.reach:g}, {model.kernels.REACH_REASON}"
+        return model.reach, f"{words}{model.reach:g}, {model.mechanism.reach_reason}"
     A_max = max(UNBOUNDED_STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
     return A_max, f"{words}{A_max:g}"
 

@@ -1,0 +1,67 @@
+"""What is said beside averaged answers: in go the numbers of one oscillator or of many, out come codes and their words.
+
+A single answer has both, a batch the codes. Both are made here, so that they cannot disagree.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.measured import validity
+from slowflow.mechanism import Mechanism
+from slowflow.model import Model
+from slowflow.results import Remark
+from slowflow_kernels import slow_flow
+
+Codes = npt.NDArray[np.uint8]
+Flags = npt.NDArray[np.bool_]
+
+WORDS = {
+    Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
+    Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
+    Remark.LEAVES_CENTRE: "motions that leave the centre: their mean stiffness over a cycle is negative",
+    Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
+}
+
+
+def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], A: Any) -> Flags:
+    """Whether a motion of amplitude A > 0 about u = 0 stays about it, df_0/dB > 0; shapes that broadcast."""
+    h, h_A, *_ = mechanism.averaged(A, *parameters)
+    return np.asarray(slow_flow.mean_stiffness(A, h, h_A) > 0)
+
+
+def of_designs(mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, F_0: Any, A: Any, corner: Any) -> Codes:
+    """What `Remark` has for amplitudes A, and on which of them there is a `corner`; NaN is no amplitude.
+
+    A, corner           -- of each design, along one more, last axis
+    parameters, mu, F_0 -- of the designs, shapes that broadcast; F_0 is NaN where the question has none
+    """
+    A = np.asarray(A, dtype=float)
+    there = A > 0
+    beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
+    kept = keeps_centre(mechanism, beside, np.where(there, A, 1.0))
+    # at rest h_A is the stiffness with its sign turned
+    at_rest = np.asarray(mechanism.averaged(0.0, *parameters)[1])
+    codes = {
+        Remark.NEAR_STICKING: validity.is_near_sticking(mu, F_0),
+        Remark.BEYOND_REACH: (there & (mechanism.reach < A)).any(axis=-1),
+        Remark.NEGATIVE_STIFFNESS: at_rest > 0,
+        Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
+        Remark.OF_TRUNCATION: mechanism.truncated & (there & corner).any(axis=-1),
+    }
+    return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint8)
+
+
+def of_one(model: Model, F_0: float, A: Any, corner: Any = False) -> Remark:
+    """The same for one oscillator."""
+    return Remark(int(of_designs(model.mechanism, model.parameters, model.mu, F_0, np.atleast_1d(A), corner)))
+
+
+def words(remarks: Remark, model: Model, F_0: float) -> list[str]:
+    """The remarks in words."""
+    near = [validity.near_sticking(model, F_0)] if Remark.NEAR_STICKING in remarks else []
+    known = {"reach": model.reach, "reason": model.mechanism.reach_reason}
+    return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near
