@@ -20,7 +20,6 @@ import pytest
 
 from tests import backends
 from tests.native import headers
-from tests.oracles import backends
 
 HERE = Path(__file__).parent
 PACKAGE = HERE.parent / "generated" / "slowflow_kernels"

@@ -106,7 +106,13 @@ def test_the_critical_force_with_friction_comes_closer(design):
     iso = Isolator(**design)
     averaged, better = iso.detachment(), iso.second_approximation.detachment()
     window = (0.95 * better.Omega_cr, 1.05 * better.Omega_cr)
-    off, far = (abs(iso.exact_response(one.F_cr, Omega=window).peak.A / one.u_cr - 1) for one in (better, averaged))
+
+    def highest(F_0):
+        """Of the curve through the resonance; a mass at rest may come to another one."""
+        start = iso.steady_state(Omega=better.Omega_cr, F_0=F_0, A=better.u_cr)
+        return iso.exact_response(F_0, Omega=window, start=start).peak.A
+
+    off, far = (abs(highest(one.F_cr) / one.u_cr - 1) for one in (better, averaged))
     assert off < 5e-4 < 4e-3 < far
 
 

@@ -191,13 +191,25 @@ static inline void slow_flow_zeta0_jacobian(double Omega, double A, double m, do
     out[3] = -m * t2;
 }
 
-/* Mean of the stiffness over a cycle; a motion about u = 0 stays about it where positive.
+/* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
    Equation beside (30). Domain: A > 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
  */
 static inline double slow_flow_zeta0_mean_stiffness(double A, double h, double h_A)
 {
     return -0.5 * h_A - 0.5 * h / A;
+}
+
+/* What carries a small mean offset back; where the mean stiffness is negative this decides.
+   Equation beside (30). Domain: Omega > 0, A > 0.
+   Operations: 14 structured, 14 common subexpressions, 14 power chains
+ */
+static inline double slow_flow_zeta0_offset_stiffness(double Omega, double A, double h, double h_A)
+{
+    const double t0 = 1.0 / A;
+    const double t1 = h * t0;
+    const double t2 = h * t0 - h_A;
+    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1);
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.

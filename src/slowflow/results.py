@@ -29,7 +29,7 @@ class Remark(IntFlag):
     BEYOND_REACH = 2
     #: the stiffness at rest is negative: u = 0 is no resting place
     NEGATIVE_STIFFNESS = 4
-    #: motions about u = 0 that leave it, the mean stiffness over their cycle being negative
+    #: motions about u = 0 that leave it: the stiffness over their cycle does not carry the mean displacement back
     LEAVES_CENTRE = 8
     #: a fold or an onset on a breakpoint at which a truncated force jumps: the untruncated force has none there
     OF_TRUNCATION = 16

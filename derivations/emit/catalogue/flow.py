@@ -13,7 +13,7 @@ import sympy as sp
 
 from derivations.emit.form import Kernel, Module, by_even_power, in_words, plain, suffix
 from derivations.loci import Along, Damped, Undamped, p, p_A, q, root
-from derivations.offset import mean_stiffness
+from derivations.offset import mean_stiffness, offset_stiffness
 from derivations.resultants import Elimination
 from derivations.results import Results
 from derivations.slow_flow import I, R, SlowFlow, m
@@ -102,9 +102,16 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "mean_stiffness",
             (A, h, h_A),
             mean_stiffness(),
-            "Mean of the stiffness over a cycle; a motion about u = 0 stays about it where positive.",
+            "Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.",
             "beside (30)",
             amplitude,
+        ),
+        plain(
+            "offset_stiffness",
+            (Omega, A, h, h_A),
+            offset_stiffness(),
+            "What carries a small mean offset back; where the mean stiffness is negative this decides.",
+            "beside (30)",
         ),
         of_flow(
             "stability",

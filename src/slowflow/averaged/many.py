@@ -41,8 +41,8 @@ class Batch:
     _designs: Designs = field(repr=False, kw_only=True)
     _F_0: Any = field(repr=False, kw_only=True, default=np.nan)
 
-    def _found(self) -> tuple[Any, Any]:
-        """The amplitudes of each design along one more axis, NaN for none, and which are folds on a corner."""
+    def _found(self) -> tuple[Any, Any, Any]:
+        """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
         raise NotImplementedError
 
     @cached_property
@@ -61,8 +61,8 @@ class Detachments(Batch):
     u_cr: Floats
     status: Codes
 
-    def _found(self) -> tuple[Any, Any]:
-        return self.u_cr[..., np.newaxis], False
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self.Omega_cr[..., np.newaxis], self.u_cr[..., np.newaxis], False
 
 
 @dataclass(frozen=True)
@@ -78,8 +78,12 @@ class Onsets(Batch):
     kind: Codes
     status: Codes
 
-    def _found(self) -> tuple[Any, Any]:
-        return self.A[..., np.newaxis], (self.kind == ONSET_KINDS.index("corner"))[..., np.newaxis]
+    def _found(self) -> tuple[Any, Any, Any]:
+        return (
+            self.Omega[..., np.newaxis],
+            self.A[..., np.newaxis],
+            (self.kind == ONSET_KINDS.index("corner"))[..., np.newaxis],
+        )
 
 
 @dataclass(frozen=True)
@@ -98,8 +102,8 @@ class Folds(Batch):
     count: Codes
     status: Codes
 
-    def _found(self) -> tuple[Any, Any]:
-        return self.A, np.abs(self.kind) == 2
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self.Omega, self.A, np.abs(self.kind) == 2
 
 
 @dataclass(frozen=True)
@@ -110,8 +114,8 @@ class Peaks(Batch):
     Omega: Floats
     status: Codes
 
-    def _found(self) -> tuple[Any, Any]:
-        return self.A[..., np.newaxis], False
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self.Omega[..., np.newaxis], self.A[..., np.newaxis], False
 
 
 class Designs:
@@ -146,12 +150,12 @@ class Designs:
         """The highest peak at F_0, which broadcasts with the designs."""
         return Peaks(*self._ask(PEAK, F_0), _designs=self, _F_0=F_0)
 
-    def remarks(self, F_0: Any, A: Any, corner: Any) -> remarks.Codes:
-        """What to bear in mind with amplitudes A of each design, along one more axis; see `remarks.of_designs`."""
+    def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
+        """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""
         *design, mu, _ = (np.asarray(value, dtype=float) for value in self._values.values())
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = tuple(np.asarray(value) for value in self._mechanism.coefficients(*design))
-            return remarks.of_designs(self._mechanism, parameters, mu, F_0, A, corner)
+            return remarks.of_designs(self._mechanism, parameters, mu, F_0, Omega, A, corner)
 
     def _ask(self, question: Question, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
         values = dict(self._values) if F_0 is None else {**self._values, "F_0": validate.real_array("F_0", F_0)}

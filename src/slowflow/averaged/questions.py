@@ -242,26 +242,26 @@ class Averaged:
         """The answer, its states stable only if they stay about u = 0 as well, where that is not known beforehand."""
         if self.hardens and self.model.averaged(0.0)[1] <= 0:
             return found
-        kept = remarks.keeps_centre(self.model.mechanism, self.model.parameters, found.A)
+        kept = remarks.keeps_centre(self.model.mechanism, self.model.parameters, found.Omega, found.A)
         return dataclasses.replace(found, stable=found.stable & kept)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""
         if F_0 <= self.model.m:
             return found
-        beside = remarks.of_one(self.model, F_0, *_amplitudes(found)) | found.remarks
+        beside = remarks.of_one(self.model, F_0, *_states(found)) | found.remarks
         if not beside:
             return found
         said = remarks.words(beside, self.model, F_0)
         return dataclasses.replace(found, message=joined(found.message, *said), remarks=beside)
 
 
-def _amplitudes(found: Any) -> tuple[Any, Any]:
-    """The amplitudes of an answer, NaN for none, and on which of them a fold sits on a corner."""
+def _states(found: Any) -> tuple[Any, Any, Any]:
+    """Omega and A of an answer's states, NaN for none, and on which of them a fold sits on a corner."""
     if isinstance(found, SaddleNodes):
-        return found.A, found.corner
-    if isinstance(found, SaddleNodeOnset):
-        return np.nan if found.A is None else found.A, found.kind == "corner"
+        return found.Omega, found.A, found.corner
     if isinstance(found, Detachment):
-        return np.nan if found.u_cr is None or found.F_cr is None else found.u_cr, False
-    return np.nan if found.A is None else found.A, False
+        return (np.nan, np.nan, False) if found.F_cr is None else (found.Omega_cr, found.u_cr, False)
+    if found.A is None:
+        return np.nan, np.nan, False
+    return found.Omega, found.A, isinstance(found, SaddleNodeOnset) and found.kind == "corner"

@@ -22,27 +22,37 @@ Flags = npt.NDArray[np.bool_]
 WORDS = {
     Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
-    Remark.LEAVES_CENTRE: "motions that leave the centre: their mean stiffness over a cycle is negative",
+    Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to 0",
     Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 
 
-def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], A: Any) -> Flags:
-    """Whether a motion of amplitude A > 0 about u = 0 stays about it, df_0/dB > 0; shapes that broadcast."""
+def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> Flags:
+    """Whether a motion about u = 0 of amplitude A > 0 stays about it; shapes that broadcast.
+
+    It does where the mean stiffness over its cycle is positive, and else where the stiffness that changes twice in a
+    cycle makes up for it.
+    """
     h, h_A, *_ = mechanism.averaged(A, *parameters)
-    return np.asarray(slow_flow.mean_stiffness(A, h, h_A) > 0)
+    kept = np.asarray(slow_flow.mean_stiffness(A, h, h_A) > 0)
+    if kept.all():
+        return kept
+    with np.errstate(all="ignore"):  # where the mean is positive the other may be infinite, and is not asked for
+        return np.asarray(kept | (slow_flow.offset_stiffness(Omega, A, h, h_A) > 0))
 
 
-def of_designs(mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, F_0: Any, A: Any, corner: Any) -> Codes:
-    """What `Remark` has for amplitudes A, and on which of them there is a `corner`; NaN is no amplitude.
+def of_designs(
+    mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, F_0: Any, Omega: Any, A: Any, corner: Any
+) -> Codes:
+    """What `Remark` has for states (Omega, A), and on which of them there is a `corner`; NaN is no state.
 
-    A, corner           -- of each design, along one more, last axis
+    Omega, A, corner    -- of each design, along one more, last axis
     parameters, mu, F_0 -- of the designs, shapes that broadcast; F_0 is NaN where the question has none
     """
     A = np.asarray(A, dtype=float)
     there = A > 0
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
-    kept = keeps_centre(mechanism, beside, np.where(there, A, 1.0))
+    kept = keeps_centre(mechanism, beside, np.where(there, Omega, 1.0), np.where(there, A, 1.0))
     # at rest h_A is the stiffness with its sign turned
     at_rest = np.asarray(mechanism.averaged(0.0, *parameters)[1])
     codes = {
@@ -55,9 +65,10 @@ def of_designs(mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, F_0: 
     return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint8)
 
 
-def of_one(model: Model, F_0: float, A: Any, corner: Any = False) -> Remark:
-    """The same for one oscillator."""
-    return Remark(int(of_designs(model.mechanism, model.parameters, model.mu, F_0, np.atleast_1d(A), corner)))
+def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) -> Remark:
+    """The same for one oscillator, its states along one axis or a single one."""
+    codes = of_designs(model.mechanism, model.parameters, model.mu, F_0, np.atleast_1d(Omega), np.atleast_1d(A), corner)
+    return Remark(int(codes))
 
 
 def words(remarks: Remark, model: Model, F_0: float) -> list[str]:

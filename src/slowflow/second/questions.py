@@ -49,11 +49,21 @@ class SecondApproximation:
 
     Answers have the largest displacement as A, and the amplitude of the first harmonic as A_1. Arguments and errors are
     the oscillator's. Inside, as in the kernels, A is A_1 + a_3 + a_5: friction's harmonics take a little off it.
+    Raises ValueError where these harmonics are not derived.
 
     first -- the oscillator, averaged
     """
 
     first: Averaged
+
+    def __post_init__(self) -> None:
+        mechanism = self.first.model.mechanism
+        for u_cr in self.first.breakpoints:
+            if u_cr > mechanism.harmonics_up_to:
+                raise ValueError(
+                    f"u_cr = {u_cr:g} is not allowed here: the harmonics of this force are derived for "
+                    f"u_cr <= {mechanism.harmonics_up_to:g}"
+                )
 
     def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
@@ -172,7 +182,7 @@ class SecondApproximation:
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
         model = self.first.model
-        beside = remarks.of_one(model, math.nan, A) & ~Remark.OF_TRUNCATION
+        beside = remarks.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
         return joined(message, *remarks.words(beside, model, math.nan), validity.of_second(model, Omega, A))
 
     def _around(self, F_0: float, Omega: Floats) -> Curve:
