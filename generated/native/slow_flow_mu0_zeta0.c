@@ -284,6 +284,39 @@ static const sf_loop slow_flow_mu0_zeta0_jacobian_loops[] = {
     slow_flow_mu0_zeta0_jacobian_loop,
 };
 
+SF_WIDE void slow_flow_mu0_zeta0_mean_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict h = in[1];
+    const double *restrict h_A = in[2];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_mu0_zeta0_mean_stiffness(A[i], h[i], h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_mean_stiffness_loops[] = {
+    slow_flow_mu0_zeta0_mean_stiffness_loop,
+};
+
+SF_WIDE void slow_flow_mu0_zeta0_offset_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict h = in[2];
+    const double *restrict h_A = in[3];
+    double *restrict out_0 = out[0];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_mu0_zeta0_offset_stiffness(Omega[i], A[i], h[i], h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_mu0_zeta0_offset_stiffness_loops[] = {
+    slow_flow_mu0_zeta0_offset_stiffness_loop,
+};
+
 SF_WIDE void slow_flow_mu0_zeta0_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
@@ -565,6 +598,14 @@ static const sf_kernel kernels[] = {
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
      6, 4, 1, NULL, slow_flow_mu0_zeta0_jacobian_loops},
+    {"mean_stiffness",
+     "Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive. "
+     "Equation beside (30). Domain: A > 0.",
+     3, 1, 1, NULL, slow_flow_mu0_zeta0_mean_stiffness_loops},
+    {"offset_stiffness",
+     "What carries a small mean offset back; where the mean stiffness is negative this decides. Equation beside "
+     "(30). Domain: Omega > 0, A > 0.",
+     4, 1, 1, NULL, slow_flow_mu0_zeta0_offset_stiffness_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
      6, 1, 1, NULL, slow_flow_mu0_zeta0_stability_loops},

@@ -1,7 +1,7 @@
 """Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0 and zeta = 0.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/loci.py, derivations/resultants.py
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/loci.py, derivations/resultants.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -35,6 +35,8 @@ __all__ = [
     "jacobian",
     "level",
     "limit_envelope",
+    "mean_stiffness",
+    "offset_stiffness",
     "peak_cubic",
     "phase",
     "response_quartic",
@@ -217,6 +219,29 @@ def jacobian(Omega, A, m, zeta, h, h_A):
     )
 
 
+def mean_stiffness(A, h, h_A):
+    """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
+
+    Equation beside (30). Domain: A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    A, h, h_A = floats(A, h, h_A)
+    return -0.5 * h_A - 0.5 * h / A
+
+
+def offset_stiffness(Omega, A, h, h_A):
+    """What carries a small mean offset back; where the mean stiffness is negative this decides.
+
+    Equation beside (30). Domain: Omega > 0, A > 0.
+    Operations: 14 structured, 14 common subexpressions, 14 power chains.
+    """
+    Omega, A, h, h_A = floats(Omega, A, h, h_A)
+    t0 = 1.0 / A
+    t1 = h * t0
+    t2 = h * t0 - h_A
+    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1)
+
+
 def stability(Omega, A, m, zeta, h, h_A):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
@@ -385,6 +410,8 @@ if NATIVE is not None:
         equivalent_damping,
         transmissibility,
         jacobian,
+        mean_stiffness,
+        offset_stiffness,
         stability,
         response_quartic,
         fold_quartic,
