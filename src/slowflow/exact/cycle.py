@@ -343,18 +343,26 @@ class Cycle:
 
     def holds(self, z: Array, F_0: float) -> bool:
         """Whether the motion from z's start really switches in the order of the signature."""
-        if not self.consistent or np.any(z[2:-1] <= 0.0):
-            return False
+        return self.followed(z, F_0) is not None
+
+    def followed(self, z: Array, F_0: float) -> list[Phase] | None:
+        """The phases of the motion from z's start, if it switches in the order of the signature; None if not."""
+        spans = z[2:-1].tolist()
+        if not self.consistent or min(spans) <= 0.0:
+            return None
         try:
-            found = self.phases(z, F_0)
+            found = self.phases(z, F_0)[: len(spans)]
         except ArithmeticError:
-            return False
-        k = len(self.signature)
+            return None
+        if signature(found) != self.signature:
+            return None
         # every switch at its time: the equations may also be solved with a slip whose velocity passes zero twice
-        ends = z[1] + np.cumsum(z[2:-1])
-        return signature(found[:k]) == self.signature and all(
-            abs(phase.end - end) < 1e-5 for phase, end in zip(found[:k], ends, strict=True)
-        )
+        end = float(z[1])
+        for phase, span in zip(found, spans, strict=True):
+            end += span
+            if not abs(phase.end - end) < 1e-5:
+                return None
+        return found
 
     def newton(
         self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = 12, tolerance: float = 1e-13

@@ -208,23 +208,28 @@ def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
         )
 
 
-def describe(cycle: Cycle, z: Array, F_0: float, equations: Equations) -> SteadyState:
-    """The `SteadyState` of a converged cycle; its residual is measured by following the motion over one period."""
+def describe(
+    cycle: Cycle, z: Array, F_0: float, equations: Equations, phases: list[Phase] | None = None
+) -> SteadyState:
+    """The `SteadyState` of a converged cycle; its residual is measured by following the motion over one period.
+
+    phases -- of one cycle; they are followed where they are not at hand
+    """
     multipliers = cycle.multipliers(equations)
     symmetric = cycle.sign == -1
     half = multipliers if symmetric else None
     if symmetric:
         multipliers = multipliers**2
     Omega = float(z[-1])
-    phases = cycle.phases(z, F_0)
+    phases = cycle.phases(z, F_0)[: len(cycle.signature)] if phases is None else phases
     return SteadyState(
         Omega=Omega,
         F_0=F_0,
-        A=_largest(phases[: len(cycle.signature)]),
+        A=_largest(phases),
         stops=cycle.stops,
         multipliers=multipliers,
         half_multipliers=half,
-        stable=bool(np.all(np.abs(multipliers) < 1.0)),
+        stable=all(abs(multiplier) < 1.0 for multiplier in multipliers.tolist()),
         residual=_residual(cycle, z, F_0),
         symmetric=symmetric,
         cycle=cycle,
@@ -265,8 +270,9 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
         if solved is None:
             return None
         z, equations = solved
-        if cycle.holds(z, forced.F_0):
-            return describe(cycle, z, forced.F_0, equations)
+        phases = cycle.followed(z, forced.F_0)
+        if phases is not None:
+            return describe(cycle, z, forced.F_0, equations, phases)
         theta, u = float(z[1]), float(z[0])
         end = theta + (cycle.half_turns + 3) * math.pi
         try:
