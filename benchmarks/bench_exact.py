@@ -7,6 +7,8 @@
 from __future__ import annotations
 
 import argparse
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,7 +19,7 @@ from scipy.optimize import minimize_scalar, root
 
 from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state, sweep
 from slowflow.exact.compiled import default_integrator
-from slowflow.exact.integrate import ScipyIntegrator
+from slowflow.exact.integrate import Drive, Integrator, ScipyIntegrator
 from slowflow.exact.motion import TURN, Forced, follow
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
@@ -69,7 +71,73 @@ def rows() -> list[Row]:
     out += fold_count_by_amplitude(curves)
     for exact in NAMES:
         out += sweeps(exact, curves[exact, 0.04])
-    return [*out, *closed_forms(), *turns()]
+    return [*out, *beside_heyoka(), *first_answer(), *closed_forms(), *turns()]
+
+
+def beside_heyoka() -> list[Row]:
+    """The jobs that users wait for, in one run by the compiled integrator and by heyoka; untruncated force.
+
+    By heyoka all around the integration is Python; the first row is that of the integration alone.
+    """
+    try:
+        from tests.oracles.exact_heyoka import HeyokaIntegrator
+    except ImportError:  # it has no wheels here
+        return []
+    system, other = table_1(True), HeyokaIntegrator()
+    free, stops = EquationOfMotion(system.force, 0.0, system.zeta), EquationOfMotion(linear(), 0.2, 0.0)
+    near = steady_state(system, 0.901, 0.04, steady_state(system, 0.9, 0.04))
+    piece, drive = system.force.pieces[0], Drive(0.9, 0.04, 0.02, -0.012)
+    frequencies = np.concatenate((np.linspace(0.5, 1.5, 300), np.linspace(1.5, 0.5, 300)))
+    jobs: list[tuple[str, float | None, int, Callable[[Integrator], object]]] = [
+        (
+            "half a turn of one piece with derivatives",
+            None,
+            101,
+            lambda i: i.advance(piece, drive, 0.3, -0.25, 0.0, 3.4),
+        ),
+        (
+            "one periodic motion with multipliers from the neighbouring one",
+            0.1,
+            51,
+            lambda i: steady_state(system, 0.9, 0.04, near, integrator=i),
+        ),
+        (
+            "curve of 300 points, stability, stops, folds",
+            25.0,
+            3,
+            lambda i: exact_response(system, 0.04, step=0.0265, integrator=i),
+        ),
+        ("the same without friction", 75.0, 3, lambda i: exact_response(free, 0.04, step=0.0265, integrator=i)),
+        (
+            "the same of the linear oscillator through ten stops, Omega from 0.07 to 0.5",
+            75.0,
+            3,
+            lambda i: exact_response(stops, 1.0, (0.07, 0.5), integrator=i),
+        ),
+        (
+            "200 turns of the forcing with every switch",
+            1.0,
+            5,
+            lambda i: follow(Forced(system, 0.9, 0.04, i), 0.0, 0.0, 0.0, 200 * TURN),
+        ),
+        ("sweep up and down, 600 frequencies", 200.0, 1, lambda i: sweep(system, 0.04, frequencies, integrator=i)),
+    ]
+    out = []
+    for name, target, repeats, job in jobs:
+        ours, theirs = (1e3 * best(lambda i=i, job=job: job(i), repeats) for i in (default_integrator(system), other))
+        out += [Row(name, ours, "ms", target), Row(f"{name}: by heyoka over this", theirs / ours, "")]
+    return out
+
+
+def first_answer() -> list[Row]:
+    """A fresh process, from its start to a periodic motion."""
+    code = "from slowflow.paper.example import isolator; isolator().steady_state(Omega=0.9, F_0=0.04)"
+    times = []
+    for _ in range(3):
+        start = time.perf_counter()
+        subprocess.run([sys.executable, "-c", code], check=True)
+        times.append(time.perf_counter() - start)
+    return [Row("first answer of a fresh process, import included", min(times), "s", 0.15)]
 
 
 def one_frequency(exact: bool) -> list[Row]:
