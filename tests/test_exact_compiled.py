@@ -6,35 +6,39 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
-from slowflow.exact import EquationOfMotion, duffing, linear, rod_spring, rod_spring_exact, steady_state
+from slowflow.exact import EquationOfMotion, linear, steady_state
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator, law
 from slowflow.exact.integrate import STOP, TIME, Drive
-from slowflow.isolator import Duffing, Isolator
 from tests.oracles.exact_cases import random_cases
 
 pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 OURS = TaylorIntegrator()
 
+LAM, R, DELTA_H = 3.0, 0.6, 0.25
+ISOLATOR = Isolator(lam=LAM, r=R, delta_h=DELTA_H)
+# (7), as doubles: they are what the truncated force takes
+ALPHA, BETA, GAMMA = ISOLATOR.alpha, ISOLATOR.beta, ISOLATOR.gamma
 # a piece, the same force and its slope by hand for mpmath, and a state well inside of it
 PIECES = {
-    "linear": (linear().pieces[0], lambda u: u, lambda u: 1, (0.3, -0.2)),
+    "linear": (ISOLATOR.restoring_force().pieces[1], lambda u: u, lambda u: 1, (0.3, -0.2)),
     "duffing": (
-        duffing(0.7, 1.3).pieces[0],
+        Duffing(0.7, 1.3).restoring_force().pieces[0],
         lambda u: mp.mpf(0.7) * u + mp.mpf(1.3) * u**3,
         lambda u: mp.mpf(0.7) + 3 * mp.mpf(1.3) * u**2,
         (0.9, 0.4),
     ),
     "truncated": (
-        rod_spring(0.2, 1.5, 1.1, 0.9).pieces[0],
-        lambda u: mp.mpf(0.2) * u + mp.mpf(1.5) * u**3 + mp.mpf(1.1) * u**5,
-        lambda u: mp.mpf(0.2) + 3 * mp.mpf(1.5) * u**2 + 5 * mp.mpf(1.1) * u**4,
+        ISOLATOR.restoring_force("truncated").pieces[0],
+        lambda u: mp.mpf(ALPHA) * u + mp.mpf(BETA) * u**3 + mp.mpf(GAMMA) * u**5,
+        lambda u: mp.mpf(ALPHA) + 3 * mp.mpf(BETA) * u**2 + 5 * mp.mpf(GAMMA) * u**4,
         (0.4, 0.3),
     ),
     "untruncated": (
-        rod_spring_exact(3.0, 0.6, 0.25).pieces[0],
-        lambda u: u + 3 * mp.mpf(0.6) * ((1 - mp.mpf(0.25)) / mp.sqrt(1 - u * u) - 1) * u,
-        lambda u: 1 + 3 * mp.mpf(0.6) * ((1 - mp.mpf(0.25)) / mp.sqrt(1 - u * u) ** 3 - 1),
+        ISOLATOR.restoring_force("untruncated").pieces[0],
+        lambda u: u + 3 * mp.mpf(R) * ((1 - mp.mpf(DELTA_H)) / mp.sqrt(1 - u * u) - 1) * u,
+        lambda u: 1 + 3 * mp.mpf(R) * ((1 - mp.mpf(DELTA_H)) / mp.sqrt(1 - u * u) ** 3 - 1),
         (0.35, -0.2),
     ),
 }
@@ -154,7 +158,7 @@ def test_c_refuses_what_does_not_fit():
         EXACT.system((10**6,), ((),), (), 0.0, 0.1)
     with pytest.raises(ValueError, match="numbers where at most"):
         EXACT.system((number,), (tuple(range(99)),), (), 0.0, 0.1)
-    system = EXACT.system((number,), ((0.0,),), (), 0.0, 0.1)
+    system = EXACT.system((number,), ((1.0, 0.0),), (), 0.0, 0.1)
     with pytest.raises(ValueError, match="room for too few"):
         EXACT.advance(system, (1.0, 1.0, 0.1, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
     with pytest.raises(ValueError, match="do not fit"):
