@@ -5,6 +5,7 @@ The averaged questions come from `Averaged`; the second approximation and the ex
 
 from __future__ import annotations
 
+import dataclasses
 import warnings
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
@@ -14,6 +15,7 @@ from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import Model
+from slowflow.results import Remark, SaddleNodeOnset, joined
 
 if TYPE_CHECKING:
     from slowflow import exact
@@ -81,6 +83,23 @@ class Oscillator(Averaged):
     def stiffness(self, u: Any) -> Floats:
         """df/du at displacements of any shape, both dimensionless; at a breakpoint that of the inner piece."""
         return self.restoring_force().stiffness(validate.finite_array("u", u))
+
+    def saddle_node_onset(self) -> SaddleNodeOnset:
+        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
+
+        Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force.
+        """
+        found = super().saddle_node_onset()
+        load = self.model.mechanism.load_untruncated
+        if Remark.OF_TRUNCATION not in found.remarks or load is None:
+            return found
+        values = dict(zip((domain.name for domain in self.model.mechanism.design), self.design, strict=True))
+        other = Averaged(Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta})).saddle_node_onset()
+        if other.F_SN is None:
+            beside = f"without truncation: {other.message}"
+        else:
+            beside = f"without truncation F_SN = {other.F_SN:.4g}, a {other.kind}"
+        return dataclasses.replace(found, untruncated=other, message=joined(found.message, beside))
 
     def restoring_force(self, which: str | None = None) -> Force:
         """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).

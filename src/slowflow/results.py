@@ -306,6 +306,7 @@ class SaddleNodeOnset(Answer):
 
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
             breakpoint)
+    untruncated -- the onset of the untruncated force, where this one is on a corner that only the truncation makes
     """
 
     F_SN: float | None
@@ -313,6 +314,7 @@ class SaddleNodeOnset(Answer):
     A: float | None
     kind: str
     message: str
+    untruncated: SaddleNodeOnset | None = field(default=None, kw_only=True)
     remarks: Remark = field(default=Remark(0), kw_only=True)
 
 

@@ -97,7 +97,7 @@ def finite_array(name: str, value: Any) -> Floats:
     allowed = "a finite real number, or an array of such"
     array = _array(name, value, allowed).astype(float)
     if not np.isfinite(array).all():
-        raise _refuse(name, array[~np.isfinite(array)].flat[0], allowed)
+        raise _refuse(name, float(array[~np.isfinite(array)].flat[0]), allowed)
     return array
 
 

@@ -6,6 +6,7 @@ Out: `Parameter` and `Mechanism`, both immutable. Everything is dimensionless, i
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -73,6 +74,16 @@ class Mechanism:
     truncated: bool
     attached: Mechanism | None
     load_untruncated: Callable[[], Mechanism] | None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # compiled functions cannot be pickled: the module that states the record can be imported again
+        return _stated, (self.pieces[0][0].__module__,)
+
+
+def _stated(module: str) -> Mechanism:
+    """The record that a generated module states, for pickle."""
+    mechanism: Mechanism = importlib.import_module(module).MECHANISM
+    return mechanism
 
 
 def nothing(*parameters: Any) -> tuple[()]:

@@ -27,6 +27,7 @@ from slowflow.averaged.compiled import ONSET_KINDS, Status
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
+from slowflow.results import Remark
 
 Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
@@ -77,6 +78,14 @@ class Onsets(Batch):
     A: Floats
     kind: Codes
     status: Codes
+
+    @cached_property
+    def untruncated(self) -> Floats:
+        """F_SN of the untruncated force where the onset is on a corner that only the truncation makes; NaN elsewhere.
+
+        NaN there too if it has none. Computed when first asked for.
+        """
+        return self._designs.untruncated_onset((self.remarks & Remark.OF_TRUNCATION) != 0)
 
     def _found(self) -> tuple[Any, Any, Any]:
         return (
@@ -149,6 +158,15 @@ class Designs:
     def peak(self, F_0: Any) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""
         return Peaks(*self._ask(PEAK, F_0), _designs=self, _F_0=F_0)
+
+    def untruncated_onset(self, wanted: npt.NDArray[np.bool_]) -> Floats:
+        """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
+        F_SN = np.full(self.shape, np.nan)
+        load = self._mechanism.load_untruncated
+        if load is not None and wanted.any():
+            chosen = {name: np.broadcast_to(value, self.shape)[wanted] for name, value in self._values.items()}
+            F_SN[wanted] = Designs(load(), chosen).saddle_node_onset().F_SN
+        return F_SN
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
         """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""

@@ -1,0 +1,136 @@
+"""What is said beside averaged answers: in single answers and in batches alike, and true of the exact motions."""
+
+import copy
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, Oscillator
+from slowflow.exact import shooting
+from slowflow.paper.example import TABLE_1
+from slowflow.results import Remark
+from slowflow_kernels import duffing
+
+pytestmark = pytest.mark.both_backends
+
+#: an onset that only the truncation makes, a negative stiffness at rest, the paper's isolator rubbing, one that sticks
+DESIGNS = {
+    "lam": np.array([3.0, 3.0, 3.0, 3.0]),
+    "r": np.array([0.5, 2.0, float(TABLE_1["r"]), 2.0]),
+    "delta_h": np.array([0.01, 0.4, float(TABLE_1["delta_h"]), 0.1]),
+    "mu": np.array([0.002, 0.01, 0.028, 0.05]),
+    "zeta": np.array([0.02, 0.1, 0.02, 0.02]),
+}
+
+
+def single(k):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return Isolator(**{name: float(values[k]) for name, values in DESIGNS.items()})
+
+
+@pytest.mark.parametrize("F_0", [0.04, 0.2])
+def test_a_batch_has_the_remarks_of_single_answers_at_a_forcing(F_0):
+    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(4)]
+    assert designs.saddle_nodes(F_0).remarks.tolist() == [int(one.saddle_nodes(F_0).remarks) for one in alone]
+    assert designs.peak(F_0).remarks.tolist() == [int(one.peak(F_0).remarks) for one in alone]
+
+
+def test_a_batch_has_the_remarks_of_single_answers():
+    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(4)]
+    assert designs.detachment().remarks.tolist() == [int(one.detachment().remarks) for one in alone]
+    assert designs.saddle_node_onset().remarks.tolist() == [int(one.saddle_node_onset().remarks) for one in alone]
+
+
+def test_an_onset_that_only_the_truncation_makes_says_so():
+    """The untruncated force of this isolator has no onset at all."""
+    onset = single(0).saddle_node_onset()
+    assert onset.kind == "corner" and Remark.OF_TRUNCATION in onset.remarks
+    assert onset.untruncated is not None and onset.untruncated.F_SN is None
+    assert "without truncation: no saddle node" in onset.message
+    together = Isolator.many(**DESIGNS).saddle_node_onset()
+    assert np.isnan(together.untruncated[0]) and together.remarks[0] & Remark.OF_TRUNCATION
+
+
+def test_amplitudes_beyond_the_reach_are_said_of_a_peak():
+    peak = single(2).replace(mu=0.012).peak(0.2)
+    assert peak.A > 1 and Remark.BEYOND_REACH in peak.remarks and "push-rod" in peak.message
+
+
+def test_a_motion_that_leaves_the_centre_is_not_stable():
+    """The exact motion there has a multiplier of 31."""
+    oscillator = Duffing(-0.5, 1, 0, 0.05)
+    states = oscillator.amplitudes(Omega=1.2, F_0=0.05)
+    assert states.A[0] == pytest.approx(0.0257, abs=1e-4)
+    assert not states.stable[0] and Remark.LEAVES_CENTRE in states.remarks and "leave the centre" in states.message
+    guess = float(states.A[0]), float(states.phi[0])
+    motion = shooting.near(oscillator.equation_of_motion(), 1.2, 0.05, guess)
+    assert not motion.stable and max(abs(motion.multipliers)) > 10
+
+
+def test_a_softening_spring_may_hold_a_motion_whose_mean_stiffness_is_negative():
+    """The exact motion is stable: the stiffness that changes twice in a cycle makes up for its mean."""
+    oscillator, Omega, F_0 = Duffing(1.916546773924, -0.8374511645265, 0.0, 0.0558), 0.93856559, 0.16
+    states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
+    A = states.A[-1]
+    assert oscillator.alpha + 1.5 * oscillator.beta * A**2 < 0 and states.stable[-1]
+    motion = shooting.near(oscillator.equation_of_motion(), Omega, F_0, (float(A), float(states.phi[-1])))
+    assert motion is not None and motion.stable and abs(motion.A / A - 1) < 0.1
+
+
+def test_nothing_is_claimed_of_what_was_not_measured():
+    folds = Duffing(1.0, 0.5, 0.01, 0.05).saddle_nodes(1.5)
+    assert len(folds) == 2
+    assert "not measured" in folds.validity.message and np.isnan(folds.validity.error).all()
+
+
+def test_an_oscillator_cannot_be_changed():
+    isolator = single(2)
+    for name in ("zeta", "zeeta", "model"):
+        with pytest.raises(AttributeError, match=rf"{name} cannot be set.*replace"):
+            setattr(isolator, name, 0.2)
+    with pytest.raises(AttributeError, match="cannot be deleted"):
+        del isolator.zeta
+    other = isolator.replace(zeta=0.2)
+    assert other.zeta == 0.2 and isolator.zeta == 0.02 and other != isolator
+    assert other.replace(zeta=0.02) == isolator and hash(other.replace(zeta=0.02)) == hash(isolator)
+    with pytest.raises(TypeError, match="zeeta"):
+        isolator.replace(zeeta=0.5)
+
+
+@pytest.mark.parametrize("make", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])
+def test_oscillators_and_answers_can_be_copied_and_sent(make):
+    isolator, spring = single(2), Duffing(1.0, 0.5, 0.01, 0.05)
+    for one in (isolator, spring, isolator.saddle_nodes(0.05), spring.frequency_response(0.3), isolator.detachment()):
+        assert make(one) == one and hash(make(one)) == hash(one)
+
+
+def test_an_answer_is_a_list_of_records_that_does_not_change():
+    folds = single(2).replace(mu=0.012).saddle_nodes(0.04)
+    assert [fold.Omega for fold in folds] == folds.Omega.tolist() and folds[0].kind == folds.kind[0]
+    with pytest.raises(ValueError, match="read-only"):
+        folds.A[0] = 1.0
+    assert folds.to_dict()["A"] == folds.A.tolist()
+
+
+def test_a_mechanism_is_taken_by_its_record():
+    oscillator = Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.05)
+    assert oscillator.saddle_nodes(1.5) == Duffing(1.0, 0.5, 0.01, 0.05).saddle_nodes(1.5)
+    assert (Oscillator.many(duffing.MECHANISM, alpha=[1.0], beta=0.5).detachment().status == 3).all()
+    with pytest.raises(TypeError, match="gamma is no number of duffing"):
+        Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, gamma=0.1)
+    with pytest.raises(TypeError, match="beta is missing"):
+        Oscillator.many(duffing.MECHANISM, alpha=1.0)
+
+
+def test_the_force_and_its_stiffness_at_any_displacement():
+    isolator = single(2)
+    u = np.array([[-0.5, -0.1], [0.1, isolator.u_cr]])
+    assert np.array_equal(isolator.force(u), [[isolator.restoring_force().value(x) for x in row] for row in u])
+    inside, step = np.array([-0.6, -0.2, 0.0, 0.3]), 1e-6
+    slope = (isolator.force(inside + step) - isolator.force(inside - step)) / (2 * step)
+    assert isolator.stiffness(inside) == pytest.approx(slope, rel=1e-8)
+    with pytest.raises(ValueError, match="u = nan"):
+        isolator.force(np.nan)
