@@ -14,7 +14,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check install
 # stamps: the package with what derives and draws, compiled from the C as it is now; what tests and benchmarks need besides
 INSTALLED := .venv/installed
 DEVELOPED := .venv/developed
-NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/solver/*.[ch] generated/c/*.h generated/native/*.[ch])
+NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
 .PHONY: paper test test-fast derive check lint bench bench-peers validity clean
