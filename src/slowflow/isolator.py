@@ -48,8 +48,9 @@ class Isolator(Oscillator):
         self, *, lam: float, r: float, delta_h: float, mu: float = 0.0, zeta: float = 0.0, force: str = "truncated"
     ) -> None:
         super().__init__(_averaged(force), lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
-        coefficients = zip(ROD_SPRING.parameters, ROD_SPRING.coefficients(*self.design), strict=True)
-        self.__dict__.update({name.name: float(value) for name, value in coefficients})
+        if not self.model.mechanism.truncated:
+            coefficients = zip(ROD_SPRING.parameters, ROD_SPRING.coefficients(*self.design), strict=True)
+            self.__dict__.update({name.name: float(value) for name, value in coefficients})
         del self.given["mechanism"]
         self.given["force"] = force
         if self.alpha < 0:

@@ -46,10 +46,10 @@ def flow_of(mu: float, zeta: float) -> ModuleType:
 def check_names(mechanism: Mechanism, values: Mapping[str, Any]) -> list[str]:
     """The names of a design's numbers, mu and zeta last, if the values have just these; else a TypeError names one."""
     names = [domain.name for domain in (*mechanism.design, *DAMPING)]
-    for name in (*values, *names):
-        if name not in values or name not in names:
-            what = "is missing for" if name in names else "is no number of"
-            raise TypeError(f"{name} {what} {mechanism.name}: it takes {', '.join(names)}")
+    if values.keys() != set(names):
+        wrong = next(name for name in (*values, *names) if name not in values or name not in names)
+        what = "is missing for" if wrong in names else "is no number of"
+        raise TypeError(f"{wrong} {what} {mechanism.name}: it takes {', '.join(names)}")
     return names
 
 
@@ -116,6 +116,17 @@ class Model:
     def linear(self) -> bool:
         """Whether the averaged force is proportional to the amplitude."""
         return not self.breakpoints and bool(self.averaged(1.0)[2] == 0)
+
+    @cached_property
+    def hardens(self) -> bool:
+        """Whether f(u)/u is known to rise with |u|, jumps included."""
+        rises = all(value >= 0 for value in self.mechanism.hardening(*self.parameters))
+        return rises and all(jump <= 0 for jump in self.jumps)
+
+    @cached_property
+    def negative_stiffness(self) -> bool:
+        """Whether the stiffness at rest is negative, which is -h_A there."""
+        return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
 
     @property
     def reach(self) -> float:

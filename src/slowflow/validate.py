@@ -33,28 +33,44 @@ def number(
     most: float = math.inf,
 ) -> float:
     """A finite real number in the given range, as a float."""
+    if not _is_number(value):
+        raise _refuse(name, value, _range(above, least, below, most))
+    try:
+        result = float(value)
+    except OverflowError:
+        raise _refuse(name, value, _range(above, least, below, most)) from None
+    if not (math.isfinite(result) and above < result < below and least <= result <= most):
+        raise _refuse(name, value, _range(above, least, below, most))
+    return result
+
+
+def _is_number(value: Any) -> bool:
+    if isinstance(value, (bool, np.bool_)):
+        return False
+    if isinstance(value, (float, Real, np.floating, np.integer)):
+        return True
+    return isinstance(value, np.ndarray) and value.ndim == 0 and value.dtype.kind in "fiu"
+
+
+def _range(above: float, least: float, below: float, most: float) -> str:
     limits = [
         f"{sign} {limit:g}"
         for sign, limit in ((">", above), (">=", least), ("<", below), ("<=", most))
         if math.isfinite(limit)
     ]
-    allowed = "a finite real number" + (" " + " and ".join(limits) if limits else "")
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (Real, np.floating, np.integer)):
-        if not (isinstance(value, np.ndarray) and value.ndim == 0 and value.dtype.kind in "fiu"):
-            raise _refuse(name, value, allowed)
-    try:
-        result = float(value)
-    except OverflowError:
-        raise _refuse(name, value, allowed) from None
-    if not (math.isfinite(result) and above < result < below and least <= result <= most):
-        raise _refuse(name, value, allowed)
-    return result
+    return "a finite real number" + (" " + " and ".join(limits) if limits else "")
 
 
 def within(domain: Parameter, value: Any) -> float:
     """A finite real number in a parameter's domain, as a float."""
-    bounds = {"above": domain.above, "least": domain.least, "below": domain.below, "most": domain.most}
-    return number(domain.name, value, **{side: bound for side, bound in bounds.items() if bound is not None})
+    return number(
+        domain.name,
+        value,
+        above=-math.inf if domain.above is None else domain.above,
+        least=-math.inf if domain.least is None else domain.least,
+        below=math.inf if domain.below is None else domain.below,
+        most=math.inf if domain.most is None else domain.most,
+    )
 
 
 def count(name: str, value: Any, *, least: int) -> int:

@@ -58,18 +58,11 @@ class Averaged:
         if (
             model.mechanism.attached is None
             or not model.breakpoints
-            or not self.hardens
+            or not model.hardens
             or model.averaged(model.breakpoints[0])[0] >= 0
         ):
             return None
         return dataclasses.replace(model, attached=True)
-
-    @cached_property
-    def hardens(self) -> bool:
-        """Whether f(u)/u is known to rise with |u|, jumps included."""
-        model = self.model
-        rises = all(value >= 0 for value in model.mechanism.hardening(*model.parameters))
-        return rises and all(jump <= 0 for jump in model.jumps)
 
     @property
     def mu(self) -> float:
@@ -240,7 +233,7 @@ class Averaged:
 
     def _centred(self, found: State) -> State:
         """The answer, its states stable only if they stay about u = 0 as well, where that is not known beforehand."""
-        if self.hardens and self.model.averaged(0.0)[1] <= 0:
+        if remarks.stays_centred(self.model):
             return found
         kept = remarks.keeps_centre(self.model.mechanism, self.model.parameters, found.Omega, found.A)
         return dataclasses.replace(found, stable=found.stable & kept)

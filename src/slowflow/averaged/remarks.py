@@ -5,6 +5,7 @@ A single answer has both, a batch the codes. Both are made here, so that they ca
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,8 @@ from slowflow_kernels import slow_flow
 
 Codes = npt.NDArray[np.uint8]
 Flags = npt.NDArray[np.bool_]
+
+NOTHING = Remark(0)
 
 WORDS = {
     Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
@@ -66,9 +69,30 @@ def of_designs(
 
 
 def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) -> Remark:
-    """The same for one oscillator, its states along one axis or a single one."""
-    codes = of_designs(model.mechanism, model.parameters, model.mu, F_0, np.atleast_1d(Omega), np.atleast_1d(A), corner)
-    return Remark(int(codes))
+    """The same for one oscillator; A is an array along one axis, or a number, and nothing is computed that is known."""
+    many = isinstance(A, np.ndarray)
+    highest = A if not many else A.max() if A.size else math.nan
+    codes = NOTHING
+    if model.negative_stiffness:
+        codes |= Remark.NEGATIVE_STIFFNESS
+    if validity.is_near_sticking(model.mu, F_0):
+        codes |= Remark.NEAR_STICKING
+    if highest > model.reach:
+        codes |= Remark.BEYOND_REACH
+    if highest > 0 and not stays_centred(model):
+        if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
+            codes |= Remark.LEAVES_CENTRE
+    if model.mechanism.truncated and (corner.any() if many and corner is not False else corner):
+        codes |= Remark.OF_TRUNCATION
+    return codes
+
+
+def stays_centred(model: Model) -> bool:
+    """Whether every motion about u = 0 is known to stay about it.
+
+    Where f(u)/u is positive and rises with |u| so does -h/A with A, and -h_A is positive with it: so is their mean.
+    """
+    return model.hardens and not model.negative_stiffness
 
 
 def words(remarks: Remark, model: Model, F_0: float) -> list[str]:

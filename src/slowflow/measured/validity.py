@@ -96,8 +96,8 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
 
 
 def is_near_sticking(mu: Any, F_0: Any) -> Any:
-    """Whether mu/F_0 is so near pi/4 that averaging fails; shapes that broadcast."""
-    return np.asarray(mu) > measured.NEAR * np.asarray(F_0)
+    """Whether mu/F_0 is so near pi/4 that averaging fails; numbers, or arrays that broadcast."""
+    return mu > measured.NEAR * F_0
 
 
 def near_sticking(model: Model, F_0: float) -> str:
