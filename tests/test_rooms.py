@@ -1,0 +1,60 @@
+"""The rooms of src/slowflow: imports run one way, down, and what is heavy or above is not imported from below."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).parents[1] / "src"
+#: from the top floor down; a room imports only from floors below its own, or from itself
+FLOORS = (
+    ("cli",),
+    ("paper",),
+    ("__init__",),
+    ("isolator",),
+    ("oscillator",),
+    ("exact", "second"),
+    ("averaged",),
+    ("results",),
+    ("measured",),
+    ("model",),
+    ("validate",),
+    ("mechanism", "backend"),
+)
+FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
+FILES = sorted((SOURCE / "slowflow").rglob("*.py"))
+
+
+def room_of(path):
+    return path.relative_to(SOURCE / "slowflow").with_suffix("").parts[0]
+
+
+def imported(path):
+    """Every module that a file imports, at its top or inside a function, type checking included."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield from (f"{node.module}.{name.name}" for name in node.names)
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(SOURCE)))
+def test_imports_run_down(path):
+    here = room_of(path)
+    for module in imported(path):
+        package, _, rest = module.partition(".")
+        if package == "slowflow" and rest:
+            # a name of the package itself, such as __version__, is its face's
+            room = rest.split(".")[0] if rest.split(".")[0] in FLOOR else "__init__"
+            assert room == here or FLOOR[room] < FLOOR[here], f"{path.name} imports {module}"
+
+
+def test_what_derives_is_not_imported_by_what_runs():
+    for path in (*FILES, *(SOURCE / "slowflow_support").glob("*.py")):
+        for module in imported(path):
+            assert module.split(".")[0] not in {"sympy", "jinja2", "flint", "derivations"}, f"{path.name}: {module}"
+
+
+def test_what_the_kernels_stand_on_imports_nothing_of_ours():
+    for path in (SOURCE / "slowflow_support").glob("*.py"):
+        assert not [m for m in imported(path) if m.startswith(("slowflow.", "slowflow_kernels."))]
