@@ -228,6 +228,21 @@ with ThreadPoolExecutor({threads}) as pool:
     subprocess.run([sys.executable, "-c", code], check=True, timeout=600)
 
 
+@compiled
+@pytest.mark.parametrize("ratio", [0.98, 0.99, 0.995, 0.999, 0.9999])
+@pytest.mark.parametrize("Omega", [0.9, 2.0])
+def test_a_drift_below_rounding_is_refused_not_settled(ratio, Omega):
+    """So near sticking that a turn's drift is lost in rounding: one amplitude wherever one comes from, or none."""
+    oscillator = Duffing(0.0, 1.0, 0.1 * ratio, 0.05)
+    swept = oscillator.sweep(Omega=[1.01 * Omega, Omega], F_0=0.1)
+    try:
+        found = oscillator.steady_state(Omega=Omega, F_0=0.1)
+    except ArithmeticError as refusal:
+        assert "drifts" in str(refusal)
+    else:
+        assert not swept.settled[1] or swept.A[1] == pytest.approx(found.A, rel=1e-5)
+
+
 REFUSED = [
     (lambda o: o.steady_state(Omega=-1, F_0=0.04), r"Omega = -1 is not allowed.*> 0"),
     (lambda o: o.steady_state(Omega="0.9", F_0=0.04), r"Omega = '0.9'"),

@@ -29,6 +29,9 @@ from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow,
 from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
+TIGHT = 1e-9  # relative step of u_0 at which Newton's iteration ends
+LOOSE = 1e-6  # beyond which it has not converged where rounding ends it
+
 Signature = tuple[tuple[int, int], ...]
 
 
@@ -402,7 +405,12 @@ class Cycle:
             # towards Omega = 0 a turn takes ever longer: a trial that goes half the way is none
             if extra is not None and not abs(step[-1]) < 0.5 * z[-1]:
                 return None
-            if error <= tolerance or (error <= 100.0 * tolerance and size >= 0.5 * last):
+            # next to a neutral motion a small residual says little: what is left of u_0 has to be small, too
+            own = abs(step[0] / z[0])
+            stays = error <= 100.0 * tolerance and size >= 0.5 * last
+            if stays and own > LOOSE:
+                return None
+            if stays or (error <= tolerance and own <= TIGHT):
                 if extra is not None:
                     found = found._replace(along=np.linalg.solve(jacobian, np.eye(step.size)[-1]))
                 return z, found

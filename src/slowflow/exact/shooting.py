@@ -349,7 +349,7 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
         + (
             "it still drifts, too slowly to be followed to where it settles"
             if drifts
-            else f"it may be chaotic, or a subharmonic of another order than half_turns = {tries} allow"
+            else f"it may be on its way still, or chaotic, or a subharmonic that half_turns = {tries} do not allow"
         )
     )
 

@@ -189,6 +189,9 @@ typedef struct {
     long border;
 } sf_extra;
 
+#define SF_TIGHT 1e-9 /* relative step of u_0 at which the iteration ends */
+#define SF_LOOSE 1e-6 /* beyond which it has not converged where rounding ends it */
+
 /* Newton's iteration from z, which it moves. SF_DIVERGES where it does not converge. `along`, if not NULL: the solution
  * of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */
 static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z, const sf_extra *extra, int most,
@@ -233,7 +236,12 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
         /* towards Omega = 0 a turn takes ever longer: a trial that goes half the way is none */
         if (extra->kind != SF_NO_MORE && !(fabs(step[k + 2]) < 0.5 * z[k + 2]))
             return SF_DIVERGES;
-        if (error <= tolerance || (error <= 100.0 * tolerance && length >= 0.5 * last)) {
+        /* next to a neutral motion a small residual says little: what is left of u_0 has to be small, too */
+        const double own = fabs(step[0]), size_of_u = fabs(z[0]);
+        const int stays = error <= 100.0 * tolerance && length >= 0.5 * last;
+        if (stays && own > SF_LOOSE * size_of_u)
+            return SF_DIVERGES;
+        if (stays || (error <= tolerance && own <= SF_TIGHT * size_of_u)) {
             if (along != NULL)
                 memcpy(along, other, (size_t)size * sizeof *along);
             return SF_GOOD;
