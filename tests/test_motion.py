@@ -14,7 +14,7 @@ EXACT = {"rtol": 1e-14, "atol": 1e-15}
 FORCES = (
     mechanism.duffing(-0.2, 1.7),
     mechanism.rod_spring(0.3, 2.5, 1.9, 0.4),
-    mechanism.rod_spring_exact(3.0, 2.03, 0.08),
+    mechanism.rod_spring_untruncated(3.0, 2.03, 0.08),
 )
 PIECES = [piece for force in FORCES for piece in force.pieces]
 

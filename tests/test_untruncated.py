@@ -13,7 +13,7 @@ from scipy.special import roots_legendre
 
 from slowflow import Isolator
 from slowflow.paper.example import DESIGN
-from slowflow_kernels import rod_spring, rod_spring_exact
+from slowflow_kernels import rod_spring, rod_spring_untruncated
 
 pytestmark = pytest.mark.both_backends
 
@@ -185,9 +185,9 @@ def test_vanishing_preload_is_linear():
     """delta_h -> 0 at given lam r: h -> -A, as u_cr^3 beyond u_cr."""
     A = np.array([0.05, 0.3, 1.0, 2.0])
     for delta_h in (1e-6, 1e-9, 1e-12):
-        p = rod_spring_exact.coefficients(3.0, 2.0, delta_h)
+        p = rod_spring_untruncated.coefficients(3.0, 2.0, delta_h)
         u_cr = float(p[-1])
-        h = rod_spring_exact.h(A, *p)
+        h = rod_spring_untruncated.h(A, *p)
         # the springs take at most lam r delta_h |u| off the force, over |u| < u_cr
         bound = 4 / np.pi * 6.0 * delta_h * u_cr * (1.1 * u_cr / A) ** 2
         assert (np.abs(h + A) <= bound + 2e-16 * A).all()
@@ -196,20 +196,20 @@ def test_vanishing_preload_is_linear():
 @pytest.mark.parametrize(("lam", "r", "delta_h"), [DESIGN, (4, 2.0, 0.125)])
 def test_truncation_is_of_seventh_order(lam, r, delta_h):
     """h - h_truncated = -(35/64)(5/8) beta A^7 (1 + O(A^2)): the term of u^7 in (5) is (5/8) beta."""
-    exact, truncated = rod_spring_exact.coefficients(lam, r, delta_h), rod_spring.coefficients(lam, r, delta_h)
+    exact, truncated = rod_spring_untruncated.coefficients(lam, r, delta_h), rod_spring.coefficients(lam, r, delta_h)
     A = np.array([0.05, 0.1, 0.2])
-    difference = rod_spring_exact.h(A, *exact) - rod_spring.h(A, *truncated)
+    difference = rod_spring_untruncated.h(A, *exact) - rod_spring.h(A, *truncated)
     leading = -35 / 64 * 5 / 8 * float(exact[1]) * A**7
     np.testing.assert_allclose(difference, leading, rtol=0.04, atol=2e-17)
 
 
 def test_quasi_zero_stiffness_keeps_its_digits():
     """lam r delta_h = 1: h falls as A^3, -(3/4) beta A^3 (1 + (5/8) A^2 (1 + ...))."""
-    alpha, beta, u_cr = rod_spring_exact.coefficients(4.0, 2.0, 0.125)
+    alpha, beta, u_cr = rod_spring_untruncated.coefficients(4.0, 2.0, 0.125)
     assert alpha == 0
     A = np.array([1e-8, 1e-5, 1e-3])
     np.testing.assert_allclose(
-        rod_spring_exact.h(A, alpha, beta, u_cr), -0.75 * beta * A**3 * (1 + 0.625 * A**2), rtol=1e-12
+        rod_spring_untruncated.h(A, alpha, beta, u_cr), -0.75 * beta * A**3 * (1 + 0.625 * A**2), rtol=1e-12
     )
 
 

@@ -16,7 +16,7 @@ from derivations.ledger.example import ATTACHED, Example
 from derivations.ledger.facts import Facts
 from derivations.symbols import F_0, A, h, h_A
 
-UNTRUNCATED = "rod_spring_exact"
+UNTRUNCATED = "rod_spring_untruncated"
 #: of difference quotients, and how near Newton's steps have to come to rest; far below the digits shown
 STEP, REST = arb(2) ** -80, arb(2) ** -110
 

@@ -28,10 +28,10 @@ extern const sf_module sf_module_rod_spring_mu0;
 extern const sf_module sf_module_rod_spring_zeta0;
 extern const sf_module sf_module_rod_spring_mu0_zeta0;
 extern const sf_module sf_module_rod_spring_attached;
-extern const sf_module sf_module_rod_spring_exact;
-extern const sf_module sf_module_rod_spring_exact_mu0;
-extern const sf_module sf_module_rod_spring_exact_zeta0;
-extern const sf_module sf_module_rod_spring_exact_mu0_zeta0;
+extern const sf_module sf_module_rod_spring_untruncated;
+extern const sf_module sf_module_rod_spring_untruncated_mu0;
+extern const sf_module sf_module_rod_spring_untruncated_zeta0;
+extern const sf_module sf_module_rod_spring_untruncated_mu0_zeta0;
 
 static char all_double[SF_MOST_OPERANDS];
 static PyUFuncGenericFunction run[] = {sf_run};
@@ -149,28 +149,28 @@ static PyObject *load_rod_spring_attached(PyObject *self, PyObject *none)
     return ufuncs_of(&sf_module_rod_spring_attached);
 }
 
-static PyObject *load_rod_spring_exact(PyObject *self, PyObject *none)
+static PyObject *load_rod_spring_untruncated(PyObject *self, PyObject *none)
 {
     (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_exact);
+    return ufuncs_of(&sf_module_rod_spring_untruncated);
 }
 
-static PyObject *load_rod_spring_exact_mu0(PyObject *self, PyObject *none)
+static PyObject *load_rod_spring_untruncated_mu0(PyObject *self, PyObject *none)
 {
     (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_exact_mu0);
+    return ufuncs_of(&sf_module_rod_spring_untruncated_mu0);
 }
 
-static PyObject *load_rod_spring_exact_zeta0(PyObject *self, PyObject *none)
+static PyObject *load_rod_spring_untruncated_zeta0(PyObject *self, PyObject *none)
 {
     (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_exact_zeta0);
+    return ufuncs_of(&sf_module_rod_spring_untruncated_zeta0);
 }
 
-static PyObject *load_rod_spring_exact_mu0_zeta0(PyObject *self, PyObject *none)
+static PyObject *load_rod_spring_untruncated_mu0_zeta0(PyObject *self, PyObject *none)
 {
     (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_exact_mu0_zeta0);
+    return ufuncs_of(&sf_module_rod_spring_untruncated_mu0_zeta0);
 }
 
 static PyMethodDef methods[] = {
@@ -189,10 +189,10 @@ static PyMethodDef methods[] = {
     {"rod_spring_zeta0", load_rod_spring_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_zeta0."},
     {"rod_spring_mu0_zeta0", load_rod_spring_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_mu0_zeta0."},
     {"rod_spring_attached", load_rod_spring_attached, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_attached."},
-    {"rod_spring_exact", load_rod_spring_exact, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact."},
-    {"rod_spring_exact_mu0", load_rod_spring_exact_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact_mu0."},
-    {"rod_spring_exact_zeta0", load_rod_spring_exact_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact_zeta0."},
-    {"rod_spring_exact_mu0_zeta0", load_rod_spring_exact_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_exact_mu0_zeta0."},
+    {"rod_spring_untruncated", load_rod_spring_untruncated, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated."},
+    {"rod_spring_untruncated_mu0", load_rod_spring_untruncated_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated_mu0."},
+    {"rod_spring_untruncated_zeta0", load_rod_spring_untruncated_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated_zeta0."},
+    {"rod_spring_untruncated_mu0_zeta0", load_rod_spring_untruncated_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated_mu0_zeta0."},
     {NULL, NULL, 0, NULL},
 };
 

@@ -17,7 +17,7 @@
 #include "duffing.h"
 #include "rod_spring_attached.h"
 #include "rod_spring.h"
-#include "rod_spring_exact.h"
+#include "rod_spring_untruncated.h"
 
 /* mu, zeta -> m, zeta */
 static int records_damping_of(const double *given, double *damping)
@@ -76,12 +76,12 @@ static int rod_spring_record_parameters_of(const double *design, double *p)
     return 1;
 }
 
-static int rod_spring_exact_record_parameters_of(const double *design, double *p)
+static int rod_spring_untruncated_record_parameters_of(const double *design, double *p)
 {
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
         return 0;
-    rod_spring_exact_coefficients(design[0], design[1], design[2], p);
+    rod_spring_untruncated_coefficients(design[0], design[1], design[2], p);
     return 1;
 }
 
@@ -238,15 +238,15 @@ static const sf_mechanism rod_spring_record = {
     .mean_offset = records_centred,
 };
 
-static void rod_spring_exact_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_untruncated_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
     if (n == 1) {
-        rod_spring_exact_averaged(A[0], p, out);
+        rod_spring_untruncated_averaged(A[0], p, out);
         return;
     }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[4];
-        rod_spring_exact_averaged(A[i], p, h);
+        rod_spring_untruncated_averaged(A[i], p, h);
         out[i] = h[0];
         out[n + i] = h[1];
         out[2 * n + i] = h[2];
@@ -254,36 +254,36 @@ static void rod_spring_exact_record_averaged(ptrdiff_t n, const double *A, const
     }
 }
 
-static void rod_spring_exact_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_untruncated_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
 {
     if (n == 1) {
-        rod_spring_exact_averaged_2(A[0], p, out);
+        rod_spring_untruncated_averaged_2(A[0], p, out);
         return;
     }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[2];
-        rod_spring_exact_averaged_2(A[i], p, h);
+        rod_spring_untruncated_averaged_2(A[i], p, h);
         out[i] = h[0];
         out[n + i] = h[1];
     }
 }
 
-static const sf_mechanism rod_spring_exact_record = {
+static const sf_mechanism rod_spring_untruncated_record = {
     .form = SF_FORM,
-    .name = "rod_spring_exact",
+    .name = "rod_spring_untruncated",
     .design_size = 3,
     .damping_size = 2,
     .parameters = 3,
     .breakpoints = 1,
     .reach = 1.0,
     .attached = NULL,
-    .parameters_of = rod_spring_exact_record_parameters_of,
+    .parameters_of = rod_spring_untruncated_record_parameters_of,
     .damping_of = records_damping_of,
     .is_forcing = records_is_forcing,
-    .ends = rod_spring_exact_breakpoints,
-    .jumps = rod_spring_exact_jumps,
-    .averaged = rod_spring_exact_record_averaged,
-    .averaged_2 = rod_spring_exact_record_averaged_2,
+    .ends = rod_spring_untruncated_breakpoints,
+    .jumps = rod_spring_untruncated_jumps,
+    .averaged = rod_spring_untruncated_record_averaged,
+    .averaged_2 = rod_spring_untruncated_record_averaged_2,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -293,7 +293,7 @@ static const sf_mechanism rod_spring_exact_record = {
 static const sf_mechanism *const records[] = {
     &duffing_record,
     &rod_spring_record,
-    &rod_spring_exact_record,
+    &rod_spring_untruncated_record,
 };
 
 #endif

@@ -135,8 +135,8 @@ static void rod_spring_untruncated_force_2_both(int n, const double *p, sf_serie
     w[1][n] = sf_constant(1.0, n);
 }
 
-/* rod_spring_exact: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static void rod_spring_exact_force_1_force(int n, const double *p, sf_series *w)
+/* rod_spring_untruncated: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
+static void rod_spring_untruncated_force_1_force(int n, const double *p, sf_series *w)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -152,7 +152,7 @@ static void rod_spring_exact_force_1_force(int n, const double *p, sf_series *w)
     w[10][n] = sf_product(w[0], w[9], n);
 }
 
-static void rod_spring_exact_force_1_both(int n, const double *p, sf_series *w)
+static void rod_spring_untruncated_force_1_both(int n, const double *p, sf_series *w)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -181,14 +181,14 @@ static void rod_spring_exact_force_1_both(int n, const double *p, sf_series *w)
     w[22][n] = sf_constant(alpha, n) + 6.0 * beta * w[14][n] - w[21][n];
 }
 
-/* rod_spring_exact: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static void rod_spring_exact_force_2_force(int n, const double *p, sf_series *w)
+/* rod_spring_untruncated: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (5). */
+static void rod_spring_untruncated_force_2_force(int n, const double *p, sf_series *w)
 {
     (void)p;
     (void)n, (void)w;
 }
 
-static void rod_spring_exact_force_2_both(int n, const double *p, sf_series *w)
+static void rod_spring_untruncated_force_2_both(int n, const double *p, sf_series *w)
 {
     (void)p;
     w[1][n] = sf_constant(1.0, n);
@@ -202,8 +202,8 @@ static const sf_law sf_laws[SF_LAWS] = {
     {"rod_spring.force_2", rod_spring_force_2_force, rod_spring_force_2_both, 0, 0, 1, 1},
     {"rod_spring.untruncated_force_1", rod_spring_untruncated_force_1_force, rod_spring_untruncated_force_1_both, 9, 12, 23, 0},
     {"rod_spring.untruncated_force_2", rod_spring_untruncated_force_2_force, rod_spring_untruncated_force_2_both, 0, 0, 1, 1},
-    {"rod_spring_exact.force_1", rod_spring_exact_force_1_force, rod_spring_exact_force_1_both, 10, 13, 22, 0},
-    {"rod_spring_exact.force_2", rod_spring_exact_force_2_force, rod_spring_exact_force_2_both, 0, 0, 1, 1},
+    {"rod_spring_untruncated.force_1", rod_spring_untruncated_force_1_force, rod_spring_untruncated_force_1_both, 10, 13, 22, 0},
+    {"rod_spring_untruncated.force_2", rod_spring_untruncated_force_2_force, rod_spring_untruncated_force_2_both, 0, 0, 1, 1},
 };
 
 #endif

@@ -24,10 +24,10 @@ MODULES = (
     "rod_spring_zeta0",
     "rod_spring_mu0_zeta0",
     "rod_spring_attached",
-    "rod_spring_exact",
-    "rod_spring_exact_mu0",
-    "rod_spring_exact_zeta0",
-    "rod_spring_exact_mu0_zeta0",
+    "rod_spring_untruncated",
+    "rod_spring_untruncated_mu0",
+    "rod_spring_untruncated_zeta0",
+    "rod_spring_untruncated_mu0_zeta0",
 )
 
 __all__ = ["MODULES", *MODULES]

@@ -1858,9 +1858,9 @@ if NATIVE is not None:
 
 
 def _load_untruncated():
-    from slowflow_kernels import rod_spring_exact
+    from slowflow_kernels import rod_spring_untruncated
 
-    return rod_spring_exact.MECHANISM
+    return rod_spring_untruncated.MECHANISM
 
 
 _DESIGN = (

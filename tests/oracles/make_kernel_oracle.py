@@ -483,7 +483,7 @@ def pieces(name: str, p: Sequence):
     if name == "duffing":
         alpha, beta = p
         return [lambda u: alpha * u + beta * u**3], []
-    if name == "rod_spring_exact":
+    if name == "rod_spring_untruncated":
         alpha, beta, u_cr = p
         return [lambda u: alpha * u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1), lambda u: u], [u_cr]
     alpha, beta, gamma, u_cr = p
@@ -493,7 +493,7 @@ def pieces(name: str, p: Sequence):
 def joined(name: str, p: Sequence):
     """The pieces once their end is exceeded. The untruncated force is continuous there: alpha follows from the rest."""
     forces, ends = pieces(name, p)
-    if name == "rod_spring_exact":
+    if name == "rod_spring_untruncated":
         _, beta, u_cr = p
         below = lambda u: u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1 / mp.sqrt(1 - u_cr**2))  # noqa: E731
         forces = [below, *forces[1:]]
@@ -567,7 +567,7 @@ def ball(x) -> arb:
 @functools.cache
 def family(name: str, passed: int, less_vertical: bool, A, *p):
     """The average and its first three derivatives by A."""
-    if name == "rod_spring_exact":
+    if name == "rod_spring_untruncated":
         return untruncated_family(passed, less_vertical, A, *p)
     taylor = mp.taylor(average(name, p, passed, less_vertical), A, 3)
     return [mp.factorial(k) * c for k, c in enumerate(taylor)]
@@ -580,10 +580,10 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
     forces = {
         "duffing": lambda u, q: q[0] * u + q[1] * u**3,
         "rod_spring": lambda u, q: q[0] * u + q[1] * u**3 + q[2] * u**5,
-        "rod_spring_exact": lambda u, q: (q[0] - 2 * q[1]) * u + 2 * q[1] * u / (1 - u**2).sqrt(),
+        "rod_spring_untruncated": lambda u, q: (q[0] - 2 * q[1]) * u + 2 * q[1] * u / (1 - u**2).sqrt(),
     }
     q = [ball(x) for x in p]
-    if name == "rod_spring_exact" and passed:  # continuous at its end
+    if name == "rod_spring_untruncated" and passed:  # continuous at its end
         q[0] = 1 + 2 * q[1] - 2 * q[1] / (1 - q[2] ** 2).sqrt()
     end = (q[-1] / amplitude).asin() if passed else arb_series([arb.pi() / 2])
     total = arb_series([0])
@@ -603,7 +603,7 @@ def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
     """Both harmonics with their derivatives; the untruncated force's as far as they are derived."""
     rows = []
     for A, p in amplitudes:
-        if A == 0 or (name == "rod_spring_exact" and p[-1] > 0.75):
+        if A == 0 or (name == "rod_spring_untruncated" and p[-1] > 0.75):
             continue
         passed = passed_by(name, A, p)
         row = entry(lambda *x, n=passed: [v for k in (3, 5) for v in harmonic_by_quadrature(name, k, n, *x)], [A, *p])
@@ -1002,7 +1002,7 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
     """Parameters, breakpoints, jumps and the force itself."""
     coefficients = {
         "rod_spring": rod_coefficients,
-        "rod_spring_exact": untruncated_coefficients,
+        "rod_spring_untruncated": untruncated_coefficients,
         "duffing": lambda alpha, beta: [alpha, beta],  # the design itself
     }[name]
     table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), d) for d in designs]}
@@ -1016,8 +1016,8 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
 
     table["jumps"] = [entry(jumps, p) for p in parameters]
     # f(u)/u rises where no coefficient of its slope is negative: all but the first, or what multiplies 1/sqrt(1 - u^2)
-    rising = {"duffing": [1], "rod_spring": [1, 2], "rod_spring_exact": [1]}[name]
-    scale = 2 if name == "rod_spring_exact" else 1
+    rising = {"duffing": [1], "rod_spring": [1, 2], "rod_spring_untruncated": [1]}[name]
+    scale = 2 if name == "rod_spring_untruncated" else 1
     truncated = name == "rod_spring"
     table["hardening"] = [
         entry(lambda *q: [*(scale * q[k] for k in rising), *(-x for x in jumps(*q) if truncated)], p)
@@ -1071,7 +1071,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
     isolators = [parameters_of(design) for design in DESIGNS]
     untruncated = [(alpha, beta, u_cr) for alpha, beta, _, u_cr in map(parameters_of, STEEP_DESIGNS)]
     made |= mechanism_tables(
-        "rod_spring_exact",
+        "rod_spring_untruncated",
         STEEP_DESIGNS,
         untruncated,
         [(A, p) for p in untruncated for A in (*around(p[-1], False), *close_to_one(p[-1]))],
@@ -1100,7 +1100,7 @@ def mechanism_tables(name: str, designs, parameters, amplitudes: Amplitudes, som
 
     def table(rng: random.Random, scene: str) -> dict:
         own = composed_table(rng, name, scene, some)
-        if name != "rod_spring_exact":  # its average is no polynomial: there is no resultant
+        if name != "rod_spring_untruncated":  # its average is no polynomial: there is no resultant
             own |= resultant_table(rng, name, scene, parameters)
         if scene:
             return own

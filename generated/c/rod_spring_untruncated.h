@@ -1,23 +1,23 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not truncated.
 
    Written by `make derive`; never edit.
-   Input: derivations/mechanisms/rod_spring_exact.py, sha256 1b3371a6f3bd082d4bd24294ddea9a01f4b0822a58acd7b5b61ebe7b7e44131c
+   Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 d4dced67e6fd1fa2602250c43a2e8efc86d6e23d17c362a34c59311e434ee02e
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
    Operations are counted after each pass. */
 
-#ifndef ROD_SPRING_EXACT_H
-#define ROD_SPRING_EXACT_H
+#ifndef ROD_SPRING_UNTRUNCATED_H
+#define ROD_SPRING_UNTRUNCATED_H
 
 #include <math.h>
 
 #include "slow_flow.h"
 
 /* alpha, beta, u_cr */
-#define ROD_SPRING_EXACT_PARAMETERS 3
-#define ROD_SPRING_EXACT_BREAKPOINTS 1
+#define ROD_SPRING_UNTRUNCATED_PARAMETERS 3
+#define ROD_SPRING_UNTRUNCATED_BREAKPOINTS 1
 
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0.
@@ -28,7 +28,7 @@
    Operations where passed_1_steep_far: 1666 structured, 1666 common subexpressions, 1613 power chains
    Operations where passed_1_steep: 1452 structured, 1452 common subexpressions, 1414 power chains
  */
-static inline void rod_spring_exact_averaged_passed_0(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -71,7 +71,7 @@ static inline void rod_spring_exact_averaged_passed_0(double A, const double *p,
     out[3] = -t8 * (B * (5.0 * m + 3.0) / k3 + C * t11 * (7.0 * m - 3.0));
 }
 
-static inline void rod_spring_exact_averaged_passed_0_steep(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_passed_0_steep(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -131,7 +131,7 @@ static inline void rod_spring_exact_averaged_passed_0_steep(double A, const doub
     out[3] = -t12 * (B * (5.0 * m + 3.0) / k3 + C * t15 * (7.0 * m - 3.0));
 }
 
-static inline void rod_spring_exact_averaged_passed_1_far(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_passed_1_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -330,7 +330,7 @@ static inline void rod_spring_exact_averaged_passed_1_far(double A, const double
         * T3 * sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2;
 }
 
-static inline void rod_spring_exact_averaged_passed_1(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -488,7 +488,7 @@ static inline void rod_spring_exact_averaged_passed_1(double A, const double *p,
         * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
-static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_passed_1_steep_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -990,7 +990,7 @@ static inline void rod_spring_exact_averaged_passed_1_steep_far(double A, const 
         c - 120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2;
 }
 
-static inline void rod_spring_exact_averaged_passed_1_steep(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_passed_1_steep(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -1430,30 +1430,30 @@ static inline void rod_spring_exact_averaged_passed_1_steep(double A, const doub
         c5 * root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
-static inline void rod_spring_exact_averaged(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
     const double u_cr = p[2];
     if ((A <= u_cr) && (A <= 0.69999999999999996)) {
-        rod_spring_exact_averaged_passed_0(A, p, out);
+        rod_spring_untruncated_averaged_passed_0(A, p, out);
         return;
     }
     if (A <= u_cr) {
-        rod_spring_exact_averaged_passed_0_steep(A, p, out);
+        rod_spring_untruncated_averaged_passed_0_steep(A, p, out);
         return;
     }
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A)) {
-        rod_spring_exact_averaged_passed_1_far(A, p, out);
+        rod_spring_untruncated_averaged_passed_1_far(A, p, out);
         return;
     }
     if (u_cr <= 0.75) {
-        rod_spring_exact_averaged_passed_1(A, p, out);
+        rod_spring_untruncated_averaged_passed_1(A, p, out);
         return;
     }
     if (1.05 * u_cr <= A) {
-        rod_spring_exact_averaged_passed_1_steep_far(A, p, out);
+        rod_spring_untruncated_averaged_passed_1_steep_far(A, p, out);
         return;
     }
-    rod_spring_exact_averaged_passed_1_steep(A, p, out);
+    rod_spring_untruncated_averaged_passed_1_steep(A, p, out);
 }
 
 /* h, h_A, h_AA together.
@@ -1465,7 +1465,7 @@ static inline void rod_spring_exact_averaged(double A, const double *p, double *
    Operations where passed_1_steep_far: 1116 structured, 1116 common subexpressions, 1089 power chains
    Operations where passed_1_steep: 941 structured, 941 common subexpressions, 932 power chains
  */
-static inline void rod_spring_exact_averaged_3_passed_0(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_3_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -1504,7 +1504,7 @@ static inline void rod_spring_exact_averaged_3_passed_0(double A, const double *
     out[2] = -t9 * (2.0 * B / (k * k) + C * t10);
 }
 
-static inline void rod_spring_exact_averaged_3_passed_0_steep(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_3_passed_0_steep(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -1560,7 +1560,7 @@ static inline void rod_spring_exact_averaged_3_passed_0_steep(double A, const do
     out[2] = -t13 * (2.0 * B / (k * k) + C * t14);
 }
 
-static inline void rod_spring_exact_averaged_3_passed_1_far(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_3_passed_1_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -1723,7 +1723,7 @@ static inline void rod_spring_exact_averaged_3_passed_1_far(double A, const doub
         T3 * sum_2 * u_cr2 / c) / A;
 }
 
-static inline void rod_spring_exact_averaged_3_passed_1(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_3_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -1865,7 +1865,7 @@ static inline void rod_spring_exact_averaged_3_passed_1(double A, const double *
     out[2] = -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
 }
 
-static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_3_passed_1_steep_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -2243,7 +2243,7 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep_far(double A, cons
         6.0 * V2 - 7.0 * V4 - 3.0 * V6) / A;
 }
 
-static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_3_passed_1_steep(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -2587,30 +2587,30 @@ static inline void rod_spring_exact_averaged_3_passed_1_steep(double A, const do
     out[2] = -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root));
 }
 
-static inline void rod_spring_exact_averaged_3(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_3(double A, const double *p, double *out)
 {
     const double u_cr = p[2];
     if ((A <= u_cr) && (A <= 0.69999999999999996)) {
-        rod_spring_exact_averaged_3_passed_0(A, p, out);
+        rod_spring_untruncated_averaged_3_passed_0(A, p, out);
         return;
     }
     if (A <= u_cr) {
-        rod_spring_exact_averaged_3_passed_0_steep(A, p, out);
+        rod_spring_untruncated_averaged_3_passed_0_steep(A, p, out);
         return;
     }
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A)) {
-        rod_spring_exact_averaged_3_passed_1_far(A, p, out);
+        rod_spring_untruncated_averaged_3_passed_1_far(A, p, out);
         return;
     }
     if (u_cr <= 0.75) {
-        rod_spring_exact_averaged_3_passed_1(A, p, out);
+        rod_spring_untruncated_averaged_3_passed_1(A, p, out);
         return;
     }
     if (1.05 * u_cr <= A) {
-        rod_spring_exact_averaged_3_passed_1_steep_far(A, p, out);
+        rod_spring_untruncated_averaged_3_passed_1_steep_far(A, p, out);
         return;
     }
-    rod_spring_exact_averaged_3_passed_1_steep(A, p, out);
+    rod_spring_untruncated_averaged_3_passed_1_steep(A, p, out);
 }
 
 /* h, h_A together.
@@ -2622,7 +2622,7 @@ static inline void rod_spring_exact_averaged_3(double A, const double *p, double
    Operations where passed_1_steep_far: 692 structured, 692 common subexpressions, 671 power chains
    Operations where passed_1_steep: 568 structured, 568 common subexpressions, 563 power chains
  */
-static inline void rod_spring_exact_averaged_2_passed_0(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_2_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -2658,7 +2658,7 @@ static inline void rod_spring_exact_averaged_2_passed_0(double A, const double *
     out[1] = -alpha - t8 * (B * m / k - C * m + P);
 }
 
-static inline void rod_spring_exact_averaged_2_passed_0_steep(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_2_passed_0_steep(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -2711,7 +2711,7 @@ static inline void rod_spring_exact_averaged_2_passed_0_steep(double A, const do
     out[1] = -alpha - t12 * (B * m / k - C * m + P);
 }
 
-static inline void rod_spring_exact_averaged_2_passed_1_far(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_2_passed_1_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -2867,7 +2867,7 @@ static inline void rod_spring_exact_averaged_2_passed_1_far(double A, const doub
     out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0;
 }
 
-static inline void rod_spring_exact_averaged_2_passed_1(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_2_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -2999,7 +2999,7 @@ static inline void rod_spring_exact_averaged_2_passed_1(double A, const double *
     out[1] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
 }
 
-static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_2_passed_1_steep_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -3283,7 +3283,7 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep_far(double A, cons
     out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0;
 }
 
-static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_2_passed_1_steep(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -3533,30 +3533,30 @@ static inline void rod_spring_exact_averaged_2_passed_1_steep(double A, const do
     out[1] = -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0;
 }
 
-static inline void rod_spring_exact_averaged_2(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
     const double u_cr = p[2];
     if ((A <= u_cr) && (A <= 0.69999999999999996)) {
-        rod_spring_exact_averaged_2_passed_0(A, p, out);
+        rod_spring_untruncated_averaged_2_passed_0(A, p, out);
         return;
     }
     if (A <= u_cr) {
-        rod_spring_exact_averaged_2_passed_0_steep(A, p, out);
+        rod_spring_untruncated_averaged_2_passed_0_steep(A, p, out);
         return;
     }
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A)) {
-        rod_spring_exact_averaged_2_passed_1_far(A, p, out);
+        rod_spring_untruncated_averaged_2_passed_1_far(A, p, out);
         return;
     }
     if (u_cr <= 0.75) {
-        rod_spring_exact_averaged_2_passed_1(A, p, out);
+        rod_spring_untruncated_averaged_2_passed_1(A, p, out);
         return;
     }
     if (1.05 * u_cr <= A) {
-        rod_spring_exact_averaged_2_passed_1_steep_far(A, p, out);
+        rod_spring_untruncated_averaged_2_passed_1_steep_far(A, p, out);
         return;
     }
-    rod_spring_exact_averaged_2_passed_1_steep(A, p, out);
+    rod_spring_untruncated_averaged_2_passed_1_steep(A, p, out);
 }
 
 /* The averaged restoring force h = H - A.
@@ -3568,7 +3568,7 @@ static inline void rod_spring_exact_averaged_2(double A, const double *p, double
    Operations where passed_1_steep_far: 305 structured, 305 common subexpressions, 303 power chains
    Operations where passed_1_steep: 305 structured, 305 common subexpressions, 303 power chains
  */
-static inline double rod_spring_exact_h_passed_0(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_passed_0(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -3595,7 +3595,7 @@ static inline double rod_spring_exact_h_passed_0(double A, double alpha, double 
     return -2.0 * A * P * beta - A * alpha;
 }
 
-static inline double rod_spring_exact_h_passed_0_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_passed_0_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -3639,7 +3639,7 @@ static inline double rod_spring_exact_h_passed_0_steep(double A, double alpha, d
     return -2.0 * A * P * beta - A * alpha;
 }
 
-static inline double rod_spring_exact_h_passed_1_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_passed_1_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -3758,7 +3758,7 @@ static inline double rod_spring_exact_h_passed_1_far(double A, double alpha, dou
     return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c - A;
 }
 
-static inline double rod_spring_exact_h_passed_1(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -3867,7 +3867,7 @@ static inline double rod_spring_exact_h_passed_1(double A, double alpha, double 
     return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c - A;
 }
 
-static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -4023,7 +4023,7 @@ static inline double rod_spring_exact_h_passed_1_steep_far(double A, double alph
     return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
 }
 
-static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -4179,19 +4179,19 @@ static inline double rod_spring_exact_h_passed_1_steep(double A, double alpha, d
     return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2) - A;
 }
 
-static inline double rod_spring_exact_h(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double u_cr)
 {
     if ((A <= u_cr) && (A <= 0.69999999999999996))
-        return rod_spring_exact_h_passed_0(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
-        return rod_spring_exact_h_passed_0_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_passed_0_steep(A, alpha, beta, u_cr);
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
-        return rod_spring_exact_h_passed_1_far(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
-        return rod_spring_exact_h_passed_1(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
-        return rod_spring_exact_h_passed_1_steep_far(A, alpha, beta, u_cr);
-    return rod_spring_exact_h_passed_1_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_passed_1_steep_far(A, alpha, beta, u_cr);
+    return rod_spring_untruncated_h_passed_1_steep(A, alpha, beta, u_cr);
 }
 
 /* d/dA of the averaged restoring force h = H - A.
@@ -4203,7 +4203,7 @@ static inline double rod_spring_exact_h(double A, double alpha, double beta, dou
    Operations where passed_1_steep_far: 682 structured, 682 common subexpressions, 663 power chains
    Operations where passed_1_steep: 558 structured, 558 common subexpressions, 555 power chains
  */
-static inline double rod_spring_exact_h_A_passed_0(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_A_passed_0(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -4236,7 +4236,7 @@ static inline double rod_spring_exact_h_A_passed_0(double A, double alpha, doubl
     return -alpha - 2.0 * beta * (B * m / k - C * m + P);
 }
 
-static inline double rod_spring_exact_h_A_passed_0_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_A_passed_0_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -4286,7 +4286,7 @@ static inline double rod_spring_exact_h_A_passed_0_steep(double A, double alpha,
     return -alpha - 2.0 * beta * (B * m / k - C * m + P);
 }
 
-static inline double rod_spring_exact_h_A_passed_1_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_A_passed_1_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -4440,7 +4440,7 @@ static inline double rod_spring_exact_h_A_passed_1_far(double A, double alpha, d
     return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0;
 }
 
-static inline double rod_spring_exact_h_A_passed_1(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_A_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -4569,7 +4569,7 @@ static inline double rod_spring_exact_h_A_passed_1(double A, double alpha, doubl
     return -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c) - 1.0;
 }
 
-static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_A_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -4851,7 +4851,7 @@ static inline double rod_spring_exact_h_A_passed_1_steep_far(double A, double al
     return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4) - 1.0;
 }
 
-static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_A_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -5099,19 +5099,19 @@ static inline double rod_spring_exact_h_A_passed_1_steep(double A, double alpha,
     return -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2) - 1.0;
 }
 
-static inline double rod_spring_exact_h_A(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_A(double A, double alpha, double beta, double u_cr)
 {
     if ((A <= u_cr) && (A <= 0.69999999999999996))
-        return rod_spring_exact_h_A_passed_0(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_A_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
-        return rod_spring_exact_h_A_passed_0_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_A_passed_0_steep(A, alpha, beta, u_cr);
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
-        return rod_spring_exact_h_A_passed_1_far(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_A_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
-        return rod_spring_exact_h_A_passed_1(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_A_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
-        return rod_spring_exact_h_A_passed_1_steep_far(A, alpha, beta, u_cr);
-    return rod_spring_exact_h_A_passed_1_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_A_passed_1_steep_far(A, alpha, beta, u_cr);
+    return rod_spring_untruncated_h_A_passed_1_steep(A, alpha, beta, u_cr);
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
@@ -5123,7 +5123,7 @@ static inline double rod_spring_exact_h_A(double A, double alpha, double beta, d
    Operations where passed_1_steep_far: 1089 structured, 1089 common subexpressions, 1068 power chains
    Operations where passed_1_steep: 797 structured, 797 common subexpressions, 792 power chains
  */
-static inline double rod_spring_exact_h_AA_passed_0(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AA_passed_0(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(u_cr);
@@ -5154,7 +5154,7 @@ static inline double rod_spring_exact_h_AA_passed_0(double A, double alpha, doub
     return -2.0 * A * beta * (2.0 * B / (k * k) + C / k);
 }
 
-static inline double rod_spring_exact_h_AA_passed_0_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AA_passed_0_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(u_cr);
@@ -5202,7 +5202,7 @@ static inline double rod_spring_exact_h_AA_passed_0_steep(double A, double alpha
     return -2.0 * A * beta * (2.0 * B / (k * k) + C / k);
 }
 
-static inline double rod_spring_exact_h_AA_passed_1_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AA_passed_1_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -5362,7 +5362,7 @@ static inline double rod_spring_exact_h_AA_passed_1_far(double A, double alpha, 
         T3 * sum_2 * u_cr2 / c) / A;
 }
 
-static inline double rod_spring_exact_h_AA_passed_1(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AA_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -5476,7 +5476,7 @@ static inline double rod_spring_exact_h_AA_passed_1(double A, double alpha, doub
     return -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
 }
 
-static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AA_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -5851,7 +5851,7 @@ static inline double rod_spring_exact_h_AA_passed_1_steep_far(double A, double a
         6.0 * V2 - 7.0 * V4 - 3.0 * V6) / A;
 }
 
-static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AA_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -6123,19 +6123,19 @@ static inline double rod_spring_exact_h_AA_passed_1_steep(double A, double alpha
     return -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root));
 }
 
-static inline double rod_spring_exact_h_AA(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double u_cr)
 {
     if ((A <= u_cr) && (A <= 0.69999999999999996))
-        return rod_spring_exact_h_AA_passed_0(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AA_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
-        return rod_spring_exact_h_AA_passed_0_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AA_passed_0_steep(A, alpha, beta, u_cr);
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
-        return rod_spring_exact_h_AA_passed_1_far(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AA_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
-        return rod_spring_exact_h_AA_passed_1(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AA_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
-        return rod_spring_exact_h_AA_passed_1_steep_far(A, alpha, beta, u_cr);
-    return rod_spring_exact_h_AA_passed_1_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AA_passed_1_steep_far(A, alpha, beta, u_cr);
+    return rod_spring_untruncated_h_AA_passed_1_steep(A, alpha, beta, u_cr);
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
@@ -6147,7 +6147,7 @@ static inline double rod_spring_exact_h_AA(double A, double alpha, double beta, 
    Operations where passed_1_steep_far: 1613 structured, 1613 common subexpressions, 1572 power chains
    Operations where passed_1_steep: 1289 structured, 1289 common subexpressions, 1263 power chains
  */
-static inline double rod_spring_exact_h_AAA_passed_0(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AAA_passed_0(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(u_cr);
@@ -6180,7 +6180,7 @@ static inline double rod_spring_exact_h_AAA_passed_0(double A, double alpha, dou
     return -2.0 * beta * (B * (5.0 * m + 3.0) / k3 + C * (7.0 * m - 3.0) / k2);
 }
 
-static inline double rod_spring_exact_h_AAA_passed_0_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AAA_passed_0_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(u_cr);
@@ -6230,7 +6230,7 @@ static inline double rod_spring_exact_h_AAA_passed_0_steep(double A, double alph
     return -2.0 * beta * (B * (5.0 * m + 3.0) / k3 + C * (7.0 * m - 3.0) / k2);
 }
 
-static inline double rod_spring_exact_h_AAA_passed_1_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AAA_passed_1_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -6424,7 +6424,7 @@ static inline double rod_spring_exact_h_AAA_passed_1_far(double A, double alpha,
         * T3 * sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2;
 }
 
-static inline double rod_spring_exact_h_AAA_passed_1(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AAA_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -6548,7 +6548,7 @@ static inline double rod_spring_exact_h_AAA_passed_1(double A, double alpha, dou
         * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
-static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AAA_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -7045,7 +7045,7 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep_far(double A, double 
         c - 120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2;
 }
 
-static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AAA_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -7411,19 +7411,19 @@ static inline double rod_spring_exact_h_AAA_passed_1_steep(double A, double alph
         c5 * root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3));
 }
 
-static inline double rod_spring_exact_h_AAA(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double u_cr)
 {
     if ((A <= u_cr) && (A <= 0.69999999999999996))
-        return rod_spring_exact_h_AAA_passed_0(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AAA_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
-        return rod_spring_exact_h_AAA_passed_0_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AAA_passed_0_steep(A, alpha, beta, u_cr);
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
-        return rod_spring_exact_h_AAA_passed_1_far(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AAA_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
-        return rod_spring_exact_h_AAA_passed_1(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AAA_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
-        return rod_spring_exact_h_AAA_passed_1_steep_far(A, alpha, beta, u_cr);
-    return rod_spring_exact_h_AAA_passed_1_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_h_AAA_passed_1_steep_far(A, alpha, beta, u_cr);
+    return rod_spring_untruncated_h_AAA_passed_1_steep(A, alpha, beta, u_cr);
 }
 
 /* The averaged force H beside the vertical spring.
@@ -7435,7 +7435,7 @@ static inline double rod_spring_exact_h_AAA(double A, double alpha, double beta,
    Operations where passed_1_steep_far: 304 structured, 304 common subexpressions, 302 power chains
    Operations where passed_1_steep: 304 structured, 304 common subexpressions, 302 power chains
  */
-static inline double rod_spring_exact_H_passed_0(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_passed_0(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -7462,7 +7462,7 @@ static inline double rod_spring_exact_H_passed_0(double A, double alpha, double 
     return -2.0 * A * P * beta - A * (alpha - 1.0);
 }
 
-static inline double rod_spring_exact_H_passed_0_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_passed_0_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -7506,7 +7506,7 @@ static inline double rod_spring_exact_H_passed_0_steep(double A, double alpha, d
     return -2.0 * A * P * beta - A * (alpha - 1.0);
 }
 
-static inline double rod_spring_exact_H_passed_1_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_passed_1_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -7625,7 +7625,7 @@ static inline double rod_spring_exact_H_passed_1_far(double A, double alpha, dou
     return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c;
 }
 
-static inline double rod_spring_exact_H_passed_1(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -7734,7 +7734,7 @@ static inline double rod_spring_exact_H_passed_1(double A, double alpha, double 
     return 20.371832715762604 * A * T3 * beta * sum_0 * u_cr * u_cr / c;
 }
 
-static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -7890,7 +7890,7 @@ static inline double rod_spring_exact_H_passed_1_steep_far(double A, double alph
     return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2);
 }
 
-static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -8046,19 +8046,19 @@ static inline double rod_spring_exact_H_passed_1_steep(double A, double alpha, d
     return 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2);
 }
 
-static inline double rod_spring_exact_H(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H(double A, double alpha, double beta, double u_cr)
 {
     if ((A <= u_cr) && (A <= 0.69999999999999996))
-        return rod_spring_exact_H_passed_0(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
-        return rod_spring_exact_H_passed_0_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_passed_0_steep(A, alpha, beta, u_cr);
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
-        return rod_spring_exact_H_passed_1_far(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
-        return rod_spring_exact_H_passed_1(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
-        return rod_spring_exact_H_passed_1_steep_far(A, alpha, beta, u_cr);
-    return rod_spring_exact_H_passed_1_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_passed_1_steep_far(A, alpha, beta, u_cr);
+    return rod_spring_untruncated_H_passed_1_steep(A, alpha, beta, u_cr);
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
@@ -8070,7 +8070,7 @@ static inline double rod_spring_exact_H(double A, double alpha, double beta, dou
    Operations where passed_1_steep_far: 681 structured, 681 common subexpressions, 662 power chains
    Operations where passed_1_steep: 557 structured, 557 common subexpressions, 554 power chains
  */
-static inline double rod_spring_exact_H_A_passed_0(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_A_passed_0(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -8103,7 +8103,7 @@ static inline double rod_spring_exact_H_A_passed_0(double A, double alpha, doubl
     return -alpha - 2.0 * beta * (B * m / k - C * m + P) + 1.0;
 }
 
-static inline double rod_spring_exact_H_A_passed_0_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_A_passed_0_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double m = A * A;
@@ -8153,7 +8153,7 @@ static inline double rod_spring_exact_H_A_passed_0_steep(double A, double alpha,
     return -alpha - 2.0 * beta * (B * m / k - C * m + P) + 1.0;
 }
 
-static inline double rod_spring_exact_H_A_passed_1_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_A_passed_1_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -8307,7 +8307,7 @@ static inline double rod_spring_exact_H_A_passed_1_far(double A, double alpha, d
     return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c);
 }
 
-static inline double rod_spring_exact_H_A_passed_1(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_A_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -8436,7 +8436,7 @@ static inline double rod_spring_exact_H_A_passed_1(double A, double alpha, doubl
     return -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr * u_cr / c);
 }
 
-static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_A_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -8718,7 +8718,7 @@ static inline double rod_spring_exact_H_A_passed_1_steep_far(double A, double al
     return 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4);
 }
 
-static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_A_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -8966,19 +8966,19 @@ static inline double rod_spring_exact_H_A_passed_1_steep(double A, double alpha,
     return -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2);
 }
 
-static inline double rod_spring_exact_H_A(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_A(double A, double alpha, double beta, double u_cr)
 {
     if ((A <= u_cr) && (A <= 0.69999999999999996))
-        return rod_spring_exact_H_A_passed_0(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_A_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
-        return rod_spring_exact_H_A_passed_0_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_A_passed_0_steep(A, alpha, beta, u_cr);
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
-        return rod_spring_exact_H_A_passed_1_far(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_A_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
-        return rod_spring_exact_H_A_passed_1(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_A_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
-        return rod_spring_exact_H_A_passed_1_steep_far(A, alpha, beta, u_cr);
-    return rod_spring_exact_H_A_passed_1_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_A_passed_1_steep_far(A, alpha, beta, u_cr);
+    return rod_spring_untruncated_H_A_passed_1_steep(A, alpha, beta, u_cr);
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
@@ -8990,7 +8990,7 @@ static inline double rod_spring_exact_H_A(double A, double alpha, double beta, d
    Operations where passed_1_steep_far: 1089 structured, 1089 common subexpressions, 1068 power chains
    Operations where passed_1_steep: 797 structured, 797 common subexpressions, 792 power chains
  */
-static inline double rod_spring_exact_H_AA_passed_0(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_AA_passed_0(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(u_cr);
@@ -9021,7 +9021,7 @@ static inline double rod_spring_exact_H_AA_passed_0(double A, double alpha, doub
     return -2.0 * A * beta * (2.0 * B / (k * k) + C / k);
 }
 
-static inline double rod_spring_exact_H_AA_passed_0_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_AA_passed_0_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(u_cr);
@@ -9069,7 +9069,7 @@ static inline double rod_spring_exact_H_AA_passed_0_steep(double A, double alpha
     return -2.0 * A * beta * (2.0 * B / (k * k) + C / k);
 }
 
-static inline double rod_spring_exact_H_AA_passed_1_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_AA_passed_1_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -9229,7 +9229,7 @@ static inline double rod_spring_exact_H_AA_passed_1_far(double A, double alpha, 
         T3 * sum_2 * u_cr2 / c) / A;
 }
 
-static inline double rod_spring_exact_H_AA_passed_1(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_AA_passed_1(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -9343,7 +9343,7 @@ static inline double rod_spring_exact_H_AA_passed_1(double A, double alpha, doub
     return -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
 }
 
-static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_AA_passed_1_steep_far(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -9718,7 +9718,7 @@ static inline double rod_spring_exact_H_AA_passed_1_steep_far(double A, double a
         6.0 * V2 - 7.0 * V4 - 3.0 * V6) / A;
 }
 
-static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_AA_passed_1_steep(double A, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     const double root = sqrt((A - u_cr) * (A + u_cr));
@@ -9990,19 +9990,19 @@ static inline double rod_spring_exact_H_AA_passed_1_steep(double A, double alpha
     return -2.5464790894703255 * beta * (3.0 * A * (A2 * V6 + V4) - u_cr5 / (A3 * c3 * root));
 }
 
-static inline double rod_spring_exact_H_AA(double A, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double u_cr)
 {
     if ((A <= u_cr) && (A <= 0.69999999999999996))
-        return rod_spring_exact_H_AA_passed_0(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_AA_passed_0(A, alpha, beta, u_cr);
     if (A <= u_cr)
-        return rod_spring_exact_H_AA_passed_0_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_AA_passed_0_steep(A, alpha, beta, u_cr);
     if ((u_cr <= 0.75) && (1.05 * u_cr <= A))
-        return rod_spring_exact_H_AA_passed_1_far(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_AA_passed_1_far(A, alpha, beta, u_cr);
     if (u_cr <= 0.75)
-        return rod_spring_exact_H_AA_passed_1(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_AA_passed_1(A, alpha, beta, u_cr);
     if (1.05 * u_cr <= A)
-        return rod_spring_exact_H_AA_passed_1_steep_far(A, alpha, beta, u_cr);
-    return rod_spring_exact_H_AA_passed_1_steep(A, alpha, beta, u_cr);
+        return rod_spring_untruncated_H_AA_passed_1_steep_far(A, alpha, beta, u_cr);
+    return rod_spring_untruncated_H_AA_passed_1_steep(A, alpha, beta, u_cr);
 }
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
@@ -10010,7 +10010,7 @@ static inline double rod_spring_exact_H_AA(double A, double alpha, double beta, 
    Operations where passed_0: 3592 structured, 2534 common subexpressions, 1528 power chains
    Operations where passed_1: 4335 structured, 4335 common subexpressions, 3502 power chains
  */
-static inline void rod_spring_exact_harmonics_passed_0(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double t0 = 0.03925981575906861 * A;
@@ -10587,7 +10587,7 @@ static inline void rod_spring_exact_harmonics_passed_0(double A, const double *p
     out[7] = -t102 * (60.0 * A2 * moment_5_0 + 60.0 * A3 * moment_5_1 + 15.0 * A4 * moment_5_2 + A5 * moment_5_3);
 }
 
-static inline void rod_spring_exact_harmonics_passed_1(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_harmonics_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double u_cr = p[2];
@@ -11184,21 +11184,21 @@ static inline void rod_spring_exact_harmonics_passed_1(double A, const double *p
         * root) - 4.0 * u_cr4 * (16.0 * u_cr5 / A5 - 20.0 * u_cr3 / A3 + 5.0 * u_cr / A) / (A * c3 * root3));
 }
 
-static inline void rod_spring_exact_harmonics(double A, const double *p, double *out)
+static inline void rod_spring_untruncated_harmonics(double A, const double *p, double *out)
 {
     const double u_cr = p[2];
     if (A <= u_cr) {
-        rod_spring_exact_harmonics_passed_0(A, p, out);
+        rod_spring_untruncated_harmonics_passed_0(A, p, out);
         return;
     }
-    rod_spring_exact_harmonics_passed_1(A, p, out);
+    rod_spring_untruncated_harmonics_passed_1(A, p, out);
 }
 
 /* The parameters alpha, beta, u_cr from the design.
    Equation (5), (7). Domain: any design.
    Operations: 11 structured, 10 common subexpressions, 10 power chains
  */
-static inline void rod_spring_exact_coefficients(double lam, double r, double delta_h, double *out)
+static inline void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
     out[0] = -delta_h * t0 + 1.0;
@@ -11210,7 +11210,7 @@ static inline void rod_spring_exact_coefficients(double lam, double r, double de
    Equation (5). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline void rod_spring_exact_breakpoints(const double *p, double *out)
+static inline void rod_spring_untruncated_breakpoints(const double *p, double *out)
 {
     const double u_cr = p[2];
     out[0] = u_cr;
@@ -11220,7 +11220,7 @@ static inline void rod_spring_exact_breakpoints(const double *p, double *out)
    Equation (5). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline void rod_spring_exact_jumps(const double *p, double *out)
+static inline void rod_spring_untruncated_jumps(const double *p, double *out)
 {
     (void)(p);
     out[0] = 0.0;
@@ -11230,7 +11230,7 @@ static inline void rod_spring_exact_jumps(const double *p, double *out)
    Equation from (3). Domain: any parameters.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
  */
-static inline void rod_spring_exact_hardening(const double *p, double *out)
+static inline void rod_spring_untruncated_hardening(const double *p, double *out)
 {
     const double beta = p[1];
     out[0] = 2.0 * beta;
@@ -11241,14 +11241,14 @@ static inline void rod_spring_exact_hardening(const double *p, double *out)
    Operations where piece_1: 16 structured, 12 common subexpressions, 12 power chains
    Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline double rod_spring_exact_force_piece_1(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_piece_1(double u, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
 }
 
-static inline double rod_spring_exact_force_piece_2(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_piece_2(double u, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(beta);
@@ -11256,11 +11256,11 @@ static inline double rod_spring_exact_force_piece_2(double u, double alpha, doub
     return u;
 }
 
-static inline double rod_spring_exact_force(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force(double u, double alpha, double beta, double u_cr)
 {
     if (fabs(u) <= u_cr)
-        return rod_spring_exact_force_piece_1(u, alpha, beta, u_cr);
-    return rod_spring_exact_force_piece_2(u, alpha, beta, u_cr);
+        return rod_spring_untruncated_force_piece_1(u, alpha, beta, u_cr);
+    return rod_spring_untruncated_force_piece_2(u, alpha, beta, u_cr);
 }
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
@@ -11268,14 +11268,14 @@ static inline double rod_spring_exact_force(double u, double alpha, double beta,
    Operations where piece_1: 15 structured, 11 common subexpressions, 11 power chains
    Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline double rod_spring_exact_untruncated_force_piece_1(double u, double lam, double r, double delta_h)
+static inline double rod_spring_untruncated_untruncated_force_piece_1(double u, double lam, double r, double delta_h)
 {
     const double t0 = u * u;
     const double t1 = sqrt(1.0 - t0);
     return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u;
 }
 
-static inline double rod_spring_exact_untruncated_force_piece_2(double u, double lam, double r, double delta_h)
+static inline double rod_spring_untruncated_untruncated_force_piece_2(double u, double lam, double r, double delta_h)
 {
     (void)(lam);
     (void)(r);
@@ -11283,18 +11283,18 @@ static inline double rod_spring_exact_untruncated_force_piece_2(double u, double
     return u;
 }
 
-static inline double rod_spring_exact_untruncated_force(double u, double lam, double r, double delta_h)
+static inline double rod_spring_untruncated_untruncated_force(double u, double lam, double r, double delta_h)
 {
     if (fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h))
-        return rod_spring_exact_untruncated_force_piece_1(u, lam, r, delta_h);
-    return rod_spring_exact_untruncated_force_piece_2(u, lam, r, delta_h);
+        return rod_spring_untruncated_untruncated_force_piece_1(u, lam, r, delta_h);
+    return rod_spring_untruncated_untruncated_force_piece_2(u, lam, r, delta_h);
 }
 
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 16 structured, 12 common subexpressions, 12 power chains
  */
-static inline double rod_spring_exact_force_1(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_1(double u, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
@@ -11305,7 +11305,7 @@ static inline double rod_spring_exact_force_1(double u, double alpha, double bet
    Equation (3), (5). Domain: where it holds.
    Operations: 30 structured, 23 common subexpressions, 23 power chains
  */
-static inline double rod_spring_exact_force_1_u(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double u_cr)
 {
     (void)(u_cr);
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
@@ -11321,7 +11321,7 @@ static inline double rod_spring_exact_force_1_u(double u, double alpha, double b
    Equation (3), (5). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline double rod_spring_exact_force_2(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_2(double u, double alpha, double beta, double u_cr)
 {
     (void)(alpha);
     (void)(beta);
@@ -11333,7 +11333,7 @@ static inline double rod_spring_exact_force_2(double u, double alpha, double bet
    Equation (3), (5). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline double rod_spring_exact_force_2_u(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double u_cr)
 {
     (void)(u);
     (void)(alpha);
@@ -11344,19 +11344,19 @@ static inline double rod_spring_exact_force_2_u(double u, double alpha, double b
 
 /* Cosine balance, -F_0 cos phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_R(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_R(double Omega, double A, double mu, double zeta, const double *p)
 {
     (void)(mu);
     (void)(zeta);
     const double average[1] = {
-        rod_spring_exact_h(A, p[0], p[1], p[2]),
+        rod_spring_untruncated_h(A, p[0], p[1], p[2]),
     };
     return slow_flow_R(Omega, A, average[0]);
 }
 
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_I(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_I(double Omega, double A, double mu, double zeta, const double *p)
 {
     (void)(p);
     return slow_flow_I(Omega, A, slow_flow_friction(mu), zeta);
@@ -11364,118 +11364,118 @@ static inline double rod_spring_exact_I(double Omega, double A, double mu, doubl
 
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     const double average[1] = {
-        rod_spring_exact_h(A, p[0], p[1], p[2]),
+        rod_spring_untruncated_h(A, p[0], p[1], p[2]),
     };
     return slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
 }
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_F_A(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
-    rod_spring_exact_averaged_2(A, p, average);
+    rod_spring_untruncated_averaged_2(A, p, average);
     return slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
 }
 
 /* d2F/dA2.
    Equation (24), (33). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_F_AA(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_F_AA(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[3];
-    rod_spring_exact_averaged_3(A, p, average);
+    rod_spring_untruncated_averaged_3(A, p, average);
     return slow_flow_F_AA(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], average[2]);
 }
 
 /* d3F/dA3.
    Equation (24). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_F_AAA(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_F_AAA(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[4];
-    rod_spring_exact_averaged(A, p, average);
+    rod_spring_untruncated_averaged(A, p, average);
     return slow_flow_F_AAA(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], average[2], average[3]);
 }
 
 /* dF/dOmega.
    Equation (24), (34). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_F_Omega(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_F_Omega(double Omega, double A, double mu, double zeta, const double *p)
 {
     const double average[1] = {
-        rod_spring_exact_h(A, p[0], p[1], p[2]),
+        rod_spring_untruncated_h(A, p[0], p[1], p[2]),
     };
     return slow_flow_F_Omega(Omega, A, slow_flow_friction(mu), zeta, average[0]);
 }
 
 /* d2F/dA dOmega.
    Equation (24). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_F_AOmega(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_F_AOmega(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
-    rod_spring_exact_averaged_2(A, p, average);
+    rod_spring_untruncated_averaged_2(A, p, average);
     return slow_flow_F_AOmega(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
 }
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_phase(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     const double average[1] = {
-        rod_spring_exact_h(A, p[0], p[1], p[2]),
+        rod_spring_untruncated_h(A, p[0], p[1], p[2]),
     };
     return slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0. */
-static inline void rod_spring_exact_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
+static inline void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
-    rod_spring_exact_averaged_2(A, p, average);
+    rod_spring_untruncated_averaged_2(A, p, average);
     slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], out);
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_stability(double Omega, double A, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
-    rod_spring_exact_averaged_2(A, p, average);
+    rod_spring_untruncated_averaged_2(A, p, average);
     return slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. */
-static inline double rod_spring_exact_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+static inline double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     const double average[1] = {
-        rod_spring_exact_h(A, p[0], p[1], p[2]),
+        rod_spring_untruncated_h(A, p[0], p[1], p[2]),
     };
     return slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
 }
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0. */
-static inline double rod_spring_exact_backbone(double A, const double *p)
+static inline double rod_spring_untruncated_backbone(double A, const double *p)
 {
     const double average[1] = {
-        rod_spring_exact_h(A, p[0], p[1], p[2]),
+        rod_spring_untruncated_h(A, p[0], p[1], p[2]),
     };
     return slow_flow_backbone(A, average[0]);
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. */
-static inline double rod_spring_exact_limit_envelope(double Omega, double F_0, double mu, double zeta)
+static inline double rod_spring_untruncated_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_exact_equivalent_damping(double Omega, double A, double mu, double zeta)
+static inline double rod_spring_untruncated_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }

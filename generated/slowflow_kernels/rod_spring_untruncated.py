@@ -2,7 +2,7 @@
 truncated.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring_exact.py, sha256 1b3371a6f3bd082d4bd24294ddea9a01f4b0822a58acd7b5b61ebe7b7e44131c
+Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 d4dced67e6fd1fa2602250c43a2e8efc86d6e23d17c362a34c59311e434ee02e
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -21,7 +21,7 @@ from slowflow_support.backend import NATIVE, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime
 from slowflow_support.record import Mechanism, Parameter
 
-NAME = "rod_spring_exact"
+NAME = "rod_spring_untruncated"
 PARAMETERS = ("alpha", "beta", "u_cr")
 RATIOS = ("lam", "r", "delta_h")
 REACH = 1.0
@@ -12200,7 +12200,7 @@ if NATIVE is not None:
         backbone,
         limit_envelope,
         equivalent_damping,
-    ) = NATIVE.rod_spring_exact()
+    ) = NATIVE.rod_spring_untruncated()
     breakpoints = in_tuple(breakpoints)
     jumps = in_tuple(jumps)
     hardening = in_tuple(hardening)
@@ -12217,7 +12217,7 @@ _PARAMETERS = (
     Parameter("u_cr", "|u| at which piece 1 of the force ends", "L"),
 )
 MECHANISM = Mechanism(
-    name="rod_spring_exact",
+    name="rod_spring_untruncated",
     title="Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not truncated",
     design=_DESIGN,
     parameters=_PARAMETERS,

@@ -12,7 +12,7 @@ from derivations.mechanisms import rod_spring
 
 MECHANISM = dataclasses.replace(
     rod_spring.MECHANISM,
-    name="rod_spring_exact",
+    name="rod_spring_untruncated",
     title=rod_spring.MECHANISM.title + ", force not truncated",
     order=sp.oo,
     coefficients=({1: rod_spring.alpha, 3: rod_spring.beta}, {}),

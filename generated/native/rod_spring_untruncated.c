@@ -1,10 +1,10 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not truncated: loops for NumPy.
 
    Written by `make derive`; never edit.
-   Input: rod_spring_exact.h, the same functions for one number each
+   Input: rod_spring_untruncated.h, the same functions for one number each
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
 
-#include "rod_spring_exact.h"
+#include "rod_spring_untruncated.h"
 
 #include "kernels.h"
 
@@ -25,7 +25,7 @@ void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, double *const *o
 void slow_flow_stability_loop(ptrdiff_t n, const double *const *in, double *const *out);
 void slow_flow_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out);
 
-SF_WIDE void rod_spring_exact_averaged_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -39,7 +39,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_0_loop(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[4];
-        rod_spring_exact_averaged_passed_0(A[i], p, values);
+        rod_spring_untruncated_averaged_passed_0(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -47,7 +47,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_0_loop(ptrdiff_t n, const double *
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -61,7 +61,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_0_steep_loop(ptrdiff_t n, const do
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[4];
-        rod_spring_exact_averaged_passed_0_steep(A[i], p, values);
+        rod_spring_untruncated_averaged_passed_0_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -69,7 +69,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_0_steep_loop(ptrdiff_t n, const do
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -83,7 +83,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_far_loop(ptrdiff_t n, const doub
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[4];
-        rod_spring_exact_averaged_passed_1_far(A[i], p, values);
+        rod_spring_untruncated_averaged_passed_1_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -91,7 +91,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_far_loop(ptrdiff_t n, const doub
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -105,7 +105,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_loop(ptrdiff_t n, const double *
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[4];
-        rod_spring_exact_averaged_passed_1(A[i], p, values);
+        rod_spring_untruncated_averaged_passed_1(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -113,7 +113,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_loop(ptrdiff_t n, const double *
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -127,7 +127,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_steep_far_loop(ptrdiff_t n, cons
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[4];
-        rod_spring_exact_averaged_passed_1_steep_far(A[i], p, values);
+        rod_spring_untruncated_averaged_passed_1_steep_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -135,7 +135,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_steep_far_loop(ptrdiff_t n, cons
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -149,7 +149,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_steep_loop(ptrdiff_t n, const do
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[4];
-        rod_spring_exact_averaged_passed_1_steep(A[i], p, values);
+        rod_spring_untruncated_averaged_passed_1_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -157,7 +157,7 @@ SF_WIDE void rod_spring_exact_averaged_passed_1_steep_loop(ptrdiff_t n, const do
     }
 }
 
-static SF_WIDE void rod_spring_exact_averaged_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_averaged_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -169,16 +169,16 @@ static SF_WIDE void rod_spring_exact_averaged_regime(ptrdiff_t n, const double *
     }
 }
 
-static const sf_loop rod_spring_exact_averaged_loops[] = {
-    rod_spring_exact_averaged_passed_0_loop,
-    rod_spring_exact_averaged_passed_0_steep_loop,
-    rod_spring_exact_averaged_passed_1_far_loop,
-    rod_spring_exact_averaged_passed_1_loop,
-    rod_spring_exact_averaged_passed_1_steep_far_loop,
-    rod_spring_exact_averaged_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_averaged_loops[] = {
+    rod_spring_untruncated_averaged_passed_0_loop,
+    rod_spring_untruncated_averaged_passed_0_steep_loop,
+    rod_spring_untruncated_averaged_passed_1_far_loop,
+    rod_spring_untruncated_averaged_passed_1_loop,
+    rod_spring_untruncated_averaged_passed_1_steep_far_loop,
+    rod_spring_untruncated_averaged_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_averaged_3_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_3_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -191,14 +191,14 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_0_loop(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[3];
-        rod_spring_exact_averaged_3_passed_0(A[i], p, values);
+        rod_spring_untruncated_averaged_3_passed_0(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_3_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_3_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -211,14 +211,14 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_0_steep_loop(ptrdiff_t n, const 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[3];
-        rod_spring_exact_averaged_3_passed_0_steep(A[i], p, values);
+        rod_spring_untruncated_averaged_3_passed_0_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_3_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_3_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -231,14 +231,14 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_1_far_loop(ptrdiff_t n, const do
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[3];
-        rod_spring_exact_averaged_3_passed_1_far(A[i], p, values);
+        rod_spring_untruncated_averaged_3_passed_1_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_3_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_3_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -251,14 +251,14 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_1_loop(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[3];
-        rod_spring_exact_averaged_3_passed_1(A[i], p, values);
+        rod_spring_untruncated_averaged_3_passed_1(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_3_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_3_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -271,14 +271,14 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_1_steep_far_loop(ptrdiff_t n, co
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[3];
-        rod_spring_exact_averaged_3_passed_1_steep_far(A[i], p, values);
+        rod_spring_untruncated_averaged_3_passed_1_steep_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_3_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_3_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -291,14 +291,14 @@ SF_WIDE void rod_spring_exact_averaged_3_passed_1_steep_loop(ptrdiff_t n, const 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[3];
-        rod_spring_exact_averaged_3_passed_1_steep(A[i], p, values);
+        rod_spring_untruncated_averaged_3_passed_1_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
     }
 }
 
-static SF_WIDE void rod_spring_exact_averaged_3_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_averaged_3_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -310,16 +310,16 @@ static SF_WIDE void rod_spring_exact_averaged_3_regime(ptrdiff_t n, const double
     }
 }
 
-static const sf_loop rod_spring_exact_averaged_3_loops[] = {
-    rod_spring_exact_averaged_3_passed_0_loop,
-    rod_spring_exact_averaged_3_passed_0_steep_loop,
-    rod_spring_exact_averaged_3_passed_1_far_loop,
-    rod_spring_exact_averaged_3_passed_1_loop,
-    rod_spring_exact_averaged_3_passed_1_steep_far_loop,
-    rod_spring_exact_averaged_3_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_averaged_3_loops[] = {
+    rod_spring_untruncated_averaged_3_passed_0_loop,
+    rod_spring_untruncated_averaged_3_passed_0_steep_loop,
+    rod_spring_untruncated_averaged_3_passed_1_far_loop,
+    rod_spring_untruncated_averaged_3_passed_1_loop,
+    rod_spring_untruncated_averaged_3_passed_1_steep_far_loop,
+    rod_spring_untruncated_averaged_3_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_averaged_2_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_2_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -331,13 +331,13 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_0_loop(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[2];
-        rod_spring_exact_averaged_2_passed_0(A[i], p, values);
+        rod_spring_untruncated_averaged_2_passed_0(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_2_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_2_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -349,13 +349,13 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_0_steep_loop(ptrdiff_t n, const 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[2];
-        rod_spring_exact_averaged_2_passed_0_steep(A[i], p, values);
+        rod_spring_untruncated_averaged_2_passed_0_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_2_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_2_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -367,13 +367,13 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_1_far_loop(ptrdiff_t n, const do
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[2];
-        rod_spring_exact_averaged_2_passed_1_far(A[i], p, values);
+        rod_spring_untruncated_averaged_2_passed_1_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_2_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_2_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -385,13 +385,13 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_1_loop(ptrdiff_t n, const double
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[2];
-        rod_spring_exact_averaged_2_passed_1(A[i], p, values);
+        rod_spring_untruncated_averaged_2_passed_1(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_2_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_2_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -403,13 +403,13 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_1_steep_far_loop(ptrdiff_t n, co
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[2];
-        rod_spring_exact_averaged_2_passed_1_steep_far(A[i], p, values);
+        rod_spring_untruncated_averaged_2_passed_1_steep_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
 }
 
-SF_WIDE void rod_spring_exact_averaged_2_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_averaged_2_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -421,13 +421,13 @@ SF_WIDE void rod_spring_exact_averaged_2_passed_1_steep_loop(ptrdiff_t n, const 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[2];
-        rod_spring_exact_averaged_2_passed_1_steep(A[i], p, values);
+        rod_spring_untruncated_averaged_2_passed_1_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
 }
 
-static SF_WIDE void rod_spring_exact_averaged_2_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_averaged_2_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -439,16 +439,16 @@ static SF_WIDE void rod_spring_exact_averaged_2_regime(ptrdiff_t n, const double
     }
 }
 
-static const sf_loop rod_spring_exact_averaged_2_loops[] = {
-    rod_spring_exact_averaged_2_passed_0_loop,
-    rod_spring_exact_averaged_2_passed_0_steep_loop,
-    rod_spring_exact_averaged_2_passed_1_far_loop,
-    rod_spring_exact_averaged_2_passed_1_loop,
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop,
-    rod_spring_exact_averaged_2_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_averaged_2_loops[] = {
+    rod_spring_untruncated_averaged_2_passed_0_loop,
+    rod_spring_untruncated_averaged_2_passed_0_steep_loop,
+    rod_spring_untruncated_averaged_2_passed_1_far_loop,
+    rod_spring_untruncated_averaged_2_passed_1_loop,
+    rod_spring_untruncated_averaged_2_passed_1_steep_far_loop,
+    rod_spring_untruncated_averaged_2_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_h_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -457,11 +457,11 @@ SF_WIDE void rod_spring_exact_h_passed_0_loop(ptrdiff_t n, const double *const *
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -470,11 +470,11 @@ SF_WIDE void rod_spring_exact_h_passed_0_steep_loop(ptrdiff_t n, const double *c
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -483,11 +483,11 @@ SF_WIDE void rod_spring_exact_h_passed_1_far_loop(ptrdiff_t n, const double *con
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -496,11 +496,11 @@ SF_WIDE void rod_spring_exact_h_passed_1_loop(ptrdiff_t n, const double *const *
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -509,11 +509,11 @@ SF_WIDE void rod_spring_exact_h_passed_1_steep_far_loop(ptrdiff_t n, const doubl
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -522,11 +522,11 @@ SF_WIDE void rod_spring_exact_h_passed_1_steep_loop(ptrdiff_t n, const double *c
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_h_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_h_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -538,16 +538,16 @@ static SF_WIDE void rod_spring_exact_h_regime(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop rod_spring_exact_h_loops[] = {
-    rod_spring_exact_h_passed_0_loop,
-    rod_spring_exact_h_passed_0_steep_loop,
-    rod_spring_exact_h_passed_1_far_loop,
-    rod_spring_exact_h_passed_1_loop,
-    rod_spring_exact_h_passed_1_steep_far_loop,
-    rod_spring_exact_h_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_h_loops[] = {
+    rod_spring_untruncated_h_passed_0_loop,
+    rod_spring_untruncated_h_passed_0_steep_loop,
+    rod_spring_untruncated_h_passed_1_far_loop,
+    rod_spring_untruncated_h_passed_1_loop,
+    rod_spring_untruncated_h_passed_1_steep_far_loop,
+    rod_spring_untruncated_h_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_h_A_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_A_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -556,11 +556,11 @@ SF_WIDE void rod_spring_exact_h_A_passed_0_loop(ptrdiff_t n, const double *const
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_A_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_A_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_A_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_A_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -569,11 +569,11 @@ SF_WIDE void rod_spring_exact_h_A_passed_0_steep_loop(ptrdiff_t n, const double 
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_A_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_A_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_A_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_A_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -582,11 +582,11 @@ SF_WIDE void rod_spring_exact_h_A_passed_1_far_loop(ptrdiff_t n, const double *c
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_A_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_A_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_A_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_A_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -595,11 +595,11 @@ SF_WIDE void rod_spring_exact_h_A_passed_1_loop(ptrdiff_t n, const double *const
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_A_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_A_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_A_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_A_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -608,11 +608,11 @@ SF_WIDE void rod_spring_exact_h_A_passed_1_steep_far_loop(ptrdiff_t n, const dou
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_A_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_A_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_A_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_A_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -621,11 +621,11 @@ SF_WIDE void rod_spring_exact_h_A_passed_1_steep_loop(ptrdiff_t n, const double 
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_A_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_A_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_h_A_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_h_A_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -637,16 +637,16 @@ static SF_WIDE void rod_spring_exact_h_A_regime(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop rod_spring_exact_h_A_loops[] = {
-    rod_spring_exact_h_A_passed_0_loop,
-    rod_spring_exact_h_A_passed_0_steep_loop,
-    rod_spring_exact_h_A_passed_1_far_loop,
-    rod_spring_exact_h_A_passed_1_loop,
-    rod_spring_exact_h_A_passed_1_steep_far_loop,
-    rod_spring_exact_h_A_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_h_A_loops[] = {
+    rod_spring_untruncated_h_A_passed_0_loop,
+    rod_spring_untruncated_h_A_passed_0_steep_loop,
+    rod_spring_untruncated_h_A_passed_1_far_loop,
+    rod_spring_untruncated_h_A_passed_1_loop,
+    rod_spring_untruncated_h_A_passed_1_steep_far_loop,
+    rod_spring_untruncated_h_A_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_h_AA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -655,11 +655,11 @@ SF_WIDE void rod_spring_exact_h_AA_passed_0_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AA_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AA_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AA_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AA_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -668,11 +668,11 @@ SF_WIDE void rod_spring_exact_h_AA_passed_0_steep_loop(ptrdiff_t n, const double
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -681,11 +681,11 @@ SF_WIDE void rod_spring_exact_h_AA_passed_1_far_loop(ptrdiff_t n, const double *
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AA_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AA_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -694,11 +694,11 @@ SF_WIDE void rod_spring_exact_h_AA_passed_1_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AA_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AA_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -707,11 +707,11 @@ SF_WIDE void rod_spring_exact_h_AA_passed_1_steep_far_loop(ptrdiff_t n, const do
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -720,11 +720,11 @@ SF_WIDE void rod_spring_exact_h_AA_passed_1_steep_loop(ptrdiff_t n, const double
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AA_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AA_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_h_AA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_h_AA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -736,16 +736,16 @@ static SF_WIDE void rod_spring_exact_h_AA_regime(ptrdiff_t n, const double *cons
     }
 }
 
-static const sf_loop rod_spring_exact_h_AA_loops[] = {
-    rod_spring_exact_h_AA_passed_0_loop,
-    rod_spring_exact_h_AA_passed_0_steep_loop,
-    rod_spring_exact_h_AA_passed_1_far_loop,
-    rod_spring_exact_h_AA_passed_1_loop,
-    rod_spring_exact_h_AA_passed_1_steep_far_loop,
-    rod_spring_exact_h_AA_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_h_AA_loops[] = {
+    rod_spring_untruncated_h_AA_passed_0_loop,
+    rod_spring_untruncated_h_AA_passed_0_steep_loop,
+    rod_spring_untruncated_h_AA_passed_1_far_loop,
+    rod_spring_untruncated_h_AA_passed_1_loop,
+    rod_spring_untruncated_h_AA_passed_1_steep_far_loop,
+    rod_spring_untruncated_h_AA_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_h_AAA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AAA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -754,11 +754,11 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_0_loop(ptrdiff_t n, const double *con
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AAA_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AAA_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AAA_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AAA_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -767,11 +767,11 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_0_steep_loop(ptrdiff_t n, const doubl
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AAA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AAA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AAA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AAA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -780,11 +780,11 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_1_far_loop(ptrdiff_t n, const double 
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AAA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AAA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AAA_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AAA_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -793,11 +793,11 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_1_loop(ptrdiff_t n, const double *con
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AAA_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AAA_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AAA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AAA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -806,11 +806,11 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_1_steep_far_loop(ptrdiff_t n, const d
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AAA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AAA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_h_AAA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_h_AAA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -819,11 +819,11 @@ SF_WIDE void rod_spring_exact_h_AAA_passed_1_steep_loop(ptrdiff_t n, const doubl
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_h_AAA_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_h_AAA_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_h_AAA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_h_AAA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -835,16 +835,16 @@ static SF_WIDE void rod_spring_exact_h_AAA_regime(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop rod_spring_exact_h_AAA_loops[] = {
-    rod_spring_exact_h_AAA_passed_0_loop,
-    rod_spring_exact_h_AAA_passed_0_steep_loop,
-    rod_spring_exact_h_AAA_passed_1_far_loop,
-    rod_spring_exact_h_AAA_passed_1_loop,
-    rod_spring_exact_h_AAA_passed_1_steep_far_loop,
-    rod_spring_exact_h_AAA_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_h_AAA_loops[] = {
+    rod_spring_untruncated_h_AAA_passed_0_loop,
+    rod_spring_untruncated_h_AAA_passed_0_steep_loop,
+    rod_spring_untruncated_h_AAA_passed_1_far_loop,
+    rod_spring_untruncated_h_AAA_passed_1_loop,
+    rod_spring_untruncated_h_AAA_passed_1_steep_far_loop,
+    rod_spring_untruncated_h_AAA_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_H_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -853,11 +853,11 @@ SF_WIDE void rod_spring_exact_H_passed_0_loop(ptrdiff_t n, const double *const *
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -866,11 +866,11 @@ SF_WIDE void rod_spring_exact_H_passed_0_steep_loop(ptrdiff_t n, const double *c
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -879,11 +879,11 @@ SF_WIDE void rod_spring_exact_H_passed_1_far_loop(ptrdiff_t n, const double *con
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -892,11 +892,11 @@ SF_WIDE void rod_spring_exact_H_passed_1_loop(ptrdiff_t n, const double *const *
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -905,11 +905,11 @@ SF_WIDE void rod_spring_exact_H_passed_1_steep_far_loop(ptrdiff_t n, const doubl
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -918,11 +918,11 @@ SF_WIDE void rod_spring_exact_H_passed_1_steep_loop(ptrdiff_t n, const double *c
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_H_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_H_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -934,16 +934,16 @@ static SF_WIDE void rod_spring_exact_H_regime(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop rod_spring_exact_H_loops[] = {
-    rod_spring_exact_H_passed_0_loop,
-    rod_spring_exact_H_passed_0_steep_loop,
-    rod_spring_exact_H_passed_1_far_loop,
-    rod_spring_exact_H_passed_1_loop,
-    rod_spring_exact_H_passed_1_steep_far_loop,
-    rod_spring_exact_H_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_H_loops[] = {
+    rod_spring_untruncated_H_passed_0_loop,
+    rod_spring_untruncated_H_passed_0_steep_loop,
+    rod_spring_untruncated_H_passed_1_far_loop,
+    rod_spring_untruncated_H_passed_1_loop,
+    rod_spring_untruncated_H_passed_1_steep_far_loop,
+    rod_spring_untruncated_H_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_H_A_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_A_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -952,11 +952,11 @@ SF_WIDE void rod_spring_exact_H_A_passed_0_loop(ptrdiff_t n, const double *const
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_A_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_A_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_A_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_A_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -965,11 +965,11 @@ SF_WIDE void rod_spring_exact_H_A_passed_0_steep_loop(ptrdiff_t n, const double 
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_A_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_A_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_A_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_A_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -978,11 +978,11 @@ SF_WIDE void rod_spring_exact_H_A_passed_1_far_loop(ptrdiff_t n, const double *c
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_A_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_A_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_A_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_A_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -991,11 +991,11 @@ SF_WIDE void rod_spring_exact_H_A_passed_1_loop(ptrdiff_t n, const double *const
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_A_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_A_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_A_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_A_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1004,11 +1004,11 @@ SF_WIDE void rod_spring_exact_H_A_passed_1_steep_far_loop(ptrdiff_t n, const dou
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_A_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_A_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_A_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_A_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1017,11 +1017,11 @@ SF_WIDE void rod_spring_exact_H_A_passed_1_steep_loop(ptrdiff_t n, const double 
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_A_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_A_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_H_A_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_H_A_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -1033,16 +1033,16 @@ static SF_WIDE void rod_spring_exact_H_A_regime(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop rod_spring_exact_H_A_loops[] = {
-    rod_spring_exact_H_A_passed_0_loop,
-    rod_spring_exact_H_A_passed_0_steep_loop,
-    rod_spring_exact_H_A_passed_1_far_loop,
-    rod_spring_exact_H_A_passed_1_loop,
-    rod_spring_exact_H_A_passed_1_steep_far_loop,
-    rod_spring_exact_H_A_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_H_A_loops[] = {
+    rod_spring_untruncated_H_A_passed_0_loop,
+    rod_spring_untruncated_H_A_passed_0_steep_loop,
+    rod_spring_untruncated_H_A_passed_1_far_loop,
+    rod_spring_untruncated_H_A_passed_1_loop,
+    rod_spring_untruncated_H_A_passed_1_steep_far_loop,
+    rod_spring_untruncated_H_A_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_H_AA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_AA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1051,11 +1051,11 @@ SF_WIDE void rod_spring_exact_H_AA_passed_0_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_AA_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_AA_passed_0(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_AA_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_AA_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1064,11 +1064,11 @@ SF_WIDE void rod_spring_exact_H_AA_passed_0_steep_loop(ptrdiff_t n, const double
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_AA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_AA_passed_0_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_AA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_AA_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1077,11 +1077,11 @@ SF_WIDE void rod_spring_exact_H_AA_passed_1_far_loop(ptrdiff_t n, const double *
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_AA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_AA_passed_1_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_AA_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_AA_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1090,11 +1090,11 @@ SF_WIDE void rod_spring_exact_H_AA_passed_1_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_AA_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_AA_passed_1(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_AA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_AA_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1103,11 +1103,11 @@ SF_WIDE void rod_spring_exact_H_AA_passed_1_steep_far_loop(ptrdiff_t n, const do
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_AA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_AA_passed_1_steep_far(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_H_AA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_H_AA_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1116,11 +1116,11 @@ SF_WIDE void rod_spring_exact_H_AA_passed_1_steep_loop(ptrdiff_t n, const double
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_H_AA_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_H_AA_passed_1_steep(A[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_H_AA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_H_AA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -1132,16 +1132,16 @@ static SF_WIDE void rod_spring_exact_H_AA_regime(ptrdiff_t n, const double *cons
     }
 }
 
-static const sf_loop rod_spring_exact_H_AA_loops[] = {
-    rod_spring_exact_H_AA_passed_0_loop,
-    rod_spring_exact_H_AA_passed_0_steep_loop,
-    rod_spring_exact_H_AA_passed_1_far_loop,
-    rod_spring_exact_H_AA_passed_1_loop,
-    rod_spring_exact_H_AA_passed_1_steep_far_loop,
-    rod_spring_exact_H_AA_passed_1_steep_loop,
+static const sf_loop rod_spring_untruncated_H_AA_loops[] = {
+    rod_spring_untruncated_H_AA_passed_0_loop,
+    rod_spring_untruncated_H_AA_passed_0_steep_loop,
+    rod_spring_untruncated_H_AA_passed_1_far_loop,
+    rod_spring_untruncated_H_AA_passed_1_loop,
+    rod_spring_untruncated_H_AA_passed_1_steep_far_loop,
+    rod_spring_untruncated_H_AA_passed_1_steep_loop,
 };
 
-SF_WIDE void rod_spring_exact_harmonics_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_harmonics_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1159,7 +1159,7 @@ SF_WIDE void rod_spring_exact_harmonics_passed_0_loop(ptrdiff_t n, const double 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[8];
-        rod_spring_exact_harmonics_passed_0(A[i], p, values);
+        rod_spring_untruncated_harmonics_passed_0(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -1171,7 +1171,7 @@ SF_WIDE void rod_spring_exact_harmonics_passed_0_loop(ptrdiff_t n, const double 
     }
 }
 
-SF_WIDE void rod_spring_exact_harmonics_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_harmonics_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict alpha = in[1];
@@ -1189,7 +1189,7 @@ SF_WIDE void rod_spring_exact_harmonics_passed_1_loop(ptrdiff_t n, const double 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[8];
-        rod_spring_exact_harmonics_passed_1(A[i], p, values);
+        rod_spring_untruncated_harmonics_passed_1(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -1201,7 +1201,7 @@ SF_WIDE void rod_spring_exact_harmonics_passed_1_loop(ptrdiff_t n, const double 
     }
 }
 
-static SF_WIDE void rod_spring_exact_harmonics_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_harmonics_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -1213,12 +1213,12 @@ static SF_WIDE void rod_spring_exact_harmonics_regime(ptrdiff_t n, const double 
     }
 }
 
-static const sf_loop rod_spring_exact_harmonics_loops[] = {
-    rod_spring_exact_harmonics_passed_0_loop,
-    rod_spring_exact_harmonics_passed_1_loop,
+static const sf_loop rod_spring_untruncated_harmonics_loops[] = {
+    rod_spring_untruncated_harmonics_passed_0_loop,
+    rod_spring_untruncated_harmonics_passed_1_loop,
 };
 
-SF_WIDE void rod_spring_exact_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict lam = in[0];
     const double *restrict r = in[1];
@@ -1229,18 +1229,18 @@ SF_WIDE void rod_spring_exact_coefficients_loop(ptrdiff_t n, const double *const
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];
-        rod_spring_exact_coefficients(lam[i], r[i], delta_h[i], values);
+        rod_spring_untruncated_coefficients(lam[i], r[i], delta_h[i], values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
     }
 }
 
-static const sf_loop rod_spring_exact_coefficients_loops[] = {
-    rod_spring_exact_coefficients_loop,
+static const sf_loop rod_spring_untruncated_coefficients_loops[] = {
+    rod_spring_untruncated_coefficients_loop,
 };
 
-SF_WIDE void rod_spring_exact_breakpoints_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_breakpoints_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict alpha = in[0];
     const double *restrict beta = in[1];
@@ -1250,16 +1250,16 @@ SF_WIDE void rod_spring_exact_breakpoints_loop(ptrdiff_t n, const double *const 
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[1];
-        rod_spring_exact_breakpoints(p, values);
+        rod_spring_untruncated_breakpoints(p, values);
         out_0[i] = values[0];
     }
 }
 
-static const sf_loop rod_spring_exact_breakpoints_loops[] = {
-    rod_spring_exact_breakpoints_loop,
+static const sf_loop rod_spring_untruncated_breakpoints_loops[] = {
+    rod_spring_untruncated_breakpoints_loop,
 };
 
-SF_WIDE void rod_spring_exact_jumps_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_jumps_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict alpha = in[0];
     const double *restrict beta = in[1];
@@ -1269,16 +1269,16 @@ SF_WIDE void rod_spring_exact_jumps_loop(ptrdiff_t n, const double *const *in, d
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[1];
-        rod_spring_exact_jumps(p, values);
+        rod_spring_untruncated_jumps(p, values);
         out_0[i] = values[0];
     }
 }
 
-static const sf_loop rod_spring_exact_jumps_loops[] = {
-    rod_spring_exact_jumps_loop,
+static const sf_loop rod_spring_untruncated_jumps_loops[] = {
+    rod_spring_untruncated_jumps_loop,
 };
 
-SF_WIDE void rod_spring_exact_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict alpha = in[0];
     const double *restrict beta = in[1];
@@ -1288,16 +1288,16 @@ SF_WIDE void rod_spring_exact_hardening_loop(ptrdiff_t n, const double *const *i
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
         double values[1];
-        rod_spring_exact_hardening(p, values);
+        rod_spring_untruncated_hardening(p, values);
         out_0[i] = values[0];
     }
 }
 
-static const sf_loop rod_spring_exact_hardening_loops[] = {
-    rod_spring_exact_hardening_loop,
+static const sf_loop rod_spring_untruncated_hardening_loops[] = {
+    rod_spring_untruncated_hardening_loop,
 };
 
-SF_WIDE void rod_spring_exact_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict u = in[0];
     const double *restrict alpha = in[1];
@@ -1306,11 +1306,11 @@ SF_WIDE void rod_spring_exact_force_piece_1_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_force_piece_1(u[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_force_piece_1(u[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_force_piece_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_force_piece_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict u = in[0];
     const double *restrict alpha = in[1];
@@ -1319,11 +1319,11 @@ SF_WIDE void rod_spring_exact_force_piece_2_loop(ptrdiff_t n, const double *cons
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_force_piece_2(u[i], alpha[i], beta[i], u_cr[i]);
+        out_0[i] = rod_spring_untruncated_force_piece_2(u[i], alpha[i], beta[i], u_cr[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict u_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -1335,12 +1335,12 @@ static SF_WIDE void rod_spring_exact_force_regime(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop rod_spring_exact_force_loops[] = {
-    rod_spring_exact_force_piece_1_loop,
-    rod_spring_exact_force_piece_2_loop,
+static const sf_loop rod_spring_untruncated_force_loops[] = {
+    rod_spring_untruncated_force_piece_1_loop,
+    rod_spring_untruncated_force_piece_2_loop,
 };
 
-SF_WIDE void rod_spring_exact_untruncated_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_untruncated_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict u = in[0];
     const double *restrict lam = in[1];
@@ -1349,11 +1349,11 @@ SF_WIDE void rod_spring_exact_untruncated_force_piece_1_loop(ptrdiff_t n, const 
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_untruncated_force_piece_1(u[i], lam[i], r[i], delta_h[i]);
+        out_0[i] = rod_spring_untruncated_untruncated_force_piece_1(u[i], lam[i], r[i], delta_h[i]);
     }
 }
 
-SF_WIDE void rod_spring_exact_untruncated_force_piece_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
+SF_WIDE void rod_spring_untruncated_untruncated_force_piece_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict u = in[0];
     const double *restrict lam = in[1];
@@ -1362,11 +1362,11 @@ SF_WIDE void rod_spring_exact_untruncated_force_piece_2_loop(ptrdiff_t n, const 
     double *restrict out_0 = out[0];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_exact_untruncated_force_piece_2(u[i], lam[i], r[i], delta_h[i]);
+        out_0[i] = rod_spring_untruncated_untruncated_force_piece_2(u[i], lam[i], r[i], delta_h[i]);
     }
 }
 
-static SF_WIDE void rod_spring_exact_untruncated_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_untruncated_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict u_ = in[0];
     const double *restrict delta_h_ = in[3];
@@ -1378,60 +1378,60 @@ static SF_WIDE void rod_spring_exact_untruncated_force_regime(ptrdiff_t n, const
     }
 }
 
-static const sf_loop rod_spring_exact_untruncated_force_loops[] = {
-    rod_spring_exact_untruncated_force_piece_1_loop,
-    rod_spring_exact_untruncated_force_piece_2_loop,
+static const sf_loop rod_spring_untruncated_untruncated_force_loops[] = {
+    rod_spring_untruncated_untruncated_force_piece_1_loop,
+    rod_spring_untruncated_untruncated_force_piece_2_loop,
 };
 
-static void rod_spring_exact_R_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_R_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
-static void rod_spring_exact_R_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_R_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
-static void rod_spring_exact_R_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_R_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
-static void rod_spring_exact_R_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_R_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
-static void rod_spring_exact_R_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_R_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
-static void rod_spring_exact_R_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_R_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_R_loop(n, (const double *[]){in[0], in[1], average_0}, out);
 }
 
-static SF_WIDE void rod_spring_exact_R_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_R_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -1443,87 +1443,87 @@ static SF_WIDE void rod_spring_exact_R_regime(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop rod_spring_exact_R_loops[] = {
-    rod_spring_exact_R_chain_0,
-    rod_spring_exact_R_chain_1,
-    rod_spring_exact_R_chain_2,
-    rod_spring_exact_R_chain_3,
-    rod_spring_exact_R_chain_4,
-    rod_spring_exact_R_chain_5,
+static const sf_loop rod_spring_untruncated_R_loops[] = {
+    rod_spring_untruncated_R_chain_0,
+    rod_spring_untruncated_R_chain_1,
+    rod_spring_untruncated_R_chain_2,
+    rod_spring_untruncated_R_chain_3,
+    rod_spring_untruncated_R_chain_4,
+    rod_spring_untruncated_R_chain_5,
 };
 
-static void rod_spring_exact_I_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_I_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     slow_flow_I_loop(n, (const double *[]){in[0], in[1], m, in[3]}, out);
 }
 
-static const sf_loop rod_spring_exact_I_loops[] = {
-    rod_spring_exact_I_chain_0,
+static const sf_loop rod_spring_untruncated_I_loops[] = {
+    rod_spring_untruncated_I_chain_0,
 };
 
-static void rod_spring_exact_F_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_0_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_F_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_0_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_F_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_F_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_F_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_F_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_F_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static SF_WIDE void rod_spring_exact_F_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_F_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[7];
@@ -1535,82 +1535,82 @@ static SF_WIDE void rod_spring_exact_F_regime(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop rod_spring_exact_F_loops[] = {
-    rod_spring_exact_F_chain_0,
-    rod_spring_exact_F_chain_1,
-    rod_spring_exact_F_chain_2,
-    rod_spring_exact_F_chain_3,
-    rod_spring_exact_F_chain_4,
-    rod_spring_exact_F_chain_5,
+static const sf_loop rod_spring_untruncated_F_loops[] = {
+    rod_spring_untruncated_F_chain_0,
+    rod_spring_untruncated_F_chain_1,
+    rod_spring_untruncated_F_chain_2,
+    rod_spring_untruncated_F_chain_3,
+    rod_spring_untruncated_F_chain_4,
+    rod_spring_untruncated_F_chain_5,
 };
 
-static void rod_spring_exact_F_A_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_A_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_A_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_A_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_A_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_A_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_A_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_A_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_A_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_A_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_A_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_A_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_A_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static SF_WIDE void rod_spring_exact_F_A_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_F_A_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -1622,88 +1622,88 @@ static SF_WIDE void rod_spring_exact_F_A_regime(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop rod_spring_exact_F_A_loops[] = {
-    rod_spring_exact_F_A_chain_0,
-    rod_spring_exact_F_A_chain_1,
-    rod_spring_exact_F_A_chain_2,
-    rod_spring_exact_F_A_chain_3,
-    rod_spring_exact_F_A_chain_4,
-    rod_spring_exact_F_A_chain_5,
+static const sf_loop rod_spring_untruncated_F_A_loops[] = {
+    rod_spring_untruncated_F_A_chain_0,
+    rod_spring_untruncated_F_A_chain_1,
+    rod_spring_untruncated_F_A_chain_2,
+    rod_spring_untruncated_F_A_chain_3,
+    rod_spring_untruncated_F_A_chain_4,
+    rod_spring_untruncated_F_A_chain_5,
 };
 
-static void rod_spring_exact_F_AA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_3_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
-static void rod_spring_exact_F_AA_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AA_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_3_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
-static void rod_spring_exact_F_AA_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AA_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_3_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
-static void rod_spring_exact_F_AA_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AA_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_3_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
-static void rod_spring_exact_F_AA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_3_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
-static void rod_spring_exact_F_AA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     double average_2[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_3_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_3_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2});
     slow_flow_F_AA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2}, out);
 }
 
-static SF_WIDE void rod_spring_exact_F_AA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_F_AA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -1715,16 +1715,16 @@ static SF_WIDE void rod_spring_exact_F_AA_regime(ptrdiff_t n, const double *cons
     }
 }
 
-static const sf_loop rod_spring_exact_F_AA_loops[] = {
-    rod_spring_exact_F_AA_chain_0,
-    rod_spring_exact_F_AA_chain_1,
-    rod_spring_exact_F_AA_chain_2,
-    rod_spring_exact_F_AA_chain_3,
-    rod_spring_exact_F_AA_chain_4,
-    rod_spring_exact_F_AA_chain_5,
+static const sf_loop rod_spring_untruncated_F_AA_loops[] = {
+    rod_spring_untruncated_F_AA_chain_0,
+    rod_spring_untruncated_F_AA_chain_1,
+    rod_spring_untruncated_F_AA_chain_2,
+    rod_spring_untruncated_F_AA_chain_3,
+    rod_spring_untruncated_F_AA_chain_4,
+    rod_spring_untruncated_F_AA_chain_5,
 };
 
-static void rod_spring_exact_F_AAA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AAA_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1732,12 +1732,12 @@ static void rod_spring_exact_F_AAA_chain_0(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
-static void rod_spring_exact_F_AAA_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AAA_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1745,12 +1745,12 @@ static void rod_spring_exact_F_AAA_chain_1(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
-static void rod_spring_exact_F_AAA_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AAA_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1758,12 +1758,12 @@ static void rod_spring_exact_F_AAA_chain_2(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
-static void rod_spring_exact_F_AAA_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AAA_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1771,12 +1771,12 @@ static void rod_spring_exact_F_AAA_chain_3(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
-static void rod_spring_exact_F_AAA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AAA_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1784,12 +1784,12 @@ static void rod_spring_exact_F_AAA_chain_4(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
-static void rod_spring_exact_F_AAA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AAA_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
@@ -1797,12 +1797,12 @@ static void rod_spring_exact_F_AAA_chain_5(ptrdiff_t n, const double *const *in,
     double average_2[SF_BLOCK];
     double average_3[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1, average_2, average_3});
     slow_flow_F_AAA_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1, average_2, average_3}, out);
 }
 
-static SF_WIDE void rod_spring_exact_F_AAA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_F_AAA_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -1814,76 +1814,76 @@ static SF_WIDE void rod_spring_exact_F_AAA_regime(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop rod_spring_exact_F_AAA_loops[] = {
-    rod_spring_exact_F_AAA_chain_0,
-    rod_spring_exact_F_AAA_chain_1,
-    rod_spring_exact_F_AAA_chain_2,
-    rod_spring_exact_F_AAA_chain_3,
-    rod_spring_exact_F_AAA_chain_4,
-    rod_spring_exact_F_AAA_chain_5,
+static const sf_loop rod_spring_untruncated_F_AAA_loops[] = {
+    rod_spring_untruncated_F_AAA_chain_0,
+    rod_spring_untruncated_F_AAA_chain_1,
+    rod_spring_untruncated_F_AAA_chain_2,
+    rod_spring_untruncated_F_AAA_chain_3,
+    rod_spring_untruncated_F_AAA_chain_4,
+    rod_spring_untruncated_F_AAA_chain_5,
 };
 
-static void rod_spring_exact_F_Omega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_Omega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_F_Omega_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_Omega_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_F_Omega_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_Omega_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_F_Omega_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_Omega_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_F_Omega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_Omega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_F_Omega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_Omega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_F_Omega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static SF_WIDE void rod_spring_exact_F_Omega_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_F_Omega_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -1895,82 +1895,82 @@ static SF_WIDE void rod_spring_exact_F_Omega_regime(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop rod_spring_exact_F_Omega_loops[] = {
-    rod_spring_exact_F_Omega_chain_0,
-    rod_spring_exact_F_Omega_chain_1,
-    rod_spring_exact_F_Omega_chain_2,
-    rod_spring_exact_F_Omega_chain_3,
-    rod_spring_exact_F_Omega_chain_4,
-    rod_spring_exact_F_Omega_chain_5,
+static const sf_loop rod_spring_untruncated_F_Omega_loops[] = {
+    rod_spring_untruncated_F_Omega_chain_0,
+    rod_spring_untruncated_F_Omega_chain_1,
+    rod_spring_untruncated_F_Omega_chain_2,
+    rod_spring_untruncated_F_Omega_chain_3,
+    rod_spring_untruncated_F_Omega_chain_4,
+    rod_spring_untruncated_F_Omega_chain_5,
 };
 
-static void rod_spring_exact_F_AOmega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AOmega_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_AOmega_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AOmega_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_AOmega_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AOmega_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_AOmega_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AOmega_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_AOmega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AOmega_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_F_AOmega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_F_AOmega_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_F_AOmega_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static SF_WIDE void rod_spring_exact_F_AOmega_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_F_AOmega_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -1982,76 +1982,76 @@ static SF_WIDE void rod_spring_exact_F_AOmega_regime(ptrdiff_t n, const double *
     }
 }
 
-static const sf_loop rod_spring_exact_F_AOmega_loops[] = {
-    rod_spring_exact_F_AOmega_chain_0,
-    rod_spring_exact_F_AOmega_chain_1,
-    rod_spring_exact_F_AOmega_chain_2,
-    rod_spring_exact_F_AOmega_chain_3,
-    rod_spring_exact_F_AOmega_chain_4,
-    rod_spring_exact_F_AOmega_chain_5,
+static const sf_loop rod_spring_untruncated_F_AOmega_loops[] = {
+    rod_spring_untruncated_F_AOmega_chain_0,
+    rod_spring_untruncated_F_AOmega_chain_1,
+    rod_spring_untruncated_F_AOmega_chain_2,
+    rod_spring_untruncated_F_AOmega_chain_3,
+    rod_spring_untruncated_F_AOmega_chain_4,
+    rod_spring_untruncated_F_AOmega_chain_5,
 };
 
-static void rod_spring_exact_phase_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_phase_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_phase_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_phase_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_phase_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_phase_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_phase_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_phase_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_phase_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_phase_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static void rod_spring_exact_phase_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_phase_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_h_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0});
     slow_flow_phase_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0}, out);
 }
 
-static SF_WIDE void rod_spring_exact_phase_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_phase_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -2063,82 +2063,82 @@ static SF_WIDE void rod_spring_exact_phase_regime(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop rod_spring_exact_phase_loops[] = {
-    rod_spring_exact_phase_chain_0,
-    rod_spring_exact_phase_chain_1,
-    rod_spring_exact_phase_chain_2,
-    rod_spring_exact_phase_chain_3,
-    rod_spring_exact_phase_chain_4,
-    rod_spring_exact_phase_chain_5,
+static const sf_loop rod_spring_untruncated_phase_loops[] = {
+    rod_spring_untruncated_phase_chain_0,
+    rod_spring_untruncated_phase_chain_1,
+    rod_spring_untruncated_phase_chain_2,
+    rod_spring_untruncated_phase_chain_3,
+    rod_spring_untruncated_phase_chain_4,
+    rod_spring_untruncated_phase_chain_5,
 };
 
-static void rod_spring_exact_jacobian_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_jacobian_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_jacobian_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_jacobian_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_jacobian_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_jacobian_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_jacobian_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_jacobian_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_jacobian_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_jacobian_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_jacobian_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_jacobian_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_jacobian_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static SF_WIDE void rod_spring_exact_jacobian_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_jacobian_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -2150,82 +2150,82 @@ static SF_WIDE void rod_spring_exact_jacobian_regime(ptrdiff_t n, const double *
     }
 }
 
-static const sf_loop rod_spring_exact_jacobian_loops[] = {
-    rod_spring_exact_jacobian_chain_0,
-    rod_spring_exact_jacobian_chain_1,
-    rod_spring_exact_jacobian_chain_2,
-    rod_spring_exact_jacobian_chain_3,
-    rod_spring_exact_jacobian_chain_4,
-    rod_spring_exact_jacobian_chain_5,
+static const sf_loop rod_spring_untruncated_jacobian_loops[] = {
+    rod_spring_untruncated_jacobian_chain_0,
+    rod_spring_untruncated_jacobian_chain_1,
+    rod_spring_untruncated_jacobian_chain_2,
+    rod_spring_untruncated_jacobian_chain_3,
+    rod_spring_untruncated_jacobian_chain_4,
+    rod_spring_untruncated_jacobian_chain_5,
 };
 
-static void rod_spring_exact_stability_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_stability_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_stability_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_stability_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_0_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_stability_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_stability_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_stability_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_stability_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_stability_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_stability_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_far_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static void rod_spring_exact_stability_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_stability_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     double average_1[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
-    rod_spring_exact_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
+    rod_spring_untruncated_averaged_2_passed_1_steep_loop(n, (const double *[]){in[1], in[4], in[5], in[6]},
         (double *[]){average_0, average_1});
     slow_flow_stability_loop(n, (const double *[]){in[0], in[1], m, in[3], average_0, average_1}, out);
 }
 
-static SF_WIDE void rod_spring_exact_stability_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_stability_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[6];
@@ -2237,76 +2237,76 @@ static SF_WIDE void rod_spring_exact_stability_regime(ptrdiff_t n, const double 
     }
 }
 
-static const sf_loop rod_spring_exact_stability_loops[] = {
-    rod_spring_exact_stability_chain_0,
-    rod_spring_exact_stability_chain_1,
-    rod_spring_exact_stability_chain_2,
-    rod_spring_exact_stability_chain_3,
-    rod_spring_exact_stability_chain_4,
-    rod_spring_exact_stability_chain_5,
+static const sf_loop rod_spring_untruncated_stability_loops[] = {
+    rod_spring_untruncated_stability_chain_0,
+    rod_spring_untruncated_stability_chain_1,
+    rod_spring_untruncated_stability_chain_2,
+    rod_spring_untruncated_stability_chain_3,
+    rod_spring_untruncated_stability_chain_4,
+    rod_spring_untruncated_stability_chain_5,
 };
 
-static void rod_spring_exact_transmissibility_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_transmissibility_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_0_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_transmissibility_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_transmissibility_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_0_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_0_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_transmissibility_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_transmissibility_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_transmissibility_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_transmissibility_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_transmissibility_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_transmissibility_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_steep_far_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static void rod_spring_exact_transmissibility_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_transmissibility_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     double average_0[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[3]}, (double *[]){m});
-    rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
+    rod_spring_untruncated_h_passed_1_steep_loop(n, (const double *[]){in[1], in[5], in[6], in[7]},
         (double *[]){average_0});
     slow_flow_transmissibility_loop(n, (const double *[]){in[0], in[1], in[2], m, in[4], average_0}, out);
 }
 
-static SF_WIDE void rod_spring_exact_transmissibility_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_transmissibility_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[1];
     const double *restrict u_cr_ = in[7];
@@ -2318,64 +2318,64 @@ static SF_WIDE void rod_spring_exact_transmissibility_regime(ptrdiff_t n, const 
     }
 }
 
-static const sf_loop rod_spring_exact_transmissibility_loops[] = {
-    rod_spring_exact_transmissibility_chain_0,
-    rod_spring_exact_transmissibility_chain_1,
-    rod_spring_exact_transmissibility_chain_2,
-    rod_spring_exact_transmissibility_chain_3,
-    rod_spring_exact_transmissibility_chain_4,
-    rod_spring_exact_transmissibility_chain_5,
+static const sf_loop rod_spring_untruncated_transmissibility_loops[] = {
+    rod_spring_untruncated_transmissibility_chain_0,
+    rod_spring_untruncated_transmissibility_chain_1,
+    rod_spring_untruncated_transmissibility_chain_2,
+    rod_spring_untruncated_transmissibility_chain_3,
+    rod_spring_untruncated_transmissibility_chain_4,
+    rod_spring_untruncated_transmissibility_chain_5,
 };
 
-static void rod_spring_exact_backbone_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_backbone_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_0_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_untruncated_h_passed_0_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
-static void rod_spring_exact_backbone_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_backbone_chain_1(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_0_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_untruncated_h_passed_0_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
-static void rod_spring_exact_backbone_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_backbone_chain_2(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_untruncated_h_passed_1_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
-static void rod_spring_exact_backbone_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_backbone_chain_3(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_untruncated_h_passed_1_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
-static void rod_spring_exact_backbone_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_backbone_chain_4(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_untruncated_h_passed_1_steep_far_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
-static void rod_spring_exact_backbone_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_backbone_chain_5(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
-    rod_spring_exact_h_passed_1_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
+    rod_spring_untruncated_h_passed_1_steep_loop(n, (const double *[]){in[0], in[1], in[2], in[3]},
         (double *[]){average_0});
     slow_flow_backbone_loop(n, (const double *[]){in[0], average_0}, out);
 }
 
-static SF_WIDE void rod_spring_exact_backbone_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+static SF_WIDE void rod_spring_untruncated_backbone_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     const double *restrict A_ = in[0];
     const double *restrict u_cr_ = in[3];
@@ -2387,140 +2387,140 @@ static SF_WIDE void rod_spring_exact_backbone_regime(ptrdiff_t n, const double *
     }
 }
 
-static const sf_loop rod_spring_exact_backbone_loops[] = {
-    rod_spring_exact_backbone_chain_0,
-    rod_spring_exact_backbone_chain_1,
-    rod_spring_exact_backbone_chain_2,
-    rod_spring_exact_backbone_chain_3,
-    rod_spring_exact_backbone_chain_4,
-    rod_spring_exact_backbone_chain_5,
+static const sf_loop rod_spring_untruncated_backbone_loops[] = {
+    rod_spring_untruncated_backbone_chain_0,
+    rod_spring_untruncated_backbone_chain_1,
+    rod_spring_untruncated_backbone_chain_2,
+    rod_spring_untruncated_backbone_chain_3,
+    rod_spring_untruncated_backbone_chain_4,
+    rod_spring_untruncated_backbone_chain_5,
 };
 
-static void rod_spring_exact_limit_envelope_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_limit_envelope_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     slow_flow_limit_envelope_loop(n, (const double *[]){in[0], in[1], m, in[3]}, out);
 }
 
-static const sf_loop rod_spring_exact_limit_envelope_loops[] = {
-    rod_spring_exact_limit_envelope_chain_0,
+static const sf_loop rod_spring_untruncated_limit_envelope_loops[] = {
+    rod_spring_untruncated_limit_envelope_chain_0,
 };
 
-static void rod_spring_exact_equivalent_damping_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
+static void rod_spring_untruncated_equivalent_damping_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double m[SF_BLOCK];
     slow_flow_friction_loop(n, (const double *[]){in[2]}, (double *[]){m});
     slow_flow_equivalent_damping_loop(n, (const double *[]){in[0], in[1], m, in[3]}, out);
 }
 
-static const sf_loop rod_spring_exact_equivalent_damping_loops[] = {
-    rod_spring_exact_equivalent_damping_chain_0,
+static const sf_loop rod_spring_untruncated_equivalent_damping_loops[] = {
+    rod_spring_untruncated_equivalent_damping_chain_0,
 };
 
 static const sf_kernel kernels[] = {
     {"averaged",
      "h, h_A, h_AA, h_AAA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 4, 6, rod_spring_exact_averaged_regime, rod_spring_exact_averaged_loops},
+     4, 4, 6, rod_spring_untruncated_averaged_regime, rod_spring_untruncated_averaged_loops},
     {"averaged_3",
      "h, h_A, h_AA together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 3, 6, rod_spring_exact_averaged_3_regime, rod_spring_exact_averaged_3_loops},
+     4, 3, 6, rod_spring_untruncated_averaged_3_regime, rod_spring_untruncated_averaged_3_loops},
     {"averaged_2",
      "h, h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 2, 6, rod_spring_exact_averaged_2_regime, rod_spring_exact_averaged_2_loops},
+     4, 2, 6, rod_spring_untruncated_averaged_2_regime, rod_spring_untruncated_averaged_2_loops},
     {"h",
      "The averaged restoring force h = H - A. Equation (20)-(22). Domain: A >= 0.",
-     4, 1, 6, rod_spring_exact_h_regime, rod_spring_exact_h_loops},
+     4, 1, 6, rod_spring_untruncated_h_regime, rod_spring_untruncated_h_loops},
     {"h_A",
      "d/dA of the averaged restoring force h = H - A. Equation (31). Domain: A >= 0.",
-     4, 1, 6, rod_spring_exact_h_A_regime, rod_spring_exact_h_A_loops},
+     4, 1, 6, rod_spring_untruncated_h_A_regime, rod_spring_untruncated_h_A_loops},
     {"h_AA",
      "d2/dA2 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     4, 1, 6, rod_spring_exact_h_AA_regime, rod_spring_exact_h_AA_loops},
+     4, 1, 6, rod_spring_untruncated_h_AA_regime, rod_spring_untruncated_h_AA_loops},
     {"h_AAA",
      "d3/dA3 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
-     4, 1, 6, rod_spring_exact_h_AAA_regime, rod_spring_exact_h_AAA_loops},
+     4, 1, 6, rod_spring_untruncated_h_AAA_regime, rod_spring_untruncated_h_AAA_loops},
     {"H",
      "The averaged force H beside the vertical spring. Equation (20)-(22). Domain: A >= 0.",
-     4, 1, 6, rod_spring_exact_H_regime, rod_spring_exact_H_loops},
+     4, 1, 6, rod_spring_untruncated_H_regime, rod_spring_untruncated_H_loops},
     {"H_A",
      "d/dA of the averaged force H beside the vertical spring. Equation (31). Domain: A >= 0.",
-     4, 1, 6, rod_spring_exact_H_A_regime, rod_spring_exact_H_A_loops},
+     4, 1, 6, rod_spring_untruncated_H_A_regime, rod_spring_untruncated_H_A_loops},
     {"H_AA",
      "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
-     4, 1, 6, rod_spring_exact_H_AA_regime, rod_spring_exact_H_AA_loops},
+     4, 1, 6, rod_spring_untruncated_H_AA_regime, rod_spring_untruncated_H_AA_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
      "Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.",
-     4, 8, 2, rod_spring_exact_harmonics_regime, rod_spring_exact_harmonics_loops},
+     4, 8, 2, rod_spring_untruncated_harmonics_regime, rod_spring_untruncated_harmonics_loops},
     {"coefficients",
      "The parameters alpha, beta, u_cr from the design. Equation (5), (7). Domain: any design.",
-     3, 3, 1, NULL, rod_spring_exact_coefficients_loops},
+     3, 3, 1, NULL, rod_spring_untruncated_coefficients_loops},
     {"breakpoints",
      "The |u| at which a piece of the force ends. Equation (5). Domain: any parameters.",
-     3, 1, 1, NULL, rod_spring_exact_breakpoints_loops},
+     3, 1, 1, NULL, rod_spring_untruncated_breakpoints_loops},
     {"jumps",
      "What the force loses at each breakpoint: f below less f above. Equation (5). Domain: any parameters.",
-     3, 1, 1, NULL, rod_spring_exact_jumps_loops},
+     3, 1, 1, NULL, rod_spring_untruncated_jumps_loops},
     {"hardening",
      "The force over the displacement, f(u)/u, rises with |u| where none of these is negative. Equation from (3). "
      "Domain: any parameters.",
-     3, 1, 1, NULL, rod_spring_exact_hardening_loops},
+     3, 1, 1, NULL, rod_spring_untruncated_hardening_loops},
     {"force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: |u| < 1.",
-     4, 1, 2, rod_spring_exact_force_regime, rod_spring_exact_force_loops},
+     4, 1, 2, rod_spring_untruncated_force_regime, rod_spring_untruncated_force_loops},
     {"untruncated_force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: |u| < 1.",
-     4, 1, 2, rod_spring_exact_untruncated_force_regime, rod_spring_exact_untruncated_force_loops},
+     4, 1, 2, rod_spring_untruncated_untruncated_force_regime, rod_spring_untruncated_untruncated_force_loops},
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_R_regime, rod_spring_exact_R_loops},
+     7, 1, 6, rod_spring_untruncated_R_regime, rod_spring_untruncated_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     7, 1, 1, NULL, rod_spring_exact_I_loops},
+     7, 1, 1, NULL, rod_spring_untruncated_I_loops},
     {"F",
      "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 6, rod_spring_exact_F_regime, rod_spring_exact_F_loops},
+     8, 1, 6, rod_spring_untruncated_F_regime, rod_spring_untruncated_F_loops},
     {"F_A",
      "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_F_A_regime, rod_spring_exact_F_A_loops},
+     7, 1, 6, rod_spring_untruncated_F_A_regime, rod_spring_untruncated_F_A_loops},
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_F_AA_regime, rod_spring_exact_F_AA_loops},
+     7, 1, 6, rod_spring_untruncated_F_AA_regime, rod_spring_untruncated_F_AA_loops},
     {"F_AAA",
      "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_F_AAA_regime, rod_spring_exact_F_AAA_loops},
+     7, 1, 6, rod_spring_untruncated_F_AAA_regime, rod_spring_untruncated_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_F_Omega_regime, rod_spring_exact_F_Omega_loops},
+     7, 1, 6, rod_spring_untruncated_F_Omega_regime, rod_spring_untruncated_F_Omega_loops},
     {"F_AOmega",
      "d2F/dA dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_F_AOmega_regime, rod_spring_exact_F_AOmega_loops},
+     7, 1, 6, rod_spring_untruncated_F_AOmega_regime, rod_spring_untruncated_F_AOmega_loops},
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_phase_regime, rod_spring_exact_phase_loops},
+     7, 1, 6, rod_spring_untruncated_phase_regime, rod_spring_untruncated_phase_loops},
     {"jacobian",
      "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
      "> 0.",
-     7, 4, 6, rod_spring_exact_jacobian_regime, rod_spring_exact_jacobian_loops},
+     7, 4, 6, rod_spring_untruncated_jacobian_regime, rod_spring_untruncated_jacobian_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
-     7, 1, 6, rod_spring_exact_stability_regime, rod_spring_exact_stability_loops},
+     7, 1, 6, rod_spring_untruncated_stability_regime, rod_spring_untruncated_stability_loops},
     {"transmissibility",
      "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
      "0, A > 0, F_0 > 0.",
-     8, 1, 6, rod_spring_exact_transmissibility_regime, rod_spring_exact_transmissibility_loops},
+     8, 1, 6, rod_spring_untruncated_transmissibility_regime, rod_spring_untruncated_transmissibility_loops},
     {"backbone",
      "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     4, 1, 6, rod_spring_exact_backbone_regime, rod_spring_exact_backbone_loops},
+     4, 1, 6, rod_spring_untruncated_backbone_regime, rod_spring_untruncated_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",
-     4, 1, 1, NULL, rod_spring_exact_limit_envelope_loops},
+     4, 1, 1, NULL, rod_spring_untruncated_limit_envelope_loops},
     {"equivalent_damping",
      "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
      "A > 0.",
-     4, 1, 1, NULL, rod_spring_exact_equivalent_damping_loops},
+     4, 1, 1, NULL, rod_spring_untruncated_equivalent_damping_loops},
 };
 
-const sf_module sf_module_rod_spring_exact = {"rod_spring_exact", kernels, sizeof kernels / sizeof kernels[0]};
+const sf_module sf_module_rod_spring_untruncated = {"rod_spring_untruncated", kernels, sizeof kernels / sizeof kernels[0]};

@@ -2,7 +2,7 @@
 truncated, in the scene mu = 0 and zeta = 0.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring_exact.py, sha256 1b3371a6f3bd082d4bd24294ddea9a01f4b0822a58acd7b5b61ebe7b7e44131c
+Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 d4dced67e6fd1fa2602250c43a2e8efc86d6e23d17c362a34c59311e434ee02e
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -15,7 +15,7 @@ docstring gives equation number, domain and the operations after each pass.
 from slowflow_kernels import slow_flow_mu0_zeta0 as flow
 from slowflow_support.backend import NATIVE
 from slowflow_support.broadcast import full
-from slowflow_kernels.rod_spring_exact import (
+from slowflow_kernels.rod_spring_untruncated import (
     HARMONICS_UP_TO,
     H_A,
     H_AA,
@@ -234,4 +234,4 @@ if NATIVE is not None:
         backbone,
         limit_envelope,
         equivalent_damping,
-    ) = NATIVE.rod_spring_exact_mu0_zeta0()
+    ) = NATIVE.rod_spring_untruncated_mu0_zeta0()
