@@ -11,7 +11,7 @@ import pytest
 from derivations.mechanisms import DAMPING, FORCING, all_mechanisms
 from slowflow import Duffing, backend
 from slowflow.model import Model
-from slowflow_kernels import slow_flow
+from slowflow_kernels import duffing, slow_flow
 from tests.native import records, roots
 
 pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers")
@@ -135,7 +135,7 @@ def same(one, other) -> None:
 def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
     record, damping = own(), (0.012, 0.02)
     mine = NATIVE.model(record, (beta, alpha, 0.0), damping)
-    ours = Model(importlib.import_module("slowflow_kernels.duffing"), (alpha, beta), *damping).native
+    ours = Model(duffing.MECHANISM, (alpha, beta), *damping).native
     same(NATIVE.onset(mine), NATIVE.onset(ours))
     same(NATIVE.detachment(mine), NATIVE.detachment(ours))
     same(NATIVE.fold_locus(mine, 2.0, 50), NATIVE.fold_locus(ours, 2.0, 50))

@@ -115,6 +115,8 @@ static void duffing_record_averaged_2(ptrdiff_t n, const double *A, const double
     }
 }
 
+_Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
+               "duffing needs higher limits in mechanism.h");
 static const sf_mechanism duffing_record = {
     .form = SF_FORM,
     .name = "duffing",
@@ -166,6 +168,8 @@ static void rod_spring_attached_record_averaged_2(ptrdiff_t n, const double *A, 
     }
 }
 
+_Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
+               "rod_spring_attached needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_attached_record = {
     .form = SF_FORM,
     .name = "rod_spring_attached",
@@ -217,6 +221,8 @@ static void rod_spring_record_averaged_2(ptrdiff_t n, const double *A, const dou
     }
 }
 
+_Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
+               "rod_spring needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_record = {
     .form = SF_FORM,
     .name = "rod_spring",
@@ -268,6 +274,8 @@ static void rod_spring_untruncated_record_averaged_2(ptrdiff_t n, const double *
     }
 }
 
+_Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
+               "rod_spring_untruncated needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_untruncated_record = {
     .form = SF_FORM,
     .name = "rod_spring_untruncated",

@@ -9,8 +9,8 @@ from slowflow.model import Floats, Model
 
 #: where an undamped response is cut when the mechanism itself has no end
 UNBOUNDED_STATIC_MULTIPLE = 100.0
-#: how often A is doubled in search of a bound
-DOUBLINGS = 120
+#: multiples of the least amplitude that are tried as a bound
+RUNGS = np.ldexp(1.0, [*range(16), *range(16, 117, 4)])
 
 
 def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
@@ -18,11 +18,7 @@ def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
     h = model.averaged(A)[0]
     flow = model.flow
     Omega = np.concatenate([np.zeros((*A.shape, 1)), peak_roots(A, h, model.m, model.zeta)[0]], axis=-1)
-    # not the kernel `level`: on the ladder of `amplitude_bound` the squares overflow
-    level = np.hypot(
-        flow.R(Omega, A[..., np.newaxis], h[..., np.newaxis]),
-        flow.I(Omega, A[..., np.newaxis], model.m, model.zeta) + 0 * Omega,
-    )
+    level = flow.level(Omega, A[..., np.newaxis], model.m, model.zeta, h[..., np.newaxis])
     lowest = np.nanargmin(level, axis=-1)[..., np.newaxis]
     return np.take_along_axis(level, lowest, -1)[..., 0], np.take_along_axis(Omega, lowest, -1)[..., 0]
 
@@ -46,16 +42,14 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     """
     if model.zeta == 0:
         return cut(model, F_0)
-    # The least forcing rises without bound for large A: by viscous damping where the stiffness stays positive, by the
-    # stiffness itself otherwise. The start lies above every piece, so that the last one alone decides. On the way it
-    # may dip between two rungs, to m at most, where the averaged force changes its sign.
-    A = max(2 * max(model.breakpoints, default=0.0), F_0, 1e-6)
-    ladder = np.ldexp(A, np.arange(DOUBLINGS))
-    level, _ = least_forcing(model, ladder)
+    # I <= F_0 limits A Omega, and with it the restoring force that R <= F_0 leaves: |h| <= F_0 + (A Omega)^2/A. From
+    # the bound on this fails, and h keeps its sign: where it changes between two rungs, |h| is small.
+    c = float(model.flow.limit_envelope(1.0, F_0, model.m, model.zeta))
+    ladder = max(2 * max(model.breakpoints, default=0.0), F_0, 1e-6) * RUNGS
     h = model.averaged(ladder)[0]
-    low = ~(level > 1.01 * F_0)
-    low[:-1] |= (h[1:] > 0) != (h[:-1] > 0)
-    below = np.flatnonzero(low)
-    if below.size and below[-1] == DOUBLINGS - 1:
+    with np.errstate(over="ignore"):
+        holds = ~(np.abs(h) > 1.01 * F_0 + c * (c / ladder))
+    if holds[-1]:
         raise OverflowError(f"no amplitude up to {ladder[-1]:g} bounds the response to F_0 = {F_0}")
+    below = np.flatnonzero(holds[:-1] | ((h[1:] > 0) != (h[:-1] > 0)))
     return float(ladder[below[-1] + 1 if below.size else 0]), ""

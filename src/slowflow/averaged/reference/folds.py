@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
+from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots, response_roots
 from slowflow.averaged.reference.spans import Spans, fold_locus, peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
@@ -117,11 +118,11 @@ def onset(model: Model) -> SaddleNodeOnset:
 def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
     """Lowest minimum of the level along the fold locus and over the corners, joints of both included."""
     candidates: list[tuple[float, float, float, str]] = []
-    for kind in ("cusp", "isola"):
-        for row in located.marked(kind):
-            level = float(located.level[row, 1])
-            if level <= located.level[row, 0] and level <= located.level[row + 1, 1]:
-                candidates.append((level, float(located.Omega[row, 1]), float(located.A[row, 1]), kind))
+    for kind, is_minimum in (("cusp", cusp_is_minimum), ("isola", isola_is_minimum)):
+        rows = located.marked(kind)
+        level, Omega, A = located.level[rows, 1], located.Omega[rows, 1], located.A[rows, 1]
+        least = is_minimum(model, Omega, A)
+        candidates += [(*point, kind) for point in np.stack([level, Omega, A], axis=-1)[least].tolist()]
     for b, jump in zip(model.breakpoints, model.jumps, strict=True):
         points = _corner_candidates(model, b, located) if jump != 0 else _joints(model, b)
         candidates += [(*point, b, "corner") for point in points]

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.averaged.reference.folds import NO_CUSP, NO_ISOLA, NO_LOCUS
+from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
 from slowflow.averaged.reference.spans import Ints, Spans, _on_span, spans
 from slowflow.averaged.reference.spans import fold_locus as locus_of_folds
 from slowflow.model import Floats, Model
@@ -47,10 +48,10 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     located = spans(locus_of_folds(model), A_max)
     cusp, isola = (_by_amplitude(located, mark) for mark in ("cusp", "isola"))
     F_0, Omega, A = _points(located, cusp)
-    cusps = Cusps(F_0, Omega, A, _is_minimum(located, cusp), "" if A.size else NO_CUSP.format(A_max))
+    cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else NO_CUSP.format(A_max))
     Omega, A = _sharpened(model, _points(located, isola)[2])
     F_0 = located.locus.level(A, Omega)
-    kind = np.where(_is_saddle(model, Omega, A), "merger", np.where(_is_minimum(located, isola), "birth", "death"))
+    kind = np.where(is_saddle(model, Omega, A), "merger", np.where(isola_is_minimum(model, Omega, A), "birth", "death"))
     return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else NO_ISOLA.format(A_max))
 
 
@@ -78,22 +79,3 @@ def _sharpened(model: Model, A: Floats) -> tuple[Floats, Floats]:
             step = value / slope
         A = A - np.where(np.abs(step) < NEAR * A, step, 0.0)
     return flow.isola_Omega(np.maximum(model.averaged(A)[1], 0.0)), A
-
-
-def _hessian(model: Model, Omega: Floats, A: Floats) -> tuple[Floats, Floats, Floats]:
-    """F_AA, F_AOmega and F_OmegaOmega."""
-    flow, m, zeta = model.flow, model.m, model.zeta
-    h, h_A, h_AA, _ = model.averaged(A)
-    F_AA, F_AOmega = flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA), flow.F_AOmega(Omega, A, m, zeta, h, h_A)
-    return F_AA, F_AOmega, flow.F_OmegaOmega(Omega, A, zeta, h)
-
-
-def _is_minimum(located: Spans, rows: Ints) -> npt.NDArray[np.bool_]:
-    level = located.level
-    return np.asarray((level[rows, 1] <= level[rows, 0]) & (level[rows, 1] <= level[rows + 1, 1]))
-
-
-def _is_saddle(model: Model, Omega: Floats, A: Floats) -> npt.NDArray[np.bool_]:
-    """Whether F has a saddle in (A, Omega) at these points with F_A = F_Omega = 0, by the sign of its Hessian."""
-    F_AA, F_AOmega, F_OmegaOmega = _hessian(model, Omega, A)
-    return np.asarray(F_AA * F_OmegaOmega < F_AOmega * F_AOmega)
