@@ -66,8 +66,7 @@ def kernels_of(module) -> list[str]:
     """Names of a module's functions, without those for any kind of number: they are never compiled."""
     if module.__name__.rpartition(".")[2] in GENERIC:
         return []
-    tables = (getattr(module, name, ()) for name in ("FORCE", "UNTRUNCATED_FORCE"))
-    pieces = {function.__name__ for table in tables for pair in table for function in pair}
+    pieces = {function.__name__ for pair in getattr(module, "FORCE", ()) for function in pair}
     return [name for name in module.__all__ if callable(getattr(module, name)) and name not in pieces]
 
 

@@ -199,17 +199,6 @@ static inline double duffing_force(double u, double alpha, double beta)
     return u * (alpha + beta * u * u);
 }
 
-/* Whole dimensionless restoring force u + F_k(u), untruncated.
-   Equation (3), (5). Domain: any u.
-   Operations where piece_1: 6 structured, 6 common subexpressions, 6 power chains
- */
-static inline double duffing_untruncated_force(double u, double kappa_1, double kappa_3)
-{
-    const double u2 = u * u;
-    const double u3 = u * u2;
-    return kappa_1 * u + kappa_3 * u3 + u;
-}
-
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 4 structured, 4 common subexpressions, 4 power chains

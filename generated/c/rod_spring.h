@@ -1316,33 +1316,6 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
     return rod_spring_force_piece_2(u, alpha, beta, gamma, u_cr);
 }
 
-/* Whole dimensionless restoring force u + F_k(u), untruncated.
-   Equation (3), (5). Domain: |u| < 1.
-   Operations where piece_1: 15 structured, 11 common subexpressions, 11 power chains
-   Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
- */
-static inline double rod_spring_untruncated_force_piece_1(double u, double lam, double r, double delta_h)
-{
-    const double t0 = u * u;
-    const double t1 = sqrt(1.0 - t0);
-    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u;
-}
-
-static inline double rod_spring_untruncated_force_piece_2(double u, double lam, double r, double delta_h)
-{
-    (void)(lam);
-    (void)(r);
-    (void)(delta_h);
-    return u;
-}
-
-static inline double rod_spring_untruncated_force(double u, double lam, double r, double delta_h)
-{
-    if (fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h))
-        return rod_spring_untruncated_force_piece_1(u, lam, r, delta_h);
-    return rod_spring_untruncated_force_piece_2(u, lam, r, delta_h);
-}
-
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 7 structured, 6 common subexpressions, 6 power chains
@@ -1389,60 +1362,6 @@ static inline double rod_spring_force_2_u(double u, double alpha, double beta, d
     (void)(beta);
     (void)(gamma);
     (void)(u_cr);
-    return 1.0;
-}
-
-/* Piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 15 structured, 11 common subexpressions, 11 power chains
- */
-static inline double rod_spring_untruncated_force_1(double u, double lam, double r, double delta_h)
-{
-    const double t0 = u * u;
-    const double t1 = sqrt(1.0 - t0);
-    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u;
-}
-
-/* d/du of piece 1 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 40 structured, 30 common subexpressions, 29 power chains
- */
-static inline double rod_spring_untruncated_force_1_u(double u, double lam, double r, double delta_h)
-{
-    const double u2 = u * u;
-    const double root_1 = sqrt(1.0 - u2);
-    const double t0 = root_1 + 1.0;
-    const double t1 = u2 / t0;
-    const double t2 = 1.0 / root_1;
-    const double t3 = lam * r * t2;
-    const double t4 = delta_h - t1;
-    const double u3 = u * u2;
-    return -lam * r * t2 * t4 + 2.0 * t1 * t3 - t2 * u * (lam * r * t4 * u / (root_1 * root_1) - t3 * u3 / (t0 *
-        t0)) + 1.0;
-}
-
-/* Piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
- */
-static inline double rod_spring_untruncated_force_2(double u, double lam, double r, double delta_h)
-{
-    (void)(lam);
-    (void)(r);
-    (void)(delta_h);
-    return u;
-}
-
-/* d/du of piece 2 of the whole restoring force u + F_k(u).
-   Equation (3), (5). Domain: where it holds.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
- */
-static inline double rod_spring_untruncated_force_2_u(double u, double lam, double r, double delta_h)
-{
-    (void)(u);
-    (void)(lam);
-    (void)(r);
-    (void)(delta_h);
     return 1.0;
 }
 

@@ -11263,33 +11263,6 @@ static inline double rod_spring_untruncated_force(double u, double alpha, double
     return rod_spring_untruncated_force_piece_2(u, alpha, beta, u_cr);
 }
 
-/* Whole dimensionless restoring force u + F_k(u), untruncated.
-   Equation (3), (5). Domain: |u| < 1.
-   Operations where piece_1: 15 structured, 11 common subexpressions, 11 power chains
-   Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
- */
-static inline double rod_spring_untruncated_untruncated_force_piece_1(double u, double lam, double r, double delta_h)
-{
-    const double t0 = u * u;
-    const double t1 = sqrt(1.0 - t0);
-    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u;
-}
-
-static inline double rod_spring_untruncated_untruncated_force_piece_2(double u, double lam, double r, double delta_h)
-{
-    (void)(lam);
-    (void)(r);
-    (void)(delta_h);
-    return u;
-}
-
-static inline double rod_spring_untruncated_untruncated_force(double u, double lam, double r, double delta_h)
-{
-    if (fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h))
-        return rod_spring_untruncated_untruncated_force_piece_1(u, lam, r, delta_h);
-    return rod_spring_untruncated_untruncated_force_piece_2(u, lam, r, delta_h);
-}
-
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 16 structured, 12 common subexpressions, 12 power chains

@@ -292,22 +292,6 @@ static const sf_loop duffing_force_loops[] = {
     duffing_force_loop,
 };
 
-SF_WIDE void duffing_untruncated_force_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict u = in[0];
-    const double *restrict kappa_1 = in[1];
-    const double *restrict kappa_3 = in[2];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = duffing_untruncated_force(u[i], kappa_1[i], kappa_3[i]);
-    }
-}
-
-static const sf_loop duffing_untruncated_force_loops[] = {
-    duffing_untruncated_force_loop,
-};
-
 SF_WIDE void duffing_saddle_node_onset_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict m = in[0];
@@ -640,9 +624,6 @@ static const sf_kernel kernels[] = {
     {"force",
      "Whole dimensionless restoring force u + F_k(u), truncated. Equation (3), (6). Domain: any u.",
      3, 1, 1, NULL, duffing_force_loops},
-    {"untruncated_force",
-     "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: any u.",
-     3, 1, 1, NULL, duffing_untruncated_force_loops},
     {"saddle_node_onset",
      "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset. "
      "Equation (33). Domain: roots with A > 0.",

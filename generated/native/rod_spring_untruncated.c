@@ -1340,49 +1340,6 @@ static const sf_loop rod_spring_untruncated_force_loops[] = {
     rod_spring_untruncated_force_piece_2_loop,
 };
 
-SF_WIDE void rod_spring_untruncated_untruncated_force_piece_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict u = in[0];
-    const double *restrict lam = in[1];
-    const double *restrict r = in[2];
-    const double *restrict delta_h = in[3];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_untruncated_untruncated_force_piece_1(u[i], lam[i], r[i], delta_h[i]);
-    }
-}
-
-SF_WIDE void rod_spring_untruncated_untruncated_force_piece_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict u = in[0];
-    const double *restrict lam = in[1];
-    const double *restrict r = in[2];
-    const double *restrict delta_h = in[3];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_untruncated_untruncated_force_piece_2(u[i], lam[i], r[i], delta_h[i]);
-    }
-}
-
-static SF_WIDE void rod_spring_untruncated_untruncated_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
-{
-    const double *restrict u_ = in[0];
-    const double *restrict delta_h_ = in[3];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double u = u_[i];
-        const double delta_h = delta_h_[i];
-        regime[i] = fabs(u) <= sqrt(delta_h) * sqrt(2.0 - delta_h) ? 0 : 1;
-    }
-}
-
-static const sf_loop rod_spring_untruncated_untruncated_force_loops[] = {
-    rod_spring_untruncated_untruncated_force_piece_1_loop,
-    rod_spring_untruncated_untruncated_force_piece_2_loop,
-};
-
 static void rod_spring_untruncated_R_chain_0(ptrdiff_t n, const double *const *in, double *const *out)
 {
     double average_0[SF_BLOCK];
@@ -2469,9 +2426,6 @@ static const sf_kernel kernels[] = {
     {"force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: |u| < 1.",
      4, 1, 2, rod_spring_untruncated_force_regime, rod_spring_untruncated_force_loops},
-    {"untruncated_force",
-     "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: |u| < 1.",
-     4, 1, 2, rod_spring_untruncated_untruncated_force_regime, rod_spring_untruncated_untruncated_force_loops},
     {"R",
      "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
      7, 1, 6, rod_spring_untruncated_R_regime, rod_spring_untruncated_R_loops},

@@ -74,67 +74,6 @@ static void rod_spring_force_2_both(int n, const double *p, sf_series *w)
     w[1][n] = sf_constant(1.0, n);
 }
 
-/* rod_spring: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static void rod_spring_untruncated_force_1_force(int n, const double *p, sf_series *w)
-{
-    const double lam = p[0];
-    const double r = p[1];
-    const double delta_h = p[2];
-    w[1][n] = sf_square(w[0], n);
-    w[2][n] = sf_constant(1.0, n) - w[1][n];
-    w[3][n] = sf_root(w[2], w[3], n);
-    w[4][n] = sf_constant(1.0, n) + w[3][n];
-    w[5][n] = sf_quotient(w[1], w[4], w[5], n);
-    w[6][n] = sf_constant(delta_h, n) - w[5][n];
-    w[7][n] = sf_product(w[0], w[6], n);
-    w[8][n] = sf_quotient(w[7], w[3], w[8], n);
-    w[9][n] = -lam * r * w[8][n] + w[0][n];
-}
-
-static void rod_spring_untruncated_force_1_both(int n, const double *p, sf_series *w)
-{
-    const double lam = p[0];
-    const double r = p[1];
-    const double delta_h = p[2];
-    const double t1 = (lam * r);
-    w[1][n] = sf_square(w[0], n);
-    w[2][n] = sf_constant(1.0, n) - w[1][n];
-    w[3][n] = sf_root(w[2], w[3], n);
-    w[4][n] = sf_constant(1.0, n) + w[3][n];
-    w[5][n] = sf_quotient(w[1], w[4], w[5], n);
-    w[6][n] = sf_reciprocal(w[3], w[6], n);
-    w[7][n] = t1 * w[6][n];
-    w[8][n] = sf_constant(delta_h, n) - w[5][n];
-    w[9][n] = sf_product(w[0], w[1], n);
-    w[10][n] = sf_product(w[0], w[8], n);
-    w[11][n] = sf_quotient(w[10], w[3], w[11], n);
-    w[12][n] = w[0][n] - t1 * w[11][n];
-    w[13][n] = sf_product(w[6], w[8], n);
-    w[14][n] = sf_product(w[5], w[7], n);
-    w[15][n] = sf_square(w[3], n);
-    w[16][n] = sf_quotient(w[10], w[15], w[16], n);
-    w[17][n] = sf_square(w[4], n);
-    w[18][n] = sf_product(w[7], w[9], n);
-    w[19][n] = sf_quotient(w[18], w[17], w[19], n);
-    w[20][n] = lam * r * w[16][n] - w[19][n];
-    w[21][n] = sf_product(w[0], w[6], n);
-    w[22][n] = sf_product(w[20], w[21], n);
-    w[23][n] = sf_constant(1.0, n) - t1 * w[13][n] + 2.0 * w[14][n] - w[22][n];
-}
-
-/* rod_spring: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static void rod_spring_untruncated_force_2_force(int n, const double *p, sf_series *w)
-{
-    (void)p;
-    (void)n, (void)w;
-}
-
-static void rod_spring_untruncated_force_2_both(int n, const double *p, sf_series *w)
-{
-    (void)p;
-    w[1][n] = sf_constant(1.0, n);
-}
-
 /* rod_spring_untruncated: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
 static void rod_spring_untruncated_force_1_force(int n, const double *p, sf_series *w)
 {
@@ -194,14 +133,12 @@ static void rod_spring_untruncated_force_2_both(int n, const double *p, sf_serie
     w[1][n] = sf_constant(1.0, n);
 }
 
-enum { SF_LAWS = 7 };
+enum { SF_LAWS = 5 };
 
 static const sf_law sf_laws[SF_LAWS] = {
     {"duffing.force_1", duffing_force_1_force, duffing_force_1_both, 3, 4, 5, 0},
     {"rod_spring.force_1", rod_spring_force_1_force, rod_spring_force_1_both, 5, 6, 9, 0},
     {"rod_spring.force_2", rod_spring_force_2_force, rod_spring_force_2_both, 0, 0, 1, 1},
-    {"rod_spring.untruncated_force_1", rod_spring_untruncated_force_1_force, rod_spring_untruncated_force_1_both, 9, 12, 23, 0},
-    {"rod_spring.untruncated_force_2", rod_spring_untruncated_force_2_force, rod_spring_untruncated_force_2_both, 0, 0, 1, 1},
     {"rod_spring_untruncated.force_1", rod_spring_untruncated_force_1_force, rod_spring_untruncated_force_1_both, 10, 13, 22, 0},
     {"rod_spring_untruncated.force_2", rod_spring_untruncated_force_2_force, rod_spring_untruncated_force_2_both, 0, 0, 1, 1},
 };

@@ -67,7 +67,6 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
-    "untruncated_force",
 ]
 
 
@@ -350,25 +349,6 @@ def force(u, alpha, beta):
     return number_by_regime(guards, bodies, arguments)
 
 
-def _untruncated_force_piece_1(u, kappa_1, kappa_3):
-    # operations: 6 structured, 6 common subexpressions, 6 power chains
-    u2 = u * u
-    u3 = u * u2
-    return kappa_1 * u + kappa_3 * u3 + u
-
-
-def untruncated_force(u, kappa_1, kappa_3):
-    """Whole dimensionless restoring force u + F_k(u), untruncated.
-
-    Equation (3), (5). Domain: any u.
-    """
-    arguments = floats(u, kappa_1, kappa_3)
-    u, kappa_1, kappa_3 = arguments
-    guards = ()
-    bodies = (_untruncated_force_piece_1,)
-    return number_by_regime(guards, bodies, arguments)
-
-
 def force_1(u, alpha, beta):
     """Piece 1 of the whole restoring force u + F_k(u).
 
@@ -645,7 +625,6 @@ if NATIVE is not None:
         coefficients,
         hardening,
         force,
-        untruncated_force,
         saddle_node_onset,
         saddle_nodes,
         R,

@@ -37,7 +37,6 @@ from slowflow_kernels.duffing import (
     hardening,
     harmonics,
     jumps,
-    untruncated_force,
 )
 
 __all__ = [
@@ -80,7 +79,6 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
-    "untruncated_force",
 ]
 
 

@@ -6,7 +6,7 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain and the operations after each pass.
-FORCE, UNTRUNCATED_FORCE: force and slope of each piece, for any kind of number that has arithmetic.
+FORCE: force and slope of each piece, for any kind of number that has arithmetic.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
 """
 
@@ -40,7 +40,6 @@ __all__ = [
     "RATIOS",
     "REACH",
     "REACH_REASON",
-    "UNTRUNCATED_FORCE",
     "F",
     "F_AOmega",
     "F_Omega",
@@ -74,11 +73,6 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
-    "untruncated_force",
-    "untruncated_force_1",
-    "untruncated_force_1_u",
-    "untruncated_force_2",
-    "untruncated_force_2_u",
 ]
 
 
@@ -1323,30 +1317,6 @@ def force(u, alpha, beta, gamma, u_cr):
     return number_by_regime(guards, bodies, arguments)
 
 
-def _untruncated_force_piece_1(u, lam, r, delta_h):
-    # operations: 15 structured, 11 common subexpressions, 11 power chains
-    t0 = u * u
-    t1 = np.sqrt(1.0 - t0)
-    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u
-
-
-def _untruncated_force_piece_2(u, lam, r, delta_h):
-    # operations: 0 structured, 0 common subexpressions, 0 power chains
-    return u
-
-
-def untruncated_force(u, lam, r, delta_h):
-    """Whole dimensionless restoring force u + F_k(u), untruncated.
-
-    Equation (3), (5). Domain: |u| < 1.
-    """
-    arguments = floats(u, lam, r, delta_h)
-    u, lam, r, delta_h = arguments
-    guards = (np.abs(u) <= np.sqrt(delta_h) * np.sqrt(2.0 - delta_h),)
-    bodies = (_untruncated_force_piece_1, _untruncated_force_piece_2)
-    return number_by_regime(guards, bodies, arguments)
-
-
 def force_1(u, alpha, beta, gamma, u_cr):
     """Piece 1 of the whole restoring force u + F_k(u).
 
@@ -1380,55 +1350,6 @@ def force_2_u(u, alpha, beta, gamma, u_cr):
     """d/du of piece 2 of the whole restoring force u + F_k(u).
 
     Equation (3), (6). Domain: where it holds.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    """
-    return 1.0
-
-
-def untruncated_force_1(u, lam, r, delta_h):
-    """Piece 1 of the whole restoring force u + F_k(u).
-
-    Equation (3), (5). Domain: where it holds.
-    Operations: 15 structured, 11 common subexpressions, 11 power chains.
-    """
-    t0 = u * u
-    t1 = np.sqrt(1.0 - t0)
-    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u
-
-
-def untruncated_force_1_u(u, lam, r, delta_h):
-    """d/du of piece 1 of the whole restoring force u + F_k(u).
-
-    Equation (3), (5). Domain: where it holds.
-    Operations: 40 structured, 30 common subexpressions, 29 power chains.
-    """
-    u2 = u * u
-    root_1 = np.sqrt(1.0 - u2)
-    t0 = root_1 + 1.0
-    t1 = u2 / t0
-    t2 = 1.0 / root_1
-    t3 = lam * r * t2
-    t4 = delta_h - t1
-    u3 = u * u2
-    return (
-        -lam * r * t2 * t4 + 2.0 * t1 * t3 - t2 * u * (lam * r * t4 * u / (root_1 * root_1) - t3 * u3 / (t0 * t0)) +
-        1.0
-    )
-
-
-def untruncated_force_2(u, lam, r, delta_h):
-    """Piece 2 of the whole restoring force u + F_k(u).
-
-    Equation (3), (5). Domain: where it holds.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    """
-    return u
-
-
-def untruncated_force_2_u(u, lam, r, delta_h):
-    """d/du of piece 2 of the whole restoring force u + F_k(u).
-
-    Equation (3), (5). Domain: where it holds.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
     return 1.0
@@ -1811,8 +1732,6 @@ def equivalent_damping(Omega, A, mu, zeta):
 
 FORCE = ((force_1, force_1_u), (force_2, force_2_u))
 
-UNTRUNCATED_FORCE = ((untruncated_force_1, untruncated_force_1_u), (untruncated_force_2, untruncated_force_2_u))
-
 if NATIVE is not None:
     (
         averaged,
@@ -1832,7 +1751,6 @@ if NATIVE is not None:
         jumps,
         hardening,
         force,
-        untruncated_force,
         saddle_node_onset,
         saddle_nodes,
         R,

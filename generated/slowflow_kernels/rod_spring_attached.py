@@ -29,7 +29,6 @@ from slowflow_kernels.rod_spring import (
     jumps,
     saddle_node_onset,
     saddle_nodes,
-    untruncated_force,
 )
 
 __all__ = [
@@ -71,7 +70,6 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
-    "untruncated_force",
 ]
 
 

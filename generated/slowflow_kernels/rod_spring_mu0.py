@@ -39,7 +39,6 @@ from slowflow_kernels.rod_spring import (
     hardening,
     harmonics,
     jumps,
-    untruncated_force,
 )
 
 __all__ = [
@@ -83,7 +82,6 @@ __all__ = [
     "saddle_nodes",
     "stability",
     "transmissibility",
-    "untruncated_force",
 ]
 
 

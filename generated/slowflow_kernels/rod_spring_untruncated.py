@@ -71,7 +71,6 @@ __all__ = [
     "phase",
     "stability",
     "transmissibility",
-    "untruncated_force",
 ]
 
 
@@ -11963,30 +11962,6 @@ def force(u, alpha, beta, u_cr):
     return number_by_regime(guards, bodies, arguments)
 
 
-def _untruncated_force_piece_1(u, lam, r, delta_h):
-    # operations: 15 structured, 11 common subexpressions, 11 power chains
-    t0 = u * u
-    t1 = np.sqrt(1.0 - t0)
-    return -lam * r * u * (delta_h - t0 / (t1 + 1.0)) / t1 + u
-
-
-def _untruncated_force_piece_2(u, lam, r, delta_h):
-    # operations: 0 structured, 0 common subexpressions, 0 power chains
-    return u
-
-
-def untruncated_force(u, lam, r, delta_h):
-    """Whole dimensionless restoring force u + F_k(u), untruncated.
-
-    Equation (3), (5). Domain: |u| < 1.
-    """
-    arguments = floats(u, lam, r, delta_h)
-    u, lam, r, delta_h = arguments
-    guards = (np.abs(u) <= np.sqrt(delta_h) * np.sqrt(2.0 - delta_h),)
-    bodies = (_untruncated_force_piece_1, _untruncated_force_piece_2)
-    return number_by_regime(guards, bodies, arguments)
-
-
 def force_1(u, alpha, beta, u_cr):
     """Piece 1 of the whole restoring force u + F_k(u).
 
@@ -12184,7 +12159,6 @@ if NATIVE is not None:
         jumps,
         hardening,
         force,
-        untruncated_force,
         R,
         I,
         F,

@@ -38,7 +38,6 @@ from slowflow_kernels.rod_spring_untruncated import (
     hardening,
     harmonics,
     jumps,
-    untruncated_force,
 )
 
 __all__ = [
@@ -79,7 +78,6 @@ __all__ = [
     "phase",
     "stability",
     "transmissibility",
-    "untruncated_force",
 ]
 
 

@@ -1023,24 +1023,16 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
         entry(lambda *q: [*(scale * q[k] for k in rising), *(-x for x in jumps(*q) if truncated)], p)
         for p in parameters
     ]
-    table["force"], table["untruncated_force"] = [], []
-    for design, p in zip(designs, parameters, strict=True):
+    table["force"] = []
+    for p in parameters:
         for factor in (-0.9, 1e-6, 0.7, 0.999, -1.2):
             u = factor * (1.0 if name == "duffing" else p[-1])
             k = passed_by(name, abs(u), p)
             table["force"].append(entry(lambda v, *q, k=k: [pieces(name, q)[0][k](v)], [u, *p]))
-            if abs(u) < 1:
-
-                def exact(v, *d, k=k):
-                    if name == "duffing":
-                        return [v + d[0] * v + d[1] * v**3]
-                    return [v + (0 if k else rod_force(*d)(v))]
-
-                table["untruncated_force"].append(entry(exact, [u, *design]))
-    return table | pieces_table(name, designs, parameters)
+    return table | pieces_table(name, parameters)
 
 
-def pieces_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
+def pieces_table(name: str, parameters: list[tuple[float, ...]]) -> dict:
     """Each piece of the force by itself, and its slope."""
     table: dict[str, list] = {}
 
@@ -1049,14 +1041,11 @@ def pieces_table(name: str, designs: Sequence, parameters: list[tuple[float, ...
         slope = entry(lambda v, *q: [mp.diff(lambda x: f(x, q), v)], [u, *p])
         table.setdefault(f"{kernel}_u", []).append(slope)
 
-    for design, p in zip(designs, parameters, strict=True):
+    for p in parameters:
         for k, factors in enumerate([(-0.9, 1e-6, 0.7, 0.999), (-1.2, 30.0)][: len(pieces(name, p)[0])]):
             for factor in factors:
                 u = factor * (1.0 if name == "duffing" else p[-1])
                 add(f"force_{k + 1}", lambda v, q, k=k: pieces(name, q)[0][k](v), u, p)
-                if name == "rod_spring":
-                    exact = (lambda v, d: v + rod_force(*d)(v), lambda v, d: v)[k]
-                    add(f"untruncated_force_{k + 1}", exact, u, design)
     return table
 
 

@@ -27,7 +27,7 @@ from derivations.emit.form import (
     suffix,
 )
 from derivations.mechanisms import Mechanism, Parameter
-from derivations.oscillator import Oscillator, without_cancellation
+from derivations.oscillator import Oscillator
 from derivations.restoring import Case, Restoring, forms
 from derivations.results import OfMechanism, Results
 from derivations.second_approximation import OF_HARMONIC
@@ -239,45 +239,22 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             parameters=count,
         )
     )
-    if ratios:
-        kernels.append(
-            Kernel(
-                "untruncated_force",
-                (u, *ratios),
-                force_branches(
-                    [u + without_cancellation(force) for force in dimensionless.exact], dimensionless.exact_ends
-                ),
-                "Whole dimensionless restoring force u + F_k(u), untruncated.",
-                "(3), (5)",
-                f"|u| < {mechanism.reach}" if mechanism.reach != sp.oo else "any u",
-            )
-        )
     return kernels
 
 
 def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], dict[str, tuple[tuple[str, ...], ...]]]:
     """The pieces of the force and their slopes, one by one, for the equation of motion; and their table."""
-    dimensionless = derived.oscillator
-    mechanism = dimensionless.mechanism
-    averaged = [evaluable(piece) if derived.whole.cases else sp.horner(piece, u) for piece in derived.whole.pieces]
-    families = [("force", averaged, mechanism.parameters, "(3), (5)" if derived.whole.cases else "(3), (6)")]
-    if mechanism.order != sp.oo and not all(force.is_polynomial(u) for force in dimensionless.exact):
-        exact = [u + without_cancellation(force) for force in dimensionless.exact]
-        families.append(("untruncated_force", exact, tuple(mechanism.ratios), "(3), (5)"))
-    kernels, tables = [], {}
-    for family, pieces, parameters, equation in families:
-        table = []
-        for k, piece in enumerate(pieces, start=1):
-            name = f"{family}_{k}"
-            what = f"iece {k} of the whole restoring force u + F_k(u)."
-            texts = (equation, "where it holds")
-            lets, slope = force_slope(piece)
-            arguments = (u, *parameters)
-            kernels.append(plain(name, arguments, piece, "P" + what, *texts, generic=True))
-            kernels.append(plain(f"{name}_u", arguments, slope, "d/du of p" + what, *texts, lets=lets, generic=True))
-            table.append((name, f"{name}_u"))
-        tables[family.upper()] = tuple(table)
-    return kernels, tables
+    arguments = (u, *derived.oscillator.mechanism.parameters)
+    texts = ("(3), (5)" if derived.whole.cases else "(3), (6)", "where it holds")
+    kernels, table = [], []
+    for k, stated in enumerate(derived.whole.pieces, start=1):
+        piece = evaluable(stated) if derived.whole.cases else sp.horner(stated, u)
+        name, what = f"force_{k}", f"iece {k} of the whole restoring force u + F_k(u)."
+        lets, slope = force_slope(piece)
+        kernels.append(plain(name, arguments, piece, "P" + what, *texts, generic=True))
+        kernels.append(plain(f"{name}_u", arguments, slope, "d/du of p" + what, *texts, lets=lets, generic=True))
+        table.append((name, f"{name}_u"))
+    return kernels, {"FORCE": tuple(table)}
 
 
 def hardening(whole: Restoring) -> tuple[sp.Expr, ...]:
