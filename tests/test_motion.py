@@ -5,16 +5,16 @@ import math
 import numpy as np
 import pytest
 
-from slowflow import mechanism
-from slowflow_kernels import motion
+from slowflow.mechanism import Force
+from slowflow_kernels import duffing, motion, rod_spring, rod_spring_untruncated
 
 COMPLEX_STEP = 1e-100  # the derivative of an analytic expression is exact to rounding for any step this small
 EXACT = {"rtol": 1e-14, "atol": 1e-15}
 
 FORCES = (
-    mechanism.duffing(-0.2, 1.7),
-    mechanism.rod_spring(0.3, 2.5, 1.9, 0.4),
-    mechanism.rod_spring_untruncated(3.0, 2.03, 0.08),
+    Force.of(duffing.MECHANISM, (-0.2, 1.7)),
+    Force.of(rod_spring.MECHANISM, (0.3, 2.5, 1.9, 0.4)),
+    Force.of(rod_spring_untruncated.MECHANISM, rod_spring_untruncated.coefficients(3.0, 2.03, 0.08)),
 )
 PIECES = [piece for force in FORCES for piece in force.pieces]
 
@@ -92,7 +92,7 @@ def test_an_integrators_symbols_pass_through():
 
 def test_the_smoothed_equation_has_its_own_derivatives_and_becomes_the_sharp_one():
     random = np.random.default_rng(7)
-    inner, outer = mechanism.rod_spring(0.3, 2.5, 1.9, 0.4).pieces
+    inner, outer = FORCES[1].pieces
     u_cr, nu = 0.4, 50.0
 
     def step(x):
