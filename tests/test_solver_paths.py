@@ -14,9 +14,10 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, backend
-from slowflow.averaged import compiled
+from slowflow.averaged import compiled, remarks
 from slowflow.averaged.reference import folds, locus, response
 from slowflow.paper.example import TABLE_1, isolator
+from slowflow.results import Remark
 from tests.native.roots import why_not
 from tests.native.solvers import THOROUGH, build
 
@@ -73,7 +74,7 @@ def test_everything_agrees_with_the_certified_reference(name, oscillator, record
         check_curve(oscillator.frequency_response(F_0, samples=60, Omega=(1e-9, 2.0)), forcing)
         check_peak(oscillator.peak(F_0), forcing["peaks"])
         for asked in forcing["amplitudes"]:
-            check_states(oscillator.amplitudes(Omega=given(asked["Omega"]), F_0=F_0), asked["steady"])
+            check_states(oscillator, oscillator.amplitudes(Omega=given(asked["Omega"]), F_0=F_0), asked["steady"])
 
 
 def check_folds(found, exact):
@@ -112,8 +113,11 @@ def check_peak(found, exact):
         assert found.Omega == pytest.approx(float(top["Omega"]), rel=1e-9)
 
 
-def check_states(found, exact):
-    assert found.stable.tolist() == [state["stable"] for state in exact]
+def check_states(oscillator, found, exact):
+    """The reference knows (30) alone: a state that leaves the centre is not stable, and the answer says so."""
+    kept = remarks.keeps_centre(oscillator.model.mechanism, oscillator.model.parameters, found.Omega, found.A)
+    assert found.stable.tolist() == [bool(state["stable"] and keeps) for state, keeps in zip(exact, kept, strict=True)]
+    assert (Remark.LEAVES_CENTRE in found.remarks) == (not kept.all())
     for k, state in enumerate(exact):
         assert error(found.A[k], state["A"], state, "A") <= UNITS
         assert found.phi[k] == pytest.approx(float(state["phi"]), rel=1e-9)

@@ -11,12 +11,16 @@ from typing import Any
 from slowflow import validate
 from slowflow.averaged.many import Designs
 from slowflow.mechanism import Force, Mechanism, told
+from slowflow.model import Model
 from slowflow.oscillator import FORCES, Oscillator
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
+
+#: alpha and beta of the cubic spring that is linear
+LINEAR = (1.0, 0.0)
 
 
 def _averaged(force: Any) -> Mechanism:
@@ -48,6 +52,8 @@ class Isolator(Oscillator):
         self, *, lam: float, r: float, delta_h: float, mu: float = 0.0, zeta: float = 0.0, force: str = "truncated"
     ) -> None:
         super().__init__(_averaged(force), lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
+        if self.delta_h == 0:  # the springs never touch the rod, which has no end then
+            self.__dict__["model"] = Model(DUFFING, LINEAR, self.mu, self.zeta)
         if not self.model.mechanism.truncated:
             coefficients = zip(ROD_SPRING.parameters, ROD_SPRING.coefficients(*self.design), strict=True)
             self.__dict__.update({name.name: float(value) for name, value in coefficients})

@@ -100,6 +100,29 @@ def stability(Omega, A, m, zeta, h, h_A):
     return 4 * Omega**2 * (J11 * J22 - J12 * J21)
 
 
+def cubic(A, h, h_A):
+    """f' of the spring alpha u + beta u^3 that has this h = -alpha A - 3/4 beta A^3 and h_A at A."""
+    beta = 2 * (h - A * h_A) / (3 * A**3)
+    alpha = -h / A - mpf(3) / 4 * beta * A**2
+    return lambda u: alpha + 3 * beta * u**2
+
+
+def stiffness_harmonic(A, h, h_A, n):
+    """Mean of f'(A cos psi) cos(n psi) over a cycle, by quadrature."""
+    slope = cubic(A, h, h_A)
+    return mp.quad(lambda psi: slope(A * mp.cos(psi)) * mp.cos(n * psi), [0, mp.pi], method="gauss-legendre") / mp.pi
+
+
+def mean_stiffness(A, h, h_A):
+    return stiffness_harmonic(A, h, h_A, 0)
+
+
+def offset_stiffness(Omega, A, h, h_A):
+    """From the balance of B + b cos 2 psi: b by the second harmonic's, put into the mean's."""
+    k_0, k_2 = (stiffness_harmonic(A, h, h_A, n) for n in (0, 2))
+    return k_0 + k_2 * (2 * k_2 / (4 * Omega**2 - k_0))
+
+
 def dissipated(Omega, A, m, zeta):
     """Work of both dampings over a cycle of u = A cos psi, by quadrature; mu = pi m/4."""
     speed = lambda psi: A * Omega * mp.sin(psi)  # noqa: E731
@@ -208,6 +231,8 @@ SLOW_FLOW: dict[str, tuple[str, Function]] = {
     "equivalent_damping": ("Omega A m zeta", lambda *x: [equivalent_damping(*x)]),
     "transmissibility": ("Omega A F_0 m zeta h", lambda *x: [transmissibility(*x)]),
     "jacobian": ("Omega A m zeta h h_A", jacobian),
+    "mean_stiffness": ("A h h_A", lambda A, h, h_A: [mean_stiffness(A, h, h_A)]),
+    "offset_stiffness": ("Omega A h h_A", lambda *x: [offset_stiffness(*x)]),
     "stability": ("Omega A m zeta h h_A", lambda *x: [stability(*x)]),
     "response_quartic": ("A F_0 m zeta h", response_quartic),
     "fold_quartic": ("A m zeta h h_A", fold_quartic),
@@ -946,11 +971,15 @@ def family_table(name: str, amplitudes: Amplitudes) -> dict:
     return table
 
 
+#: what the slow flow alone has
+NOT_COMPOSED = {"friction", "mean_stiffness", "offset_stiffness", "response_quartic", "fold_quartic", "peak_cubic"}
+
+
 def composed_table(rng: random.Random, name: str, scene: str, amplitudes: Amplitudes) -> dict:
     """The slow flow's functions with the mechanism put in."""
     table: dict[str, list] = {}
     for kernel, (names, f) in SLOW_FLOW.items():
-        if kernel in ("friction", "response_quartic", "fold_quartic", "peak_cubic"):
+        if kernel in NOT_COMPOSED:
             continue
         inner = names.split()
         outer = [x for x in ("Omega", "A", "F_0", "mu", "zeta") if x != "F_0" or "F_0" in inner]
