@@ -13,6 +13,7 @@ from functools import cached_property
 from derivations import elliptic, resultants
 from derivations.averaging import Averaged, averaged
 from derivations.den_hartog import DenHartog, den_hartog
+from derivations.frequencies import Frequencies, frequencies
 from derivations.harmonics import Harmonics, harmonics
 from derivations.loci import Along, along
 from derivations.mechanisms import Mechanism, all_mechanisms
@@ -56,6 +57,7 @@ class Results:
     smoothed   -- (A1), (A2)
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
+    frequencies -- the quartics whose roots are the frequencies at an amplitude
     loci       -- what vanishes along the amplitude, by scene
     detachment -- (34), by scene
     second     -- the second approximation
@@ -67,6 +69,7 @@ class Results:
     smoothed: Smoothed
     averaged: Averaged
     flows: dict[str, SlowFlow]
+    frequencies: Frequencies
     loci: dict[str, Along]
     detachment: dict[str, Elimination]
     second: SecondApproximation
@@ -99,6 +102,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         smoothed(sharp),
         equations,
         flows,
+        frequencies(flows[""]),
         {scene: along(flow) for scene, flow in flows.items()},
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),

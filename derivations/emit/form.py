@@ -113,6 +113,29 @@ class Record:
 
 
 @dataclass(frozen=True)
+class TwofoldKernel:
+    """A generated function in double-double, for floats and arrays as they are; see `compensated`.
+
+    lets, values -- what to evaluate, in structured form
+    lows    -- which arguments come with a low part, and its name
+    returns -- "rounded": one value, as a double; "pairs": high, low for each; "distilled": one value, a sum of products
+               of two doubles, with a certain sign
+    beside  -- outputs in plain doubles that follow, in the arguments and the lets
+    """
+
+    name: str
+    arguments: tuple[sp.Symbol, ...]
+    lets: tuple[Let, ...]
+    values: tuple[sp.Expr, ...]
+    doc: str
+    equation: str
+    domain: str
+    lows: dict[sp.Symbol, sp.Symbol] = field(default_factory=dict)
+    returns: str = "rounded"
+    beside: tuple[sp.Expr, ...] = ()
+
+
+@dataclass(frozen=True)
 class Module:
     """One generated module.
 
@@ -121,6 +144,7 @@ class Module:
     family     -- name of the module whose h they call
     reexports  -- names taken over from another module of the same mechanism, as (module, names)
     constants  -- Python constants (name, value)
+    twofolds   -- kernels in double-double
     pieces     -- tables of generic kernels by name: for each piece of a force, the names of those of force and slope
     record     -- of a mechanism's own module
     """
@@ -135,6 +159,7 @@ class Module:
     reexports: tuple[str, tuple[str, ...]] = ("", ())
     constants: dict[str, object] = field(default_factory=dict)
     mechanism: Mechanism | None = None
+    twofolds: tuple[TwofoldKernel, ...] = ()
     pieces: dict[str, tuple[tuple[str, ...], ...]] = field(default_factory=dict)
     record: Record | None = None
 

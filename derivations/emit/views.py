@@ -7,6 +7,7 @@ Out: `KernelView`, or a dict for a composition.
 from __future__ import annotations
 
 import textwrap
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +15,8 @@ from pathlib import Path
 import jinja2
 import sympy as sp
 
-from derivations.emit.form import AVERAGED, Branch, Composition, Kernel, Module
+from derivations.emit.compensated import Exact, twofold
+from derivations.emit.form import AVERAGED, Branch, Composition, Kernel, Module, TwofoldKernel
 from derivations.emit.passes import Program, straight_line
 from derivations.emit.provenance import digest
 from derivations.restoring import FAR
@@ -227,6 +229,42 @@ def wrapped(value: str, used: int, language: Language) -> str:
     if len(value) + used + 8 <= WIDTH:
         return value
     return f"(\n        {fill(value, 8, 8)}\n    )"
+
+
+def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]:
+    """A kernel in double-double as a template needs it; `op` says which lines are exact sums and products."""
+    show = language.printer.doprint
+    code = twofold(kernel)
+    known = {line.high if isinstance(line, Exact) else line[0] for line in code.lines}
+    beside = straight_line((), kernel.beside, {*kernel.arguments, *known})
+
+    def named(symbol: sp.Symbol) -> str:
+        return language.names.get(symbol.name, symbol.name)
+
+    def plain(symbol: sp.Symbol, value: sp.Expr) -> dict[str, str]:
+        return {"op": "", "name": named(symbol), "value": wrapped(show(value), len(named(symbol)) + 3, language)}
+
+    lines = [
+        {
+            "op": line.op,
+            "name": named(line.high),
+            "low": line.low.name,
+            "left": show(line.left),
+            "right": show(line.right),
+        }
+        if isinstance(line, Exact)
+        else plain(*line)
+        for line in code.lines
+    ]
+    exact = Counter(line.op.removeprefix("two_") for line in code.lines if isinstance(line, Exact))
+    return {
+        "kernel": kernel,
+        "arguments": [named(argument) for argument in kernel.arguments],
+        "lines": [*lines, *(plain(symbol, value) for symbol, value in beside.lets)],
+        "distilled": [show(part) for part in code.distilled],
+        "outputs": [show(output) for output in (*code.outputs, *beside.outputs)],
+        "exact": " and ".join(f"{count} {op}{'s' if count > 1 else ''}" for op, count in sorted(exact.items())),
+    }
 
 
 def composition_view(composition: Composition, calls: Calls) -> dict[str, object]:

@@ -14,6 +14,8 @@
 
 #include "angles.h"
 
+#define SECOND_APPROXIMATION_RESONANCE 9.0
+
 /* Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
    Operations: 359 structured, 255 common subexpressions, 254 power chains

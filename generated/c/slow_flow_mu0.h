@@ -136,11 +136,12 @@ static inline double slow_flow_mu0_phase(double Omega, double A, double m, doubl
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Operations: 2 structured, 2 common subexpressions, 2 power chains
  */
 static inline double slow_flow_mu0_backbone(double A, double h)
 {
-    return sqrt(-h) / sqrt(A);
+    const double square = -h / A;
+    return sqrt(square);
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.

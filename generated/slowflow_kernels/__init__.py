@@ -12,6 +12,7 @@ MODULES = (
     "slow_flow_mu0",
     "slow_flow_zeta0",
     "slow_flow_mu0_zeta0",
+    "frequencies",
     "motion",
     "second_approximation",
     "den_hartog",

@@ -165,10 +165,11 @@ def backbone(A, h):
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
     """
     A, h = floats(A, h)
-    return np.sqrt(-h) / np.sqrt(A)
+    square = -h / A
+    return np.sqrt(square)
 
 
 def limit_envelope(Omega, F_0, m, zeta):

@@ -14,10 +14,13 @@ from pathlib import Path
 
 import numpy as np
 
-HEADERS = Path(__file__).parents[2] / "generated" / "c"
+ROOT = Path(__file__).parents[2]
+HEADERS = ROOT / "generated" / "c"
+# what generated headers stand on is written by hand
+INCLUDES = [f"-I{HEADERS}", f"-I{ROOT / 'src' / 'slowflow' / 'native'}"]
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
-PROTOTYPE = re.compile(r"^static inline (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
+PROTOTYPE = re.compile(r"^(?:static inline|TWOFOLD_INLINE) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
 COMPILER = shutil.which("cc")
 WIDEST = 64
 
@@ -35,7 +38,7 @@ def compile_alone(header: Path, directory: Path) -> str:
     """What the compiler says about a header by itself."""
     source = directory / "alone.c"
     source.write_text(f'#include "{header.name}"\nint main(void) {{ return 0; }}\n')
-    command = [COMPILER, *WARNINGS, f"-I{HEADERS}", "-c", str(source), "-o", str(directory / "alone.o")]
+    command = [COMPILER, *WARNINGS, *INCLUDES, "-c", str(source), "-o", str(directory / "alone.o")]
     return subprocess.run(command, capture_output=True, text=True).stderr
 
 
@@ -61,7 +64,7 @@ def build(directory: Path) -> Callable[..., np.ndarray]:
         )
     source, library = directory / "kernels.c", directory / "kernels.so"
     source.write_text("\n".join([*includes, *wrappers]) + "\n")
-    command = [COMPILER, *WARNINGS, *FLAGS, f"-I{HEADERS}", "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
+    command = [COMPILER, *WARNINGS, *FLAGS, *INCLUDES, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(done.stderr)

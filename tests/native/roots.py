@@ -14,6 +14,7 @@ import numpy as np
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 HEADERS = ROOT / "src" / "slowflow" / "native"
+INCLUDES = [f"-I{HEADERS}", f"-I{ROOT / 'generated' / 'c'}"]
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
 
@@ -32,7 +33,7 @@ def why_not(clones: bool) -> str | None:
 def build(directory: Path, clones: bool) -> Solver:
     """Compile the driver; the function returned takes the kind and rows of parameters, and gives Omega and counts."""
     library = directory / f"roots{'_clones' if clones else ''}.so"
-    command = ["gcc", *WARNINGS, *FLAGS, *(["-DSF_CLONES"] if clones else []), f"-I{HEADERS}", "-shared", "-fPIC"]
+    command = ["gcc", *WARNINGS, *FLAGS, *(["-DSF_CLONES"] if clones else []), *INCLUDES, "-shared", "-fPIC"]
     done = subprocess.run(
         [*command, str(HERE / "roots_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
     )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from derivations.emit.catalogue.beyond import den_hartog_module, second_approximation_module
 from derivations.emit.catalogue.flow import slow_flow_module
+from derivations.emit.catalogue.frequencies import frequencies_module
 from derivations.emit.catalogue.mechanism import mechanism_modules
 from derivations.emit.catalogue.motion import motion_module
 from derivations.emit.form import Module
@@ -20,6 +21,7 @@ def all_modules(results: Results) -> list[Module]:
     flows = {scene: slow_flow_module(results, scene) for scene in SCENES}
     modules = [
         *flows.values(),
+        frequencies_module(results),
         motion_module(results),
         second_approximation_module(results),
         den_hartog_module(results),

@@ -19,6 +19,9 @@ from derivations.results import Results
 from derivations.slow_flow import I, R, SlowFlow, m
 from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
 
+#: of a frequency
+square = sp.Symbol("square", real=True)
+
 
 def slow_flow_module(results: Results, scene: str) -> Module:
     """The mechanism-free functions in one scene."""
@@ -67,7 +70,16 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "(25)",
             lets=[(R, flow.R), (I, flow.I)],
         ),
-        plain("backbone", (A, h), flow.backbone, "Frequency on the backbone.", "(26)", "A > 0, h <= 0"),
+        # the root of a quotient, which SymPy would take apart
+        plain(
+            "backbone",
+            (A, h),
+            sp.sqrt(square),
+            "Frequency on the backbone.",
+            "(26)",
+            "A > 0, h <= 0",
+            lets=[(square, flow.backbone**2)],
+        ),
         plain(
             "limit_envelope",
             (Omega, F_0, m, zeta),

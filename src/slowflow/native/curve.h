@@ -152,10 +152,10 @@ static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_piec
 /* A last Newton step on F at fixed Omega, where F_A leaves one; the residual is in double-double. */
 static double sf_polish_amplitude(const sf_model *model, double F_0, double Omega, const sf_sample *at) {
     sf_quartic s;
-    double size, step;
+    double step;
     s.kind = SF_RESPONSE;
     s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
-    step = 0.5 * sf_value_dd(&s, Omega, 0, &size) / sf_half_F_A(model, at, Omega);
+    step = 0.5 * sf_value_fine(&s, Omega) / sf_half_F_A(model, at, Omega);
     return fabs(step) < 1e-8 * at->A ? at->A - step : at->A;
 }
 

@@ -18,11 +18,8 @@ typedef struct {
 typedef enum { SF_BELOW, SF_BETWEEN, SF_ABOVE, SF_RISING, SF_AT_W1, SF_AT_W2, SF_AT_0 } sf_place;
 
 static inline void sf_isolate(sf_isolated *q) {
-    double size;
     sf_derivative_coefficients(&q->s);
-    q->f0 = sf_value_at_0(&q->s, &size);
-    if (fabs(q->f0) < SF_ROUGH * size)
-        q->f0 = sf_response_at_0(&q->s);
+    q->f0 = sf_value_at_0(&q->s);
     q->w1 = q->w2 = q->f1 = q->f2 = 0;
     q->exist = sf_critical_points(&q->s, &q->w1, &q->w2) != 0;
     if (!q->exist)

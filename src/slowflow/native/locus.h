@@ -293,13 +293,13 @@ static int sf_polish_fold(const sf_model *model, double F_0, const double A_rang
     for (i = 0; i < 8; i++) {
         sf_quartic s;
         sf_sample at;
-        double size, F, F_A, F_AA, F_Omega, F_AOmega, determinant, step_A, step_w, moved;
+        double F, F_A, F_AA, F_Omega, F_AOmega, determinant, step_A, step_w, moved;
         sf_sample_at(model, *A, &at);
         s.A = *A, s.h = at.h, s.h_A = at.h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
         s.kind = SF_RESPONSE;
-        F = sf_value_dd(&s, *w, 0, &size);
+        F = sf_value_fine(&s, *w);
         s.kind = SF_FOLD;
-        F_A = 2 * sf_value_dd(&s, *w, 0, &size);
+        F_A = 2 * sf_value_fine(&s, *w);
         F_AA = 2 * sf_half_F_AA(model, &at, *w);
         F_Omega = sf_F_Omega(model, &at, *w);
         F_AOmega = 4 * sf_quarter_F_AOmega(model, &at, *w);
@@ -469,10 +469,10 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
 /* One Newton step on F_A = F_AA = 0, with the residual of F_A in double-double. */
 static void sf_polish_cusp(const sf_model *model, double *w, sf_sample *at) {
     sf_quartic s;
-    double size, f, g, a, b, c, d, determinant, step_w, step_A;
+    double f, g, a, b, c, d, determinant, step_w, step_A;
     s.kind = SF_FOLD;
     s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = 0;
-    f = sf_value_dd(&s, *w, 0, &size), g = sf_half_F_AA(model, at, *w);
+    f = sf_value_fine(&s, *w), g = sf_half_F_AA(model, at, *w);
     a = 2 * sf_quarter_F_AOmega(model, at, *w), b = g;
     c = sf_half_F_AAOmega(model, at, *w), d = sf_half_F_AAA(at, *w);
     determinant = a * d - b * c;

@@ -91,7 +91,7 @@ static inline void sf_ask_critical(const sf_isolated *q, double p_A, sf_answer *
     out->merge = q->f0;
     if (!q->exist) {
         double critical[2];
-        slow_flow_critical(q->s.A, q->s.p.hi, q->s.q.hi, p_A, critical);
+        slow_flow_critical(q->s.A, q->s.p, q->s.q, p_A, critical);
         out->edge = critical[0], out->d_edge = critical[1];
     }
 }

@@ -33,6 +33,9 @@
 
 #include <math.h>
 
+#include "frequencies.h"
+#include "slow_flow_zeta0.h"
+
 #if defined(__GNUC__)
 #define SF_ALWAYS static inline __attribute__((always_inline))
 #define SF_RARELY __attribute__((noinline, cold, unused)) static
@@ -43,160 +46,93 @@
 #define SF_UNLIKELY(x) (x)
 #endif
 
-#define SF_ROUGH 0x1p-50 /* a value below this part of its terms has no certain sign in double */
-#define SF_FINE 0x1p-98  /* the same in double-double */
+#define SF_ROUGH FREQUENCIES_ROUGH /* a value below this part of its terms has no certain sign in double */
+#define SF_FINE FREQUENCIES_FINE   /* the same in double-double */
 
-typedef struct {
-    double hi, lo;
-} sf_dd;
-
-SF_ALWAYS sf_dd sf_two_sum(double a, double b) {
-    sf_dd s;
-    double t;
-    s.hi = a + b;
-    t = s.hi - a;
-    s.lo = (a - (s.hi - t)) + (b - t);
-    return s;
-}
-
-SF_ALWAYS sf_dd sf_two_product(double a, double b) {
-    sf_dd s;
-    s.hi = a * b;
-    s.lo = fma(a, b, -s.hi);
-    return s;
-}
-
-SF_ALWAYS sf_dd sf_renormalise(double hi, double lo) {
-    sf_dd s;
-    s.hi = hi + lo;
-    s.lo = lo - (s.hi - hi);
-    return s;
-}
-
-/* ==== The formulas.  Everything below this block is a solver that knows only these. =============================== */
+/* ==== The formulas, as they are generated, for either quartic.  Everything below this block is a solver that knows only
+ * these. ============================================================================================================ */
 
 typedef enum { SF_RESPONSE, SF_FOLD } sf_kind;
 
 typedef struct {
     sf_kind kind;
     double A, h, h_A, m, zeta, F_0;
-    double k; /* derivative of the quartic: k (A w^3 + p w + q) */
-    sf_dd p, q;
+    double k, p, p_low, q, q_low; /* derivative of the quartic: k (A w^3 + p w + q) */
 } sf_quartic;
-
-/* R and I at the point w + tail in double-double; the tail is a correction below the last place of w. */
-SF_ALWAYS void sf_R_and_I(const sf_quartic *s, double w, double tail, sf_dd *R, sf_dd *I) {
-    const sf_dd Aw = sf_two_product(s->A, w);
-    const sf_dd Aww = sf_two_product(Aw.hi, w);
-    const sf_dd y = sf_two_product(2 * s->zeta, Aw.hi);
-    *R = sf_two_sum(Aww.hi, s->h);
-    R->lo += fma(Aw.lo, w, Aww.lo) + 2 * Aw.hi * tail;
-    *I = sf_two_sum(y.hi, s->m);
-    I->lo += fma(2 * s->zeta, Aw.lo + s->A * tail, y.lo);
-}
 
 /* The quartic in double.  Its rounding error is below SF_ROUGH * size. */
 SF_ALWAYS double sf_value(const sf_quartic *s, double w, double *size) {
-    const double Aw = s->A * w, Aww = Aw * w;
-    const double R = Aww + s->h, I = 2 * s->zeta * Aw + s->m, R_terms = Aww + fabs(s->h);
-    if (s->kind == SF_RESPONSE) {
-        *size = (fabs(R) + SF_ROUGH * R_terms) * R_terms + (I + s->F_0) * (I + s->F_0);
-        return R * R + (I - s->F_0) * (I + s->F_0);
-    } else {
-        const double T = w * w + s->h_A, T_terms = w * w + fabs(s->h_A), last = 2 * s->zeta * w * I;
-        *size = (fabs(R) + SF_ROUGH * R_terms) * T_terms + fabs(T) * R_terms + last;
-        return R * T + last;
-    }
+    double out[2];
+    if (s->kind == SF_RESPONSE)
+        frequencies_response(w, s->A, s->F_0, s->m, s->zeta, s->h, out);
+    else
+        frequencies_fold(w, s->A, s->m, s->zeta, s->h, s->h_A, out);
+    *size = out[1];
+    return out[0];
 }
 
-/* The quartic at w + tail in double-double, rounded to double.  Its error is below SF_FINE * size. */
-SF_ALWAYS double sf_value_dd(const sf_quartic *s, double w, double tail, double *size) {
-    sf_dd R, I;
-    const double R_terms = s->A * w * w + fabs(s->h);
-    sf_R_and_I(s, w, tail, &R, &I);
-    if (s->kind == SF_RESPONSE) {
-        const sf_dd RR = sf_two_product(R.hi, R.hi), II = sf_two_product(I.hi, I.hi);
-        const sf_dd FF = sf_two_product(s->F_0, s->F_0);
-        const sf_dd u = sf_two_sum(II.hi, -FF.hi), v = sf_two_sum(RR.hi, u.hi);
-        const double low = (RR.lo + R.lo * (2 * R.hi + R.lo)) + ((II.lo - FF.lo) + 2 * I.hi * I.lo);
-        *size = (fabs(R.hi) + SF_FINE * R_terms) * R_terms + (I.hi + s->F_0) * (I.hi + s->F_0);
-        return v.hi + (v.lo + (u.lo + low));
-    } else {
-        const sf_dd ww = sf_two_product(w, w);
-        sf_dd T = sf_two_sum(ww.hi, s->h_A);
-        const sf_dd y = sf_two_product(2 * s->zeta, w);
-        const sf_dd yI = sf_two_product(y.hi, I.hi);
-        sf_dd RT, v;
-        double low;
-        T.lo += ww.lo + 2 * w * tail;
-        RT = sf_two_product(R.hi, T.hi);
-        v = sf_two_sum(RT.hi, yI.hi);
-        low = (RT.lo + (R.hi * T.lo + R.lo * (T.hi + T.lo))) +
-              (yI.lo + (y.hi * I.lo + (y.lo + 2 * s->zeta * tail) * I.hi));
-        *size = (fabs(R.hi) + SF_FINE * R_terms) * (ww.hi + fabs(s->h_A)) + fabs(T.hi) * R_terms + y.hi * I.hi;
-        return v.hi + (v.lo + low);
-    }
+/* The quartic in double-double, rounded to double.  Its error is below SF_FINE * size. */
+SF_ALWAYS double sf_value_fine(const sf_quartic *s, double w) {
+    double out[2];
+    if (s->kind == SF_RESPONSE)
+        frequencies_response_fine(w, s->A, s->F_0, s->m, s->zeta, s->h, out);
+    else
+        frequencies_fold_fine(w, s->A, s->m, s->zeta, s->h, s->h_A, out);
+    return out[0];
 }
 
-/* The quartic at 0 in double, with the bound of sf_value. */
-SF_ALWAYS double sf_value_at_0(const sf_quartic *s, double *size) {
-    if (s->kind == SF_RESPONSE) {
-        *size = s->h * s->h + (s->m + s->F_0) * (s->m + s->F_0);
-        return s->h * s->h + (s->m - s->F_0) * (s->m + s->F_0);
-    }
-    *size = 0; /* a single product has a certain sign */
-    return s->h * s->h_A;
+/* The same at w + tail, a correction below the last place of w. */
+SF_ALWAYS double sf_value_beside(const sf_quartic *s, double w, double tail, double *size) {
+    double out[2];
+    if (s->kind == SF_RESPONSE)
+        frequencies_response_beside(w, tail, s->A, s->F_0, s->m, s->zeta, s->h, out);
+    else
+        frequencies_fold_beside(w, tail, s->A, s->m, s->zeta, s->h, s->h_A, out);
+    *size = out[1];
+    return out[0];
 }
 
-/* Coefficients of the derivative k (A w^3 + p w + q): for F_Omega, p = h + 2 zeta^2 A and q = zeta m. */
+/* The quartic at 0 with a certain sign. */
+SF_RARELY double sf_value_exactly_at_0(const sf_quartic *s) {
+    return s->kind == SF_RESPONSE ? frequencies_response_exactly_at_0(s->F_0, s->m, s->h)
+                                  : frequencies_fold_at_0(s->h, s->h_A);
+}
+
+/* The same in double, where it is certain. */
+SF_ALWAYS double sf_value_at_0(const sf_quartic *s) {
+    double out[2];
+    if (s->kind == SF_FOLD)
+        return frequencies_fold_at_0(s->h, s->h_A);
+    frequencies_response_at_0(s->F_0, s->m, s->h, out);
+    return SF_UNLIKELY(fabs(out[0]) < SF_ROUGH * out[1]) ? sf_value_exactly_at_0(s) : out[0];
+}
+
+/* Coefficients of the derivative. */
 SF_ALWAYS void sf_derivative_coefficients(sf_quartic *s) {
-    const sf_dd z = sf_two_product(2 * s->zeta, s->zeta);
-    const sf_dd y = sf_two_product(z.hi, s->A);
-    const double y_lo = fma(z.lo, s->A, y.lo);
-    s->q = sf_two_product(s->zeta, s->m);
-    if (s->kind == SF_RESPONSE) {
-        const sf_dd p = sf_two_sum(s->h, y.hi);
-        s->k = 4 * s->A;
-        s->p = sf_renormalise(p.hi, p.lo + y_lo);
-    } else { /* p = (h + A h_A)/2 + 2 zeta^2 A, q = zeta m / 2 */
-        const sf_dd t = sf_two_product(s->A, s->h_A);
-        const sf_dd u = sf_two_sum(s->h, t.hi);
-        const sf_dd p = sf_two_sum(0.5 * u.hi, y.hi);
-        s->k = 4;
-        s->p = sf_renormalise(p.hi, p.lo + (y_lo + 0.5 * (u.lo + t.lo)));
-        s->q.hi *= 0.5;
-        s->q.lo *= 0.5;
-    }
+    double out[5];
+    if (s->kind == SF_RESPONSE)
+        frequencies_response_derivative(s->A, s->m, s->zeta, s->h, out);
+    else
+        frequencies_fold_derivative(s->A, s->m, s->zeta, s->h, s->h_A, out);
+    s->p = out[0], s->p_low = out[1], s->q = out[2], s->q_low = out[3], s->k = out[4];
+}
+
+/* The cubic A w^3 + p w + q and its slope. */
+SF_ALWAYS double sf_cubic(const sf_quartic *s, double w) { return frequencies_cubic(w, s->A, s->p, s->q); }
+SF_ALWAYS double sf_cubic_slope(const sf_quartic *s, double w) { return frequencies_cubic_slope(w, s->A, s->p); }
+
+/* The cubic in double-double, rounded to double. */
+SF_ALWAYS double sf_cubic_fine(const sf_quartic *s, double w) {
+    return frequencies_cubic_fine(w, s->A, s->p, s->p_low, s->q, s->q_low);
 }
 
 /* ==== The cubic A w^3 + p w + q, q >= 0 =========================================================================== */
 
-/* The cubic at w + tail in double-double, rounded to double. */
-SF_ALWAYS double sf_cubic_dd(const sf_quartic *s, double w, double tail) {
-    const sf_dd aw = sf_two_product(s->A, w);
-    const sf_dd aww = sf_two_product(aw.hi, w);
-    const sf_dd b = sf_two_sum(aww.hi, s->p.hi);
-    const double b_lo = b.lo + (fma(aw.lo, w, aww.lo) + 2 * aw.hi * tail + s->p.lo);
-    const sf_dd wb = sf_two_product(w, b.hi);
-    const sf_dd v = sf_two_sum(wb.hi, s->q.hi);
-    return v.hi + (v.lo + (wb.lo + (w * b_lo + tail * b.hi) + s->q.lo));
-}
-
 /* 1 - rho^2 = (4 |p|^3 - 27 A q^2) / (4 |p|^3) in double-double, for p < 0; 0 where only rounding is left. */
-SF_RARELY double sf_gap_dd(const sf_quartic *s) {
-    const double p_lo = s->p.hi < 0 ? -s->p.lo : s->p.lo, p = fabs(s->p.hi);
-    const sf_dd p2 = sf_two_product(p, p);
-    const double p2_lo = p2.lo + 2 * p * p_lo;
-    const sf_dd p3 = sf_two_product(p2.hi, p);
-    const double p3_lo = p3.lo + (p2_lo * p + p2.hi * p_lo);
-    const sf_dd q2 = sf_two_product(s->q.hi, s->q.hi);
-    const double q2_lo = q2.lo + 2 * s->q.hi * s->q.lo;
-    const sf_dd c = sf_two_product(27, s->A);
-    const sf_dd d = sf_two_product(c.hi, q2.hi);
-    const double d_lo = d.lo + (c.hi * q2_lo + c.lo * q2.hi);
-    const sf_dd gap = sf_two_sum(4 * p3.hi, -d.hi);
-    const double value = gap.hi + (gap.lo + (4 * p3_lo - d_lo));
-    return fabs(value) <= SF_FINE * 4 * p3.hi ? 0 : value / (4 * p3.hi);
+SF_RARELY double sf_gap_fine(const sf_quartic *s) {
+    double out[2];
+    frequencies_discriminant(s->A, s->p, s->p_low, s->q, s->q_low, out);
+    return fabs(out[0]) <= SF_FINE * out[1] ? 0 : out[0] / out[1];
 }
 
 /* Number of points where the cubic vanishes on w >= 0, counted with multiplicity (0 or 2), and these points.
@@ -206,20 +142,20 @@ SF_RARELY double sf_gap_dd(const sf_quartic *s) {
  * 4 c^3 - 3 c = rho take the place of the trigonometric functions.  The small root follows from Vieta. */
 SF_ALWAYS int sf_critical_points(const sf_quartic *s, double *w1, double *w2) {
     double r, rho, gap, c, y2;
-    if (!(s->p.hi < 0))
+    if (!(s->p < 0))
         return 0;
-    if (s->q.hi == 0) {
+    if (s->q == 0) {
         *w1 = 0;
-        *w2 = sqrt(-s->p.hi / s->A);
+        *w2 = sqrt(-s->p / s->A);
         return 2;
     }
-    r = sqrt(-s->p.hi / (3 * s->A));
-    rho = 1.5 * s->q.hi / (-s->p.hi * r);
+    r = sqrt(-s->p / (3 * s->A));
+    rho = 1.5 * s->q / (-s->p * r);
     if (rho > 1 + 0x1p-26)
         return 0;
     gap = (1 - rho) * (1 + rho);
     if (SF_UNLIKELY(rho > 1 - 0x1p-26)) {
-        gap = sf_gap_dd(s);
+        gap = sf_gap_fine(s);
         if (gap < 0)
             return 0;
     }
@@ -240,8 +176,8 @@ SF_ALWAYS int sf_critical_points(const sf_quartic *s, double *w1, double *w2) {
 SF_ALWAYS double sf_polish_cubic(const sf_quartic *s, double w) {
     int i;
     for (i = 0; i < 8; i++) {
-        const double slope = 3 * s->A * w * w + s->p.hi;
-        const double step = sf_cubic_dd(s, w, 0) / slope;
+        const double slope = sf_cubic_slope(s, w);
+        const double step = sf_cubic_fine(s, w) / slope;
         if (!(fabs(step) <= 0x1p-10 * w))
             break; /* a double root: the slope is noise, and w is as good as it gets */
         w -= step;
@@ -253,48 +189,32 @@ SF_ALWAYS double sf_polish_cubic(const sf_quartic *s, double w) {
 
 /* ==== The quartic ================================================================================================= */
 
-/* h^2 + m^2 - F_0^2 with a certain sign: the six exact parts are distilled until they no longer overlap. */
-SF_RARELY double sf_response_at_0(const sf_quartic *s) {
-    const sf_dd a = sf_two_product(s->h, s->h), b = sf_two_product(s->m, s->m), c = sf_two_product(s->F_0, s->F_0);
-    double x[6];
-    int i, pass;
-    x[0] = a.lo, x[1] = b.lo, x[2] = -c.lo, x[3] = a.hi, x[4] = b.hi, x[5] = -c.hi;
-    for (pass = 0; pass < 6; pass++)
-        for (i = 1; i < 6; i++) {
-            const sf_dd t = sf_two_sum(x[i], x[i - 1]);
-            x[i] = t.hi, x[i - 1] = t.lo;
-        }
-    return x[5] + (x[4] + (x[3] + (x[2] + (x[1] + x[0]))));
-}
-
 /* The quartic at its critical point near w, in double-double; 0 where only rounding is left. */
-SF_RARELY double sf_critical_value_dd(const sf_quartic *s, double w) {
-    double tail = 0, start, rise, value, size;
+SF_RARELY double sf_critical_value_fine(const sf_quartic *s, double w) {
+    double tail = 0, start, rise[2], value, size;
     int i;
     for (i = 0; i < 3; i++) {
-        const double step = sf_cubic_dd(s, w, 0) / (3 * s->A * w * w + s->p.hi);
+        const double step = sf_cubic_fine(s, w) / sf_cubic_slope(s, w);
         if (!(fabs(step) <= 0x1p-10 * w))
             break; /* maximum and minimum coincide: the value does not depend on w in second order */
         tail = -step;
         if (i < 2)
             w += tail;
     }
-    /* The rise from w = 0, whose terms may be far smaller than those of the value; A w^3 + q = -p w is used. */
-    start = s->kind == SF_RESPONSE ? sf_response_at_0(s) : s->h * s->h_A;
-    rise = s->k * w * w * (-0.5 * s->p.hi - 0.75 * s->A * w * w);
-    if (fabs(start + rise) > 0x1p-40 * (fabs(start) - s->k * w * w * s->p.hi))
-        return start + rise;
-    value = sf_value_dd(s, w, tail, &size);
+    /* The rise from w = 0, whose terms may be far smaller than those of the value. */
+    start = sf_value_exactly_at_0(s);
+    frequencies_rise(w, s->A, s->p, s->k, rise);
+    if (fabs(start + rise[0]) > 0x1p-40 * (fabs(start) + rise[1]))
+        return start + rise[0];
+    value = sf_value_beside(s, w, tail, &size);
     return fabs(value) <= SF_FINE * size ? 0 : value;
 }
 
 SF_ALWAYS double sf_critical_value(const sf_quartic *s, double w) {
     double size;
     const double value = sf_value(s, w, &size);
-    return SF_UNLIKELY(fabs(value) <= SF_ROUGH * size) ? sf_critical_value_dd(s, w) : value;
+    return SF_UNLIKELY(fabs(value) <= SF_ROUGH * size) ? sf_critical_value_fine(s, w) : value;
 }
-
-SF_ALWAYS double sf_slope(const sf_quartic *s, double w) { return w * (s->A * w * w + s->p.hi) + s->q.hi; }
 
 /* The root between lo and hi, where the quartic is monotone and rises (+1) or falls (-1), from the first guess w. */
 SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, double rising) {
@@ -304,7 +224,7 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
     for (i = 0; i < 12; i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
         double size, next, moved;
         const double f = sf_value(s, w, &size);
-        const double C = sf_slope(s, w), D = 3 * s->A * w * w + s->p.hi;
+        const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
         if (fabs(f) <= SF_ROUGH * size)
             break;
         next = w - 2 * f * C / (2 * s->k * C * C - f * D);
@@ -320,9 +240,9 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
             break;
     }
     for (i = 0; i < 100; i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
-        double size, next;
-        const double f = sf_value_dd(s, w, 0, &size);
-        const double C = sf_slope(s, w), D = 3 * s->A * w * w + s->p.hi;
+        double next;
+        const double f = sf_value_fine(s, w);
+        const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
         const double step = f / (s->k * C);
         next = w - step;
         if (fabs(step * D) * fabs(step) <= 0x1p-57 * fabs(C) * w && next >= lo && next <= hi)
@@ -343,7 +263,7 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
 /* The largest root w2 + d, above the minimum w2 with the value f2 < 0.  With v^2 = slope'(w2)/(2A), d (v + d/2) = S is
  * exact for q = 0, and gives a d that is not too small otherwise. */
 SF_ALWAYS double sf_root_above(const sf_quartic *s, double w2, double f2) {
-    const double twice_vv = fmax(3 * w2 * w2 + s->p.hi / s->A, 0);
+    const double twice_vv = fmax(3 * w2 * w2 + s->p / s->A, 0);
     const double twice_S = 2 * sqrt(-f2 / (s->k * s->A));
     const double start = w2 + twice_S / (sqrt(0.5 * twice_vv) + sqrt(0.5 * twice_vv + twice_S));
     return sf_refine(s, start, w2, 2 * start, 1);
@@ -353,9 +273,9 @@ SF_ALWAYS double sf_root_above(const sf_quartic *s, double w2, double f2) {
 SF_ALWAYS double sf_root_between(const sf_quartic *s, double w1, double f1, double w2, double f2) {
     double start;
     if (f1 < -f2) {
-        start = w1 + sqrt(2 * f1 / (-s->k * (3 * s->A * w1 * w1 + s->p.hi)));
+        start = w1 + sqrt(2 * f1 / (-s->k * sf_cubic_slope(s, w1)));
     } else {
-        const double vv = 0.5 * fmax(3 * w2 * w2 + s->p.hi / s->A, 0);
+        const double vv = 0.5 * fmax(3 * w2 * w2 + s->p / s->A, 0);
         const double twice_S = 2 * sqrt(-f2 / (s->k * s->A));
         start = w2 - twice_S / (sqrt(vv) + sqrt(fmax(vv - twice_S, 0)));
     }
@@ -365,27 +285,25 @@ SF_ALWAYS double sf_root_between(const sf_quartic *s, double w1, double f1, doub
 /* The root between 0, where the value is f0 < 0, and the maximum w1 with f1 > 0.  The quartic is concave here: the
  * tangent at 0 and the parabola at w1 both end below the root. */
 SF_ALWAYS double sf_root_below(const sf_quartic *s, double f0, double w1, double f1) {
-    const double drop = sqrt(2 * f1 / (-s->k * (3 * s->A * w1 * w1 + s->p.hi)));
-    return sf_refine(s, fmax(-f0 / (s->k * s->q.hi), w1 - drop), 0, w1, 1);
+    const double drop = sqrt(2 * f1 / (-s->k * sf_cubic_slope(s, w1)));
+    return sf_refine(s, fmax(-f0 / (s->k * s->q), w1 - drop), 0, w1, 1);
 }
 
 /* The only root, of a quartic that rises for all w > 0 from f0 < 0. */
 SF_ALWAYS double sf_root_of_rising(const sf_quartic *s, double f0) {
-    const double p = s->p.hi, E = -f0 / s->k;
+    const double p = s->p, E = -f0 / s->k;
     const double root = sqrt(p * p + 4 * s->A * E);
     const double high = sqrt(p > 0 ? 4 * E / (p + root) : (root - p) / s->A);
-    const double line = E / s->q.hi; /* infinite for q = 0 */
+    const double line = E / s->q; /* infinite for q = 0 */
     const double start = p >= 0 ? fmin(high, line) : high;
     return sf_refine(s, start, 0, 2 * high, 1);
 }
 
 SF_ALWAYS int sf_quartic_roots(sf_quartic *s, double Omega[3]) {
-    double f0, f1, f2, w1, w2, size;
+    double f0, f1, f2, w1, w2;
     int n = 0;
     sf_derivative_coefficients(s);
-    f0 = sf_value_at_0(s, &size);
-    if (SF_UNLIKELY(fabs(f0) < SF_ROUGH * size))
-        f0 = sf_response_at_0(s);
+    f0 = sf_value_at_0(s);
     if (!sf_critical_points(s, &w1, &w2)) {
         if (f0 < 0)
             Omega[n++] = sf_root_of_rising(s, f0);
@@ -445,8 +363,9 @@ SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zet
     Omega[0] = Omega[1] = Omega[2] = NAN;
     if (!(A > 0 && m >= 0 && zeta >= 0 && A + fabs(h) + m + zeta < HUGE_VAL && fabs(h_A) < HUGE_VAL))
         return -1;
-    if (zeta == 0) { /* two factors: R = 0 and w^2 + h_A = 0 */
-        const double x = h < 0 ? sqrt(-h / A) : 0, y = h_A < 0 ? sqrt(-h_A) : 0;
+    if (zeta == 0) { /* two factors: the backbone, and one in h_A alone */
+        const double x = h < 0 ? slow_flow_zeta0_backbone(A, h) : 0;
+        const double y = h_A < 0 ? slow_flow_zeta0_undamped_Omega(h_A) : 0;
         if (fmin(x, y) > 0)
             Omega[n++] = fmin(x, y);
         if (fmax(x, y) > 0)

@@ -26,6 +26,7 @@ from derivations.emit.views import (
     regimes,
     sources,
     templates,
+    twofold_view,
     view,
 )
 
@@ -44,10 +45,12 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
             kernels=views,
+            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
             compositions=[composition_view(composition, calls) for composition in module.compositions],
             includes=includes(module, views),
             regimes=regimes(module),
             constants=module.constants,
+            numbers=numbers(module),
             tools=tools(),
             **sources(module),
         )
@@ -59,7 +62,15 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
     """Headers of ours that a C header needs."""
     angles = "angles" if any(view.uses_angles for view in views) else ""
-    return [name for name in (angles, module.flow, module.reexports[0]) if name]
+    twofold = "twofold" if module.twofolds else ""
+    return [name for name in (angles, twofold, module.flow, module.reexports[0]) if name]
+
+
+def numbers(module: Module) -> dict[str, str]:
+    """Numbers that every caller of a header needs; what a mechanism has of them stands in its record."""
+    if module.mechanism:
+        return {}
+    return {name: literal(value) for name, value in module.constants.items() if isinstance(value, sp.Expr)}
 
 
 def angles() -> dict[str, object]:

@@ -7,6 +7,7 @@ from typing import ClassVar
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 
+from derivations.emit.compensated import fma
 from derivations.emit.targets.printing import Rules
 
 
@@ -21,6 +22,7 @@ class CPrinter(Rules, C99CodePrinter):
         sp.sin: "sin",
         sp.cos: "cos",
         sp.tan: "tan",
+        fma: "fma",
         sp.atan2: "angles_atan2",
     }
 

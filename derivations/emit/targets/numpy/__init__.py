@@ -14,7 +14,17 @@ import sympy as sp
 from derivations.emit.form import AVERAGED, Module
 from derivations.emit.provenance import tools
 from derivations.emit.targets.numpy.printer import NumpyPrinter
-from derivations.emit.views import Calls, Code, Language, composition_view, regimes, sources, templates, view
+from derivations.emit.views import (
+    Calls,
+    Code,
+    Language,
+    composition_view,
+    regimes,
+    sources,
+    templates,
+    twofold_view,
+    view,
+)
 from derivations.mechanisms import DAMPING, FORCING, Parameter
 
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
@@ -31,6 +41,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         result[f"slowflow_kernels/{module.name}.py"] = environment.get_template("module.py.jinja").render(
             module=module,
             kernels=[view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels],
+            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
             regimes=regimes(module),
@@ -67,6 +78,7 @@ def exported(module: Module) -> list[str]:
         *module.constants,
         *module.pieces,
         *(kernel.name for kernel in module.kernels),
+        *(kernel.name for kernel in module.twofolds),
         *(c.name for c in module.compositions),
     ]
     return sorted({*module.reexports[1], *own}, key=in_import)

@@ -6,7 +6,9 @@ from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.precedence import PRECEDENCE
 
+from derivations.emit.compensated import fma
 from derivations.emit.targets.printing import Rules
 
 
@@ -21,8 +23,16 @@ class NumpyPrinter(Rules, NumPyPrinter):
         sp.sin: "np.sin",
         sp.cos: "np.cos",
         sp.tan: "np.tan",
+        fma: "",
         sp.atan2: "np.arctan2",
     }
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        if expr.func is fma:
+            # NumPy has none; it stands alone on a right-hand side, so that it needs no brackets
+            x, y, z = (self.parenthesize(arg, PRECEDENCE["Mul"]) for arg in expr.args)
+            return f"{x} * {y} + {z}"
+        return super()._print_Function(expr)
 
     def _print_Symbol(self, expr: sp.Symbol) -> str:
         return expr.name

@@ -36,43 +36,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from slowflow.backend import SOLVER
+from slowflow_kernels import frequencies, slow_flow_zeta0
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Counts = NDArray[np.int32]
 
-ROUGH = 2.0**-50  # a value below this part of its terms has no certain sign in double
-FINE = 2.0**-98  # the same in double-double
+ROUGH: float = frequencies.ROUGH  # a value below this part of its terms has no certain sign in double
+FINE: float = frequencies.FINE  # the same in double-double
 CHUNK = 8192  # elements solved together: the work arrays stay in the cache, and memory is bounded
 
 
-def _two_sum(a: Floats, b: Floats) -> tuple[Floats, Floats]:
-    s = a + b
-    t = s - a
-    return s, (a - (s - t)) + (b - t)
-
-
-def _split(a: Floats) -> tuple[Floats, Floats]:
-    t = 134217729.0 * a
-    high = t - (t - a)
-    return high, a - high
-
-
-def _two_product(a: Floats, b: Floats) -> tuple[Floats, Floats]:
-    """Product and its rounding error, by Dekker's splitting: NumPy has no fma."""
-    p = a * b
-    a_high, a_low = _split(a)
-    b_high, b_low = _split(b)
-    return p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
-
-
-# ==== The formulas.  Everything below this block is a solver that knows only these. ===================================
+# ==== The formulas, as they are generated, for either quartic.  Everything below this block is a solver that knows only
+# these. ==============================================================================================================
 
 
 @dataclass(frozen=True)
@@ -93,160 +75,109 @@ class _Quartic:
     def take(self, which: NDArray[np.intp] | Bools) -> Self:
         return type(self)(*(getattr(self, field.name)[which] for field in fields(self)))
 
-    def R_and_I(self, w: Floats, tail: Floats | float) -> tuple[Floats, Floats, Floats, Floats]:
-        """R and I in double-double at the point w + tail; the tail is a correction below the last place of w."""
-        Aw, Aw_low = _two_product(self.A, w)
-        Aww, Aww_low = _two_product(Aw, w)
-        R, R_low = _two_sum(Aww, self.h)
-        R_low += Aww_low + Aw_low * w + 2 * Aw * tail
-        y, y_low = _two_product(2 * self.zeta, Aw)
-        I, I_low = _two_sum(y, self.m)
-        I_low += y_low + 2 * self.zeta * (Aw_low + self.A * tail)
-        return R, R_low, I, I_low
-
     def value(self, w: Floats) -> tuple[Floats, Floats]:
         """The quartic in double, and a size; the error is below ROUGH * size."""
         raise NotImplementedError
 
-    def value_dd(self, w: Floats, tail: Floats | float = 0.0) -> tuple[Floats, Floats]:
-        """The quartic at w + tail in double-double, rounded to double, and a size; the error is below FINE * size."""
+    def value_fine(self, w: Floats) -> Floats:
+        """The quartic in double-double, rounded to double."""
         raise NotImplementedError
 
-    def fine_at_0(self) -> Floats:
-        """The quartic at 0 to the last place but one."""
+    def value_beside(self, w: Floats, tail: Floats) -> tuple[Floats, Floats]:
+        """The same at w + tail, a correction below the last place of w, and a size; the error is below FINE * size."""
+        raise NotImplementedError
+
+    def exactly_at_0(self) -> Floats:
+        """The quartic at 0 with a certain sign."""
         raise NotImplementedError
 
     def value_at_0(self) -> Floats:
-        """The quartic at 0 in double, but with a certain sign."""
-        return self.fine_at_0()
+        """The same in double, where it is certain."""
+        return self.exactly_at_0()
+
+    def cubic(self, w: Floats) -> Floats:
+        """A w^3 + p w + q."""
+        return _floats(frequencies.cubic(w, self.A, self.p, self.q))
+
+    def cubic_slope(self, w: Floats) -> Floats:
+        """Its slope."""
+        return _floats(frequencies.cubic_slope(w, self.A, self.p))
+
+    def cubic_fine(self, w: Floats) -> Floats:
+        """The cubic in double-double, rounded to double."""
+        return _floats(frequencies.cubic_fine(w, self.A, self.p, self.p_low, self.q, self.q_low))
+
+    def rise(self, w: Floats) -> tuple[Floats, Floats]:
+        """From 0 to a critical point, whose terms may be far smaller than those of the value; and its terms' size."""
+        rise, size = frequencies.rise(w, self.A, self.p, self.k)
+        return rise, size
+
+    def gap(self) -> Floats:
+        """1 - rho^2 = (4 |p|^3 - 27 A q^2) / (4 |p|^3) in double-double, for p < 0; 0 where only rounding is left."""
+        value, first = frequencies.discriminant(self.A, self.p, self.p_low, self.q, self.q_low)
+        return np.where(np.abs(value) <= FINE * first, 0.0, value / first)
 
 
 class _Response(_Quartic):
-    """F = R^2 + I^2 - F_0^2."""
+    """F."""
 
     @classmethod
     def of(cls, A: Floats, h: Floats, m: Floats, zeta: Floats, F_0: Floats) -> Self:
-        # p = h + 2 zeta^2 A, q = zeta m
-        z, z_low = _two_product(2 * zeta, zeta)
-        y, y_low = _two_product(z, A)
-        p, p_low = _two_sum(h, y)
-        p, p_low = _two_sum(p, p_low + (y_low + z_low * A))
-        return cls(A, h, m, zeta, F_0, 4 * A, p, p_low, *_two_product(zeta, m))
+        p, p_low, q, q_low, k = frequencies.response_derivative(A, m, zeta, h)
+        return cls(A, h, m, zeta, F_0, k, p, p_low, q, q_low)
 
     def value(self, w: Floats) -> tuple[Floats, Floats]:
-        Aw = self.A * w
-        Aww = Aw * w
-        R = Aww + self.h
-        I = 2 * self.zeta * Aw + self.m
-        R_terms = Aww + np.abs(self.h)
-        above = I + self.other
-        return R * R + (I - self.other) * above, (np.abs(R) + ROUGH * R_terms) * R_terms + above * above
+        value, size = frequencies.response(w, self.A, self.other, self.m, self.zeta, self.h)
+        return value, size
 
-    def value_dd(self, w: Floats, tail: Floats | float = 0.0) -> tuple[Floats, Floats]:
-        R, R_low, I, I_low = self.R_and_I(w, tail)
-        RR, RR_low = _two_product(R, R)
-        II, II_low = _two_product(I, I)
-        FF, FF_low = _two_product(self.other, self.other)
-        u, u_low = _two_sum(II, -FF)
-        v, v_low = _two_sum(RR, u)
-        low = (RR_low + R_low * (2 * R + R_low)) + ((II_low - FF_low) + 2 * I * I_low)
-        R_terms = self.A * w * w + np.abs(self.h)
-        size = (np.abs(R) + FINE * R_terms) * R_terms + (I + self.other) ** 2
-        return v + (v_low + (u_low + low)), size
+    def value_fine(self, w: Floats) -> Floats:
+        return _floats(frequencies.response_fine(w, self.A, self.other, self.m, self.zeta, self.h)[0])
 
-    def fine_at_0(self) -> Floats:
-        # six exact parts, distilled until they no longer overlap
-        high, low = zip(*(_two_product(x, x) for x in (self.h, self.m, self.other)), strict=True)
-        parts = [low[0], low[1], -low[2], high[0], high[1], -high[2]]
-        for _ in range(6):
-            for i in range(1, 6):
-                parts[i], parts[i - 1] = _two_sum(parts[i], parts[i - 1])
-        return np.asarray(parts[5] + (parts[4] + (parts[3] + (parts[2] + (parts[1] + parts[0])))))
+    def value_beside(self, w: Floats, tail: Floats) -> tuple[Floats, Floats]:
+        value, size = frequencies.response_beside(w, tail, self.A, self.other, self.m, self.zeta, self.h)
+        return value, size
+
+    def exactly_at_0(self) -> Floats:
+        return _floats(frequencies.response_exactly_at_0(self.other, self.m, self.h))
 
     def value_at_0(self) -> Floats:
-        size = self.h * self.h + (self.m + self.other) ** 2
-        value = self.h * self.h + (self.m - self.other) * (self.m + self.other)
+        value, size = frequencies.response_at_0(self.other, self.m, self.h)
         unsure = np.flatnonzero(np.abs(value) < ROUGH * size)
         if unsure.size:
-            value[unsure] = self.take(unsure).fine_at_0()
-        return value
+            value[unsure] = self.take(unsure).exactly_at_0()
+        return _floats(value)
 
 
 class _Fold(_Quartic):
-    """F_A/2 = R T + 2 zeta w I with T = w^2 + h_A."""
+    """F_A/2."""
 
     @classmethod
     def of(cls, A: Floats, h: Floats, h_A: Floats, m: Floats, zeta: Floats) -> Self:
-        # p = (h + A h_A)/2 + 2 zeta^2 A, q = zeta m / 2
-        z, z_low = _two_product(2 * zeta, zeta)
-        y, y_low = _two_product(z, A)
-        t, t_low = _two_product(A, h_A)
-        u, u_low = _two_sum(h, t)
-        p, p_low = _two_sum(0.5 * u, y)
-        p, p_low = _two_sum(p, p_low + (y_low + z_low * A) + 0.5 * (u_low + t_low))
-        return cls(A, h, m, zeta, h_A, np.full_like(A, 4.0), p, p_low, *_two_product(0.5 * zeta, m))
+        p, p_low, q, q_low, k = frequencies.fold_derivative(A, m, zeta, h, h_A)
+        return cls(A, h, m, zeta, h_A, np.full_like(A, k), p, p_low, q, q_low)
 
     def value(self, w: Floats) -> tuple[Floats, Floats]:
-        Aw = self.A * w
-        Aww = Aw * w
-        ww = w * w
-        R = Aww + self.h
-        T = ww + self.other
-        last = 2 * self.zeta * w * (2 * self.zeta * Aw + self.m)
-        R_terms = Aww + np.abs(self.h)
-        size = (np.abs(R) + ROUGH * R_terms) * (ww + np.abs(self.other)) + np.abs(T) * R_terms + last
-        return R * T + last, size
+        value, size = frequencies.fold(w, self.A, self.m, self.zeta, self.h, self.other)
+        return value, size
 
-    def value_dd(self, w: Floats, tail: Floats | float = 0.0) -> tuple[Floats, Floats]:
-        R, R_low, I, I_low = self.R_and_I(w, tail)
-        ww, ww_low = _two_product(w, w)
-        T, T_low = _two_sum(ww, self.other)
-        T_low += ww_low + 2 * w * tail
-        y, y_low = _two_product(2 * self.zeta, w)
-        yI, yI_low = _two_product(y, I)
-        RT, RT_low = _two_product(R, T)
-        v, v_low = _two_sum(RT, yI)
-        low = (RT_low + (R * T_low + R_low * (T + T_low))) + (yI_low + (y * I_low + (y_low + 2 * self.zeta * tail) * I))
-        R_terms = self.A * w * w + np.abs(self.h)
-        size = (np.abs(R) + FINE * R_terms) * (ww + np.abs(self.other)) + np.abs(T) * R_terms + yI
-        return v + (v_low + low), size
+    def value_fine(self, w: Floats) -> Floats:
+        return _floats(frequencies.fold_fine(w, self.A, self.m, self.zeta, self.h, self.other)[0])
 
-    def fine_at_0(self) -> Floats:
-        return self.h * self.other
+    def value_beside(self, w: Floats, tail: Floats) -> tuple[Floats, Floats]:
+        value, size = frequencies.fold_beside(w, tail, self.A, self.m, self.zeta, self.h, self.other)
+        return value, size
+
+    def exactly_at_0(self) -> Floats:
+        return _floats(frequencies.fold_at_0(self.h, self.other))
+
+
+def _floats(value: Any) -> Floats:
+    """What a generated kernel returns, which is not typed."""
+    result: Floats = value
+    return result
 
 
 # ==== The cubic A w^3 + p w + q, q >= 0 ===============================================================================
-
-
-def _cubic_slope(s: _Quartic, w: Floats) -> Floats:
-    return 3 * s.A * w * w + s.p
-
-
-def _cubic_dd(s: _Quartic, w: Floats) -> Floats:
-    """The cubic in double-double, rounded to double."""
-    Aw, Aw_low = _two_product(s.A, w)
-    Aww, Aww_low = _two_product(Aw, w)
-    b, b_low = _two_sum(Aww, s.p)
-    wb, wb_low = _two_product(w, b)
-    v, v_low = _two_sum(wb, s.q)
-    return v + (v_low + (wb_low + w * (b_low + (Aww_low + Aw_low * w + s.p_low)) + s.q_low))
-
-
-def _gap_dd(s: _Quartic) -> Floats:
-    """1 - rho^2 = (4 |p|^3 - 27 A q^2) / (4 |p|^3) in double-double, for p < 0; 0 where only rounding is left."""
-    p, p_low = -s.p, -s.p_low
-    p2, p2_low = _two_product(p, p)
-    p2_low += 2 * p * p_low
-    p3, p3_low = _two_product(p2, p)
-    p3_low += p2_low * p + p2 * p_low
-    q2, q2_low = _two_product(s.q, s.q)
-    q2_low += 2 * s.q * s.q_low
-    c, c_low = _two_product(np.full_like(s.A, 27.0), s.A)
-    d, d_low = _two_product(c, q2)
-    d_low += c * q2_low + c_low * q2
-    gap, gap_low = _two_sum(4 * p3, -d)
-    value = gap + (gap_low + (4 * p3_low - d_low))
-    return np.where(np.abs(value) <= FINE * 4 * p3, 0.0, value / (4 * p3))
 
 
 def _critical_points(s: _Quartic) -> tuple[Bools, Floats, Floats]:
@@ -261,7 +192,7 @@ def _critical_points(s: _Quartic) -> tuple[Bools, Floats, Floats]:
     rho = np.where(falls, 1.5 * s.q / (np.abs(s.p) * r), 2.0)
     gap = (1 - rho) * (1 + rho)
     unsure = np.flatnonzero(np.abs(rho - 1) <= 2.0**-26)
-    gap[unsure] = _gap_dd(s.take(unsure))
+    gap[unsure] = s.take(unsure).gap()
     exist = gap >= 0
     rho = np.minimum(rho, 1 + 2.0**-26)
     # cubic Hermite interpolation of c(rho) between c(0) = sqrt(3)/2, c' = 1/6 and c(1) = 1, c' = 1/9
@@ -284,8 +215,8 @@ def _polish_cubic(s: _Quartic, w: Floats) -> Floats:
     active = np.arange(w.size)
     for _ in range(8):
         t, x = s.take(active), w[active]
-        slope = _cubic_slope(t, x)
-        step = _cubic_dd(t, x) / slope
+        slope = t.cubic_slope(x)
+        step = t.cubic_fine(x) / slope
         # at a double root the slope is noise, and w is as good as it gets
         simple = np.abs(step) <= 2.0**-10 * x
         x = np.where(simple, x - step, x)
@@ -307,18 +238,17 @@ def _critical_values(s: _Quartic, w: Floats) -> Floats:
         t, x = s.take(unsure), w[unsure]
         tail = np.zeros_like(x)
         for last in (False, False, True):
-            step = _cubic_dd(t, x) / _cubic_slope(t, x)
+            step = t.cubic_fine(x) / t.cubic_slope(x)
             # where maximum and minimum coincide the value does not depend on w in second order
             step = np.where(np.abs(step) <= 2.0**-10 * x, step, 0.0)
             if last:
                 tail = -step
             else:
                 x = x - step
-        fine, size = t.value_dd(x, tail)
-        # the rise from w = 0, whose terms may be far smaller than those of the value; A w^3 + q = -p w is used
-        start = t.fine_at_0()
-        rise = t.k * x * x * (-0.5 * t.p - 0.75 * t.A * x * x)
-        by_rise = np.abs(start + rise) > 2.0**-40 * (np.abs(start) - t.k * x * x * t.p)
+        fine, size = t.value_beside(x, tail)
+        start = t.exactly_at_0()
+        rise, terms = t.rise(x)
+        by_rise = np.abs(start + rise) > 2.0**-40 * (np.abs(start) + terms)
         value[unsure] = np.where(by_rise, start + rise, np.where(np.abs(fine) <= FINE * size, 0.0, fine))
     return value
 
@@ -333,8 +263,8 @@ def _refine(s: _Quartic, w: Floats, lo: Floats, hi: Floats, rising: Floats) -> F
         t, x, below, above = s.take(active), w[active], lo[active], hi[active]
         f, size = t.value(x)
         certain = np.abs(f) > ROUGH * size
-        D = _cubic_slope(t, x)
-        C = x * (t.A * x * x + t.p) + t.q
+        D = t.cubic_slope(x)
+        C = t.cubic(x)
         left = f * rising[active] < 0
         below = np.where(certain & left, x, below)
         above = np.where(certain & ~left, x, above)
@@ -351,9 +281,9 @@ def _refine(s: _Quartic, w: Floats, lo: Floats, hi: Floats, rising: Floats) -> F
     active = np.arange(w.size)
     for _ in range(100):  # Newton with the double-double residual: once, but for nearly multiple roots
         t, x, below, above = s.take(active), w[active], lo[active], hi[active]
-        f, _size = t.value_dd(x)
-        D = _cubic_slope(t, x)
-        C = x * (t.A * x * x + t.p) + t.q
+        f = t.value_fine(x)
+        D = t.cubic_slope(x)
+        C = t.cubic(x)
         step = f / (t.k * C)
         following = x - step
         done = (step * step * np.abs(D) <= 2.0**-57 * np.abs(C) * x) & (following >= below) & (following <= above)
@@ -398,7 +328,7 @@ def _quartic_roots(s: _Quartic) -> tuple[Floats, Counts]:
     todo.append((0, i, start, np.zeros_like(high), 2 * high, 1.0))
 
     # between 0 and the maximum the quartic is concave: the tangent at 0 and the parabola at w1 end below the root
-    drop = np.sqrt(2 * np.maximum(f1, 0.0) / (-k * _cubic_slope(s, w1)))
+    drop = np.sqrt(2 * np.maximum(f1, 0.0) / (-k * s.cubic_slope(w1)))
     i = np.flatnonzero((f0 < 0) & (f1 > 0))
     start = np.maximum(-f0[i] / (k[i] * q[i]), w1[i] - drop[i])
     todo.append((0, i, start, np.zeros_like(start), w1[i], 1.0))
@@ -445,10 +375,10 @@ def _response(A: Floats, h: Floats, m: Floats, zeta: Floats, F_0: Floats) -> tup
 
 def _fold(A: Floats, h: Floats, h_A: Floats, m: Floats, zeta: Floats) -> tuple[Floats, Counts]:
     found = np.full((A.size, 3), np.nan)
-    two_factors = zeta == 0  # R = 0 and w^2 + h_A = 0
+    two_factors = zeta == 0  # the backbone, and one in h_A alone
     i = np.flatnonzero(two_factors)
-    found[i, 0] = np.sqrt(np.where(h[i] < 0, -h[i] / A[i], np.nan))
-    found[i, 1] = np.sqrt(np.where(h_A[i] < 0, -h_A[i], np.nan))
+    found[i, 0] = slow_flow_zeta0.backbone(A[i], np.where(h[i] < 0, h[i], np.nan))
+    found[i, 1] = slow_flow_zeta0.undamped_Omega(np.where(h_A[i] < 0, h_A[i], np.nan))
     i = np.flatnonzero(~two_factors)
     # beside a corner h_A is huge: measure w there in units of sqrt|h_A|, lest w^4 overflow
     e = np.where(np.abs(h_A[i]) > 2.0**100, np.frexp(h_A[i])[1] // 4, 0)
