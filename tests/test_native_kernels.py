@@ -33,8 +33,8 @@ from tests.native import clones, headers
 
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
-#: modules that serve any kind of number
-GENERIC = ("motion",)
+#: modules that serve any kind of number, or arrays as they are
+GENERIC = ("frequencies", "motion")
 RANGES = {
     "Omega": (0.1, 3), "A": (0.01, 1.5), "F_0": (0.01, 1), "m": (0, 0.1), "mu": (0, 0.1), "zeta": (0, 0.1),
     "h": (-2, 0.5), "h_A": (-2, 1), "h_AA": (-3, 3), "h_AAA": (-3, 3), "alpha": (-0.5, 1), "beta": (0, 3),
