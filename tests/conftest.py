@@ -1,4 +1,4 @@
-"""What several tests share."""
+"""What several tests share, also across the workers of pytest-xdist: what is made once, and the generated C."""
 
 from __future__ import annotations
 
@@ -6,8 +6,11 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 from filelock import FileLock
+
+from tests.native import headers
 
 Once = Callable[[str, Callable[[Path], object]], Path]
 
@@ -31,3 +34,11 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
         return folder
 
     return once
+
+
+@pytest.fixture(scope="session")
+def c_kernels(once: Once) -> Callable[..., np.ndarray]:
+    """The functions of the generated C headers, by name."""
+    if headers.COMPILER is None:
+        pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
+    return headers.load(once("headers", headers.build))

@@ -75,6 +75,7 @@ def test_the_worst_points_of_figure_2a(ratio, part):
     assert abs(other / exact.A - 1) == pytest.approx(spot["off"], rel=1e-3, abs=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [0.2, 0.7])
 def test_the_course_of_figure_2a(ratio):
     system = EquationOfMotion(linear(), ratio, 0.0)
@@ -91,6 +92,7 @@ def close(found, row):
         assert (mine.Omega, mine.A) == pytest.approx((theirs["Omega"], theirs["A"]), rel=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("forcing", ["0.025", "0.040"])
 def test_exact_jumps_of_figure_7a(forcing):
     """On a short piece around each fold, begun on the stable side of the fold."""
@@ -101,6 +103,7 @@ def test_exact_jumps_of_figure_7a(forcing):
         close(curve(isolator(row), row["F_0"], window, at, fold["A"]).folds, [fold])
 
 
+@pytest.mark.slow
 def test_exact_jumps_where_averaging_has_none():
     """The first case of Figure 2b in which the folds differ: the curve from below the lower one to above the upper."""
     row = next(row for row in NUMBERS["figure_2b"] if not measured.same_folds(row))
@@ -122,6 +125,7 @@ def test_the_worst_points_of_figure_7a(forcing):
     assert off == pytest.approx(row["point"]["off"], abs=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("forcing", ["F_SN", "0.040", "0.050"])
 def test_the_largest_amplitudes_of_figure_7a(forcing):
     row = TABLE_2[forcing]
@@ -131,6 +135,7 @@ def test_the_largest_amplitudes_of_figure_7a(forcing):
     assert found.A.max() == pytest.approx(row["exact"]["A"], rel=1e-3)
 
 
+@pytest.mark.slow
 def test_the_exact_onset_of_figure_7a():
     """The exact curve becomes vertical between forcings 0.2 per cent apart."""
     averaged = example.isolator()

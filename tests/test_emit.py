@@ -214,6 +214,7 @@ def test_structured_forms_stay():
     assert program.counts["power chains"] <= program.counts["structured"]
 
 
+@pytest.mark.slow
 def test_passes_change_no_value():
     """Putting the lets back gives the value of the expression that went in, for every kernel of the general scene."""
     mp.dps = 50

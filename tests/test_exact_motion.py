@@ -27,7 +27,10 @@ try:
     INTEGRATORS.append(HeyokaIntegrator())
 except ImportError:  # it has no wheels here
     pass
-each_integrator = pytest.mark.parametrize("integrator", INTEGRATORS, ids=lambda one: one.name)
+SLOW = {"scipy": [pytest.mark.slow]}
+each_integrator = pytest.mark.parametrize(
+    "integrator", [pytest.param(one, id=one.name, marks=SLOW.get(one.name, [])) for one in INTEGRATORS]
+)
 CASES = random_cases(60, seed=6)  # a seed with up to six stops and subharmonics: see the first test
 
 
@@ -61,6 +64,7 @@ def test_random_isolators_against_brute_force(states):
         assert rests == state.stops, case
 
 
+@pytest.mark.slow
 @compiled
 def test_random_isolators_by_scipy(states):
     """SciPy's events, from rest and on their own, find the same steady states to 1e-9, with the same switches."""

@@ -76,6 +76,7 @@ def test_points_are_motions_and_stability_is_theirs(curves):
             assert state.A == pytest.approx(curve.A[index], abs=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)] if QUICK else [(True, 0.04)])
 def test_curve_by_amplitude(curves, exact, F_0):
     """Solved for (Omega, theta) at given amplitudes instead of followed: the same curve, the same folds.
@@ -230,6 +231,7 @@ def test_short_curve_by_scipy():
         assert abs(state.A - point.equations.A) <= 1e-9
 
 
+@pytest.mark.slow
 @compiled
 def test_a_whole_curve_by_scipy(curves):
     """Both integrators, on steps of their own, agree about peak, folds and where the springs detach."""
@@ -297,6 +299,7 @@ def test_kinds_of_folds_beside_a_sharp_peak(step):
     assert [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
 
 
+@pytest.mark.slow
 @compiled
 def test_corner_fold_of_the_truncated_force():
     """Just above the forcing that detaches the springs, the jump of the force (6) adds a corner and two folds.

@@ -7,6 +7,7 @@ from slowflow.paper.smoothed import direct_integration
 from tests.oracles.exact_cases import table_1
 
 
+@pytest.mark.slow
 def test_bias_falls_with_the_smoothing():
     """The amplitude's error is of first order in 1/nu, and the paper's nu leaves less than 2e-3 of it."""
     system = EquationOfMotion(linear(), 0.3, 0.1)

@@ -66,14 +66,6 @@ def package(request):
         pytest.skip(f"no {request.param} backend: {error}")
 
 
-@pytest.fixture(scope="module")
-def library(tmp_path_factory):
-    """The C headers, compiled together with all warnings as errors."""
-    if headers.COMPILER is None:
-        pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
-    return headers.build(tmp_path_factory.mktemp("kernels"))
-
-
 @pytest.mark.parametrize("module", MODULES)
 def test_no_kernel_without_an_oracle(module):
     assert functions(module) == set(ORACLE[module])
@@ -115,9 +107,9 @@ def test_kernel_on_arrays(package, module, kernel):
 
 
 @pytest.mark.parametrize(("module", "kernel"), KERNELS)
-def test_kernel_in_c(library, module, kernel):
+def test_kernel_in_c(c_kernels, module, kernel):
     rows = ORACLE[module][kernel]
-    errors = [worst(library(f"{module}_{kernel}", row["at"], len(row["is"])), row) for row in rows]
+    errors = [worst(c_kernels(f"{module}_{kernel}", row["at"], len(row["is"])), row) for row in rows]
     assert max(errors) <= BOUNDS.get(kernel, BOUND)
 
 

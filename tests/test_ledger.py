@@ -125,6 +125,7 @@ REPAIRS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_every_mutant_differs(name: str, against: dict[str, Subject]) -> None:
     published = judge(vars(PUBLISHED)[name], against[name])

@@ -29,7 +29,7 @@ from slowflow.backend import KERNELS, SOLVER
 from slowflow.paper.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow
 from tests import backends
-from tests.native import clones, headers
+from tests.native import clones
 
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
@@ -276,6 +276,7 @@ def targets() -> list[str]:
     return ["x86-64", *(target for target, needs in wider.items() if needs <= flags)]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(len(targets()) < 2, reason="one target only")
 def test_every_clone_gives_the_same_bits(tmp_path):
     """Each target alone: without contraction wide vectors round as narrow ones do."""
@@ -298,6 +299,7 @@ def test_every_clone_gives_the_same_bits(tmp_path):
                 assert np.array_equal(x.view(np.int64)[~np.isnan(x)], y.view(np.int64)[~np.isnan(y)]), name
 
 
+@pytest.mark.slow
 @native_only
 def test_the_installed_clone_is_one_of_them(tmp_path):
     """The extension module's choice gives the bits of the baseline, built here."""
@@ -324,13 +326,10 @@ def test_the_arctangent_polynomial_is_as_good_as_derived():
     assert polynomial.bound < Fraction(1, 16)
 
 
-@pytest.fixture(scope="module")
-def atan2(tmp_path_factory):
+@pytest.fixture
+def atan2(c_kernels):
     """The generated arctangent, by itself."""
-    if headers.COMPILER is None:
-        pytest.skip("no C compiler")
-    library = headers.build(tmp_path_factory.mktemp("angles"))
-    return lambda y, x: float(library("angles_atan2", [y, x], 1)[0])
+    return lambda y, x: float(c_kernels("angles_atan2", [y, x], 1)[0])
 
 
 def error_in_ulps(value: float, y: float, x: float) -> float:
@@ -339,6 +338,7 @@ def error_in_ulps(value: float, y: float, x: float) -> float:
         return float(abs(mpmath.mpf(value) - mpmath.atan2(mpmath.mpf(y), mpmath.mpf(x))) / np.spacing(abs(value)))
 
 
+@pytest.mark.slow
 def test_the_arctangent_of_an_exact_quotient_is_right_to_one_unit(atan2):
     """x = 1: the quotient is exact, and what is left is the polynomial's error and four roundings."""
     rng = np.random.default_rng(3)
@@ -346,6 +346,7 @@ def test_the_arctangent_of_an_exact_quotient_is_right_to_one_unit(atan2):
     assert max(error_in_ulps(atan2(t, 1.0), t, 1.0) for t in points) < 1
 
 
+@pytest.mark.slow
 def test_the_angle_is_right_to_one_and_a_half_units(atan2):
     """Half a unit more, for the quotient; in all quadrants."""
     rng = np.random.default_rng(4)
@@ -353,6 +354,7 @@ def test_the_angle_is_right_to_one_and_a_half_units(atan2):
     assert max(error_in_ulps(atan2(y, x), y, x) for y, x in points) < 1.5
 
 
+@pytest.mark.slow
 def test_the_angle_of_zeros_infinities_and_nan(atan2):
     """As C99 says, signs of zeros included."""
     special = (0.0, -0.0, 1.0, -1.0, np.inf, -np.inf, 5e-324, -5e-324, 1e308, np.nan)

@@ -61,6 +61,7 @@ def number(expression, known):
     return mp.mpmathify(function(*(known[symbol] for symbol in symbols)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("count", "amplitude"), [(0, "0.2"), (1, "0.31"), (1, "0.49"), (2, "0.501"), (2, "2")])
 def test_closed_form(average, count, amplitude):
     exact = by_quadrature(mpf(amplitude), count)
@@ -78,6 +79,7 @@ def test_far_form_to_working_precision(average, count, far, amplitude):
         assert abs(one - other) <= mpf(2) ** -54 * (1 + abs(other))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("count", "far", "amplitude"), [(0, 0, "0.2"), (1, 0, "0.31"), (2, 0, "0.501"), *FAR_POINTS])
 def test_higher_harmonics(count, far, amplitude):
     """Every form of h_3 and h_5; the series leave out less than rounding does."""

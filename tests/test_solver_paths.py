@@ -3,6 +3,7 @@
 The same tests run on both backends; those that compare the backends, or need one, say so.
 """
 
+import functools
 import json
 import math
 import tracemalloc
@@ -19,7 +20,7 @@ from slowflow.averaged.reference import folds, locus, response
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow.results import Remark
 from tests.native.roots import why_not
-from tests.native.solvers import THOROUGH, build
+from tests.native.solvers import THOROUGH, build, load
 
 DATA = Path(__file__).parent / "data"
 UNIT = 2.0**-53
@@ -163,10 +164,12 @@ def assert_same(one, other, tolerance):
 
 
 @pytest.fixture(scope="module")
-def builds(tmp_path_factory):
+def builds(once):
+    """The solvers as they are, and thorough ones."""
     if reason := why_not(clones=False):
         pytest.skip(reason)
-    return [build(tmp_path_factory.mktemp("solvers"), options) for options in ([], THOROUGH)]
+    options = {"solvers": [], "thorough_solvers": THOROUGH}
+    return [load(once(name, functools.partial(build, options=given))) for name, given in options.items()]
 
 
 def random_designs(seed, n):
@@ -181,6 +184,7 @@ def random_designs(seed, n):
     return np.stack([lam, r, delta_h, mu, zeta, F_0], axis=-1)
 
 
+@pytest.mark.slow
 def test_the_onset_is_that_of_a_thorough_search(builds):
     rows = random_designs(1, 20_000)
     (numbers, codes), (thorough, thorough_codes) = (solve("onset", rows) for solve in builds)
@@ -190,6 +194,7 @@ def test_the_onset_is_that_of_a_thorough_search(builds):
     assert np.nanmedian(np.abs(numbers[:, 0] / thorough[:, 0] - 1)) <= 2 * UNIT
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("question", ["saddle_nodes", "peak"])
 def test_no_fold_and_no_peak_is_missed_that_a_thorough_search_finds(builds, question):
     rows = random_designs(2, 4_000)

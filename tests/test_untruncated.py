@@ -90,6 +90,7 @@ def forcing(F_cr: float, F_SN: float | None, m: float) -> list[float]:
     return [F_0 for F_0 in (0.9 * F_cr, 1.1 * F_cr, 1.6 * F_cr) if F_SN and F_0 > max(F_SN, m)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("k", range(len(DESIGNS)))
 def test_against_quadrature(k):
     design = DESIGNS[k]

@@ -1,4 +1,4 @@
-"""The generated C headers as Python functions: a directory for the shared library in, callables out.
+"""The generated C headers as Python functions: a folder for the shared library in, callables out.
 
 Every `static inline` function of `generated/c` gets a wrapper `void wrap_NAME(const double *in, double *out)`.
 """
@@ -23,6 +23,7 @@ FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
 PROTOTYPE = re.compile(r"^(?:static inline|TWOFOLD_INLINE) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
 COMPILER = shutil.which("cc")
 WIDEST = 64
+LIBRARY = "kernels.so"
 
 
 def prototypes() -> dict[str, tuple[str, list[str]]]:
@@ -42,8 +43,8 @@ def compile_alone(header: Path, directory: Path) -> str:
     return subprocess.run(command, capture_output=True, text=True).stderr
 
 
-def build(directory: Path) -> Callable[..., np.ndarray]:
-    """Compile all headers together; the function returned takes a name and the arguments in one sequence."""
+def build(directory: Path) -> None:
+    """Compile all headers together, with all warnings as errors, into a library in a folder."""
     includes = [f'#include "{header.name}"' for header in sorted(HEADERS.glob("*.h"))]
     wrappers = []
     for name, (kind, arguments) in prototypes().items():
@@ -62,13 +63,17 @@ def build(directory: Path) -> Callable[..., np.ndarray]:
             f"void wrap_{name}(const double *in, double *out);\n"
             f"void wrap_{name}(const double *in, double *out) {{ (void)in; {body} }}"
         )
-    source, library = directory / "kernels.c", directory / "kernels.so"
+    source, library = directory / "kernels.c", directory / LIBRARY
     source.write_text("\n".join([*includes, *wrappers]) + "\n")
     command = [COMPILER, *WARNINGS, *FLAGS, *INCLUDES, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(done.stderr)
-    loaded = ctypes.CDLL(str(library))
+
+
+def load(directory: Path) -> Callable[..., np.ndarray]:
+    """The library in a folder: a function that takes a name, the arguments in one sequence, and how many come out."""
+    loaded = ctypes.CDLL(str(directory / LIBRARY))
 
     def call(name: str, arguments: list[float], width: int) -> np.ndarray:
         given, out = np.array([*arguments, 0.0]), np.full(WIDEST, np.nan)

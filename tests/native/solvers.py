@@ -15,22 +15,27 @@ INCLUDES = [f"-I{folder}" for folder in (HEADERS, ROOT / "generated" / "c", ROOT
 #: ten times as many samples as the package's, and nothing left out
 THOROUGH = ["-DSF_MOST_NODES=20000", "-DSF_STEP_DOWN=0.99", "-DSF_STEP_UP=1.01", "-DSF_STEP_NEAR=1.02", "-DSF_SKIP=0"]
 
+LIBRARY = "solvers.so"
+
 Answers = tuple[np.ndarray, np.ndarray]
 
 
-def build(directory: Path, options: list[str]) -> Callable[[str, np.ndarray], Answers]:
-    """Compile the driver; the function takes the question and rows (lam, r, delta_h, mu, zeta, F_0).
-
-    It gives numbers, shape (n, 12), and for each design a status and a kind or count, shape (n, 2).
-    """
-    library = Path(directory) / "solvers.so"
+def build(directory: Path, options: list[str]) -> None:
+    """Compile the driver into a library in a folder."""
     command = ["gcc", *WARNINGS, "-std=c11", *FLAGS, *options, *INCLUDES, "-shared", "-fPIC"]
     done = subprocess.run(
-        [*command, str(HERE / "solver_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
+        [*command, str(HERE / "solver_driver.c"), "-o", str(directory / LIBRARY), "-lm"], capture_output=True, text=True
     )
     if done.returncode:
         raise RuntimeError(done.stderr)
-    loaded = ctypes.CDLL(str(library))
+
+
+def load(directory: Path) -> Callable[[str, np.ndarray], Answers]:
+    """The library in a folder: a function of the question and of rows (lam, r, delta_h, mu, zeta, F_0).
+
+    It gives numbers, shape (n, 12), and for each design a status and a kind or count, shape (n, 2).
+    """
+    loaded = ctypes.CDLL(str(directory / LIBRARY))
 
     def solve(question: str, rows: np.ndarray) -> Answers:
         rows = np.ascontiguousarray(rows, dtype=np.float64)
