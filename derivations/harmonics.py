@@ -31,7 +31,17 @@ import sympy as sp
 from flint import arb, ctx, fmpq
 
 from derivations.elliptic import DIGITS, MODERATE, Let, digits, gauss, parts
-from derivations.restoring import ORDERS, Case, End, Regime, at_breakpoint, forms, moment_parts, slope
+from derivations.restoring import (
+    ORDERS,
+    Case,
+    End,
+    Regime,
+    at_breakpoint,
+    forms,
+    moment_parts,
+    quarter_moment,
+    slope,
+)
 from derivations.symbols import A, u
 
 #: the harmonics of the spring that are kept: with the next two as well the largest errors of jumps stayed the same
@@ -61,11 +71,16 @@ def chebyshev(n: int, s: sp.Expr) -> sp.Expr:
     return sp.chebyshevt(n, s)
 
 
-def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
-    """The rational a and the even polynomial P with int_0^theta s^degree T_n(s) dt = a theta - x y P(x)."""
+def powers_of(n: int, degree: int) -> list[tuple[int, sp.Integer]]:
+    """s^degree T_n(s) as powers of s and their coefficients."""
     s = sp.Symbol("s")
+    return [(power, coefficient) for (power,), coefficient in sp.Poly(s**degree * chebyshev(n, s), s).terms()]
+
+
+def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
+    """The rational a and the even polynomial P with int_0^theta s^degree T_n(s) dt = a theta - x y P(x), degree odd."""
     secular, polynomial = sp.Integer(0), sp.Poly(0, sp.Symbol("x", positive=True))
-    for (power,), coefficient in sp.Poly(s**degree * chebyshev(n, s), s).terms():
+    for power, coefficient in powers_of(n, degree):
         share, rest = moment_parts(power)
         secular += coefficient * share
         polynomial += coefficient * rest
@@ -108,8 +123,9 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
     degrees = sorted({degree for jump in jumps for degree, _ in _degrees(jump)})
     lets: list[Let] = []
     for end in ends:
-        powers = range(2, max(degrees) + max(HARMONICS) + 1, 2) if end.far else ()
-        lets += end.lets(powers)
+        even = range(2, max(degrees) + max(HARMONICS) + 1, 2) if end.far else ()
+        odd = {power for degree in degrees if degree % 2 == 0 for n in HARMONICS for power, _ in powers_of(n, degree)}
+        lets += end.lets([*even, *sorted(odd)])
     derivatives: list[sp.Expr] = []
     for n in HARMONICS:
         for end in ends:
@@ -117,7 +133,7 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
 
         def under(order: int, n: int = n) -> sp.Expr:
             whole = sum(
-                c * sp.ff(d, order) * A ** (d - order) * weighted(n, d)[0] * sp.pi / 2
+                c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d)
                 for d, c in _degrees(pieces[count])
             )
             passed = sum(
@@ -144,12 +160,18 @@ def _moment(end: End, n: int, degree: int) -> sp.Symbol:
     return end.symbol(f"W{n}_{degree}")
 
 
+def _quarter(n: int, degree: int) -> sp.Expr:
+    """int_0^(pi/2) s^degree T_n(s) dt"""
+    return sp.Add(*(coefficient * quarter_moment(power) for power, coefficient in powers_of(n, degree)))
+
+
 def _moment_value(end: End, n: int, degree: int) -> sp.Expr:
+    moments = sum(coefficient * end.from_zero(power) for power, coefficient in powers_of(n, degree))
+    if degree % 2 == 0:
+        return moments
     secular, polynomial = weighted(n, degree)
     if end.far and secular != 0:
-        s = sp.Symbol("s")
-        terms = sp.Poly(s**degree * chebyshev(n, s), s).terms()
-        return sum(coefficient * end.from_zero(power) for (power,), coefficient in terms)
+        return moments
     x, y = end.symbol("x"), end.symbol("y")
     return secular * end.symbol("theta") - x * y * sp.horner(polynomial.as_expr()).subs(polynomial.gen, x)
 

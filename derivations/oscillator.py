@@ -115,7 +115,7 @@ def without_cancellation(force: sp.Expr) -> sp.Expr:
 
 
 def taylor_polynomial(force: sp.Expr, order: int) -> dict[int, sp.Expr]:
-    """(6), (7): coefficients of F_k(u) by power of u, up to `order`; an even power is an error (the force is odd)."""
+    """(6), (7): coefficients of F_k(u) by power of u, up to `order`."""
     coefficients: dict[int, sp.Expr] = {}
     derivative = force
     for power in range(order + 1):
@@ -123,10 +123,27 @@ def taylor_polynomial(force: sp.Expr, order: int) -> dict[int, sp.Expr]:
         if value != 0:
             coefficients[power] = value
         derivative = sp.diff(derivative, u)
-    even = [power for power in coefficients if power % 2 == 0]
-    if even:
-        raise ArithmeticError(f"the restoring force is not odd: powers {even} of u in its Taylor polynomial")
     return coefficients
+
+
+def check_smooth_at_rest(mechanism: Mechanism, taylor: dict[int, sp.Expr]) -> None:
+    """The first piece holds on both sides of u = 0: an odd force has no even powers there."""
+    even = [power for power in taylor if power % 2 == 0]
+    if even:
+        raise ArithmeticError(
+            f"{mechanism.name}: powers {even} of u in the first piece: an odd force has none where it is smooth at u = 0"
+        )
+
+
+def by_continuity(mechanism: Mechanism, number: int, exact: tuple[sp.Expr, ...], ends: tuple[sp.Expr, ...]) -> None:
+    """Proof that a piece of the force begins where the one below it ends, both being polynomials of no higher order."""
+    below, above = exact[number - 1 : number + 1]
+    if not all(force.is_polynomial(u) and sp.degree(force, u) <= mechanism.order for force in (below, above)):
+        raise ArithmeticError(f"{mechanism.name}: the constant in piece {number + 1} of a truncated force needs a name")
+    if sp.simplify((below - above).subs(u, ends[number - 1])) != 0:
+        raise ArithmeticError(
+            f"{mechanism.name}: the force jumps where piece {number} ends; the constant in the next needs a name (power 0)"
+        )
 
 
 def untruncated(mechanism: Mechanism, force: sp.Expr, names: dict[int, sp.Symbol]) -> tuple[sp.Expr, dict]:
@@ -167,7 +184,7 @@ def oscillator(mechanism: Mechanism) -> Oscillator:
     whole_force = mechanism.order == sp.oo
     if whole_force:
         check_continuous(mechanism)
-    for force, names in zip(exact, mechanism.coefficients, strict=True):
+    for number, (force, names) in enumerate(zip(exact, mechanism.coefficients, strict=True)):
         if whole_force and names:
             piece, named = untruncated(mechanism, force, names)
             polynomials.append(piece)
@@ -176,11 +193,21 @@ def oscillator(mechanism: Mechanism) -> Oscillator:
         if whole_force and force != 0:
             raise ArithmeticError(f"{mechanism.name}: an untruncated force {force} without names")
         taylor = {} if whole_force else taylor_polynomial(force, mechanism.order)
+        if number == 0:
+            check_smooth_at_rest(mechanism, taylor)
+        continuous = 0 in taylor and 0 not in names
+        if continuous:
+            by_continuity(mechanism, number, exact, ends)
+            del taylor[0]
         whole = {power: taylor.get(power, sp.Integer(0)) + (1 if power == 1 else 0) for power in (1, *taylor)}
         unnamed = sorted(set(taylor) - set(names)) if names else sorted(taylor)
         if unnamed:
             raise ArithmeticError(f"{mechanism.name}: powers {unnamed} of u have no named coefficient")
         definitions |= {name: sp.factor(whole[power]) for power, name in names.items()}
-        polynomials.append(sum((name * u**power for power, name in names.items()), sp.Integer(0)) if names else u)
+        piece = sum((name * u**power for power, name in names.items()), sp.Integer(0)) if names else u
+        if continuous:
+            # not a parameter of its own: rounding would make the force jump
+            piece += sp.expand(polynomials[-1] - piece).subs(u, mechanism.breakpoints[number - 1])
+        polynomials.append(piece)
     definitions |= dict(zip(mechanism.breakpoints, ends, strict=True))
     return Oscillator(mechanism, dimensionless_groups(mechanism), exact, ends, tuple(polynomials), definitions)

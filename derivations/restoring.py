@@ -1,6 +1,7 @@
-"""Step 3, equations (20)-(22), (31), (32): the averaged force of a piecewise odd polynomial, and its derivatives.
+"""Step 3, equations (20)-(22), (31), (32): the averaged force of an odd, piecewise polynomial force, and its derivatives.
 
-In:  polynomial pieces of a force by rising |u|, and the names of the breakpoints between them.
+In:  polynomial pieces of a force by rising |u|, as they are for u > 0, and the names of the breakpoints between them; the
+     first has odd powers only, others may have a constant and even powers.
 Out: one `Regime` for each number of breakpoints that the amplitude exceeds, with the average and its first derivatives;
      beside these exact forms, one whose series keeps its digits where A exceeds a breakpoint by far.
 
@@ -102,7 +103,7 @@ def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
     neither end cancels within the second form.
     """
     if power % 2:
-        raise ArithmeticError(f"an odd force gives even powers of the sine only, not {power}")
+        raise ArithmeticError(f"only even powers of the sine have this form, not {power}")
     theta, x, y = sp.symbols("theta x y", positive=True)
     integral = sp.expand(sp.expand_trig(cycle_integral(sp.sin(psi) ** power, 0, theta)))
     secular = integral.coeff(theta)
@@ -111,11 +112,28 @@ def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
     return secular, sp.Poly(polynomial.as_expr(), x)
 
 
+@functools.cache
+def odd_moment(power: int) -> sp.Poly:
+    """The polynomial P with int_theta^(pi/2) sin^power t dt = y P(x) for an odd power; all its coefficients are positive.
+
+    By parts: n int sin^n t dt = sin^(n-1) theta cos theta + (n - 1) int sin^(n-2) t dt.
+    """
+    x = sp.Symbol("x", positive=True)
+    if power == 1:
+        return sp.Poly(1, x)
+    return (sp.Poly(x ** (power - 1), x) + (power - 1) * odd_moment(power - 2)) * sp.Rational(1, power)
+
+
+def quarter_moment(power: int) -> sp.Expr:
+    """int_0^(pi/2) sin^power t dt"""
+    return odd_moment(power).eval(0) if power % 2 else moment_parts(power)[0] * sp.pi / 2
+
+
 def moment_series(power: int) -> sp.Poly:
     """The polynomial P with int_0^theta sin^power t dt = s^(power + 1) P(s^2), s = sin(theta/2), for s^2 <= 1/5.
 
     With q = sin^2(t/2), sin t = 2 sqrt(q (1 - q)) and dt = dq/sqrt(q (1 - q)): the integrand is a power of q times a
-    binomial series.
+    binomial series, which ends for odd powers: for these P holds everywhere.
     """
     q = sp.Symbol("q", positive=True)
     x = 1 / FAR
@@ -129,8 +147,9 @@ def moment_series(power: int) -> sp.Poly:
 
 
 def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
-    """An odd polynomial at a breakpoint, in Horner form."""
-    return sp.horner(force, u).subs(u, breakpoint_)
+    """A polynomial at a breakpoint, in Horner form; 0 where it vanishes."""
+    value = sp.horner(force, u).subs(u, breakpoint_)
+    return sp.Integer(0) if sp.expand(value) == 0 else value
 
 
 def slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
@@ -172,18 +191,21 @@ class End:
             (x, self.b / A),
             (y, root / A),
         ]
+        even, odd = ([power for power in powers if power % 2 == parity] for parity in (0, 1))
         if not self.far:
             theta = self.symbol("theta")
             # atan2 because acos(b/A) loses half the digits for A near b
             lets += [(self.symbol("psi_0"), sp.atan2(root, self.b)), (theta, sp.atan2(self.b, root))]
-            for power in powers:
+            for power in even:
                 secular, polynomial = moment_parts(power)
                 lets.append((self.from_zero(power), secular * theta - x * y * _horner(polynomial, x)))
-        elif powers:
+        by_series = [same for same in (even if self.far else [], odd) if same]
+        if by_series:
             lets.append((s, x / sp.sqrt(2 * (1 + y))))
-            top = max(powers)
+        for same in by_series:
+            top = max(same)
             lets.append((self.from_zero(top), s ** (top + 1) * _halved(moment_series(top), s**2)))
-            for power in range(top, min(powers), -2):
+            for power in range(top, min(same), -2):
                 higher = power * self.from_zero(power) + x ** (power - 1) * y
                 lets.append((self.from_zero(power - 2), higher / (power - 1)))
         return lets
@@ -194,6 +216,8 @@ class End:
 
     def to_quarter(self, power: int) -> sp.Expr:
         """int_theta^(pi/2) sin^power t dt"""
+        if power % 2:
+            return self.symbol("y") * _horner(odd_moment(power), self.symbol("x"))
         secular, polynomial = moment_parts(power)
         if self.far:
             # theta is below 1: nothing cancels, and no angle is needed
@@ -264,8 +288,8 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
             sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
         )
     used = set().union(*(value.free_symbols for value in moments.values()))
-    even = range(2, max((sp.degree(piece, u) for piece in pieces), default=0) + 2, 2)
-    lets = [let for end in ends for let in end.lets([power for power in even if end.from_zero(power) in used])]
+    powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 2)
+    lets = [let for end in ends for let in end.lets([power for power in powers if end.from_zero(power) in used])]
     if count:
         lets += moments.items()
     return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), tuple(derivatives))

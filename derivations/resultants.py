@@ -64,6 +64,9 @@ def eliminate(first: sp.Expr, second: sp.Expr, variable: sp.Symbol, unknown: sp.
     symbols = (variable, unknown, *others)
     ring = fmpq_mpoly_ctx.get([symbol.name for symbol in symbols], Ordering.lex)
     resultant = _to_flint(first, symbols, ring).resultant(_to_flint(second, symbols, ring), variable.name)
+    if resultant == 0:
+        # the two vanish together whatever the unknown is: no value of it stands out
+        return Elimination(unknown, {0: sp.Integer(0)}, {0: sp.Integer(0)}, sp.Rational(0), ())
     constant, factored = resultant.factor()
     factors = sorted(((_to_sympy(f, symbols), int(k)) for f, k in factored), key=lambda pair: sp.srepr(pair[0]))
     telling = ring.constant(1)

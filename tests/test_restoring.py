@@ -11,12 +11,19 @@ from mpmath import mp, mpf
 
 from derivations.den_hartog import S, U, V, den_hartog, without_cancellation
 from derivations.harmonics import HARMONICS, harmonics
-from derivations.restoring import FAR, moment_parts, moment_series, restoring
+from derivations.restoring import FAR, moment_parts, moment_series, odd_moment, quarter_moment, restoring
 from derivations.symbols import F_0, A, Omega, mu, tau, u
 
 b_1, b_2 = sp.symbols("b_1 b_2", real=True)
-#: three pieces, two breakpoints, jumps at both
-PIECES = (sp.Rational(1, 2) * u + 3 * u**3 - u**5, 2 * u - u**3, u + u**3 / 4)
+#: three pieces, two breakpoints, jumps at both; even powers and constants in the second force
+FORCES = {
+    "odd powers": (sp.Rational(1, 2) * u + 3 * u**3 - u**5, 2 * u - u**3, u + u**3 / 4),
+    "even powers": (
+        sp.Rational(1, 2) * u + 3 * u**3,
+        sp.Rational(1, 5) + 2 * u - u**2,
+        u**4 / 3 + u + u**3 / 4 - sp.Rational(2, 7),
+    ),
+}
 ENDS = {b_1: mpf("0.3"), b_2: mpf("0.5")}
 DIGITS = 30
 
@@ -27,14 +34,19 @@ def precise():
         yield
 
 
+@pytest.fixture(scope="module", params=FORCES)
+def pieces(request):
+    return FORCES[request.param]
+
+
 @pytest.fixture(scope="module")
-def average():
-    return restoring(PIECES, (b_1, b_2))
+def average(pieces):
+    return restoring(pieces, (b_1, b_2))
 
 
-def by_quadrature(amplitude, count, harmonic=1):
+def by_quadrature(pieces, amplitude, count, harmonic=1):
     """A harmonic of the force and its derivatives, with `count` breakpoints exceeded; the first is the average."""
-    forces = [sp.lambdify(u, piece, "mpmath") for piece in PIECES]
+    forces = [sp.lambdify(u, piece, "mpmath") for piece in pieces]
 
     def of(a):
         cuts = [mpf(0), *(mp.asin(b / a) for b in list(ENDS.values())[:count]), mp.pi / 2]
@@ -63,8 +75,8 @@ def number(expression, known):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("count", "amplitude"), [(0, "0.2"), (1, "0.31"), (1, "0.49"), (2, "0.501"), (2, "2")])
-def test_closed_form(average, count, amplitude):
-    exact = by_quadrature(mpf(amplitude), count)
+def test_closed_form(pieces, average, count, amplitude):
+    exact = by_quadrature(pieces, mpf(amplitude), count)
     for one, other in zip(values(average.regimes[count], mpf(amplitude)), exact, strict=True):
         assert abs(one - other) <= mpf(10) ** -DIGITS * (1 + abs(other))
 
@@ -73,19 +85,19 @@ FAR_POINTS = [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")]
 
 
 @pytest.mark.parametrize(("count", "far", "amplitude"), FAR_POINTS)
-def test_far_form_to_working_precision(average, count, far, amplitude):
-    exact = by_quadrature(mpf(amplitude), count)
+def test_far_form_to_working_precision(pieces, average, count, far, amplitude):
+    exact = by_quadrature(pieces, mpf(amplitude), count)
     for one, other in zip(values(average.far_regimes[count, far], mpf(amplitude)), exact, strict=True):
         assert abs(one - other) <= mpf(2) ** -54 * (1 + abs(other))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("count", "far", "amplitude"), [(0, 0, "0.2"), (1, 0, "0.31"), (2, 0, "0.501"), *FAR_POINTS])
-def test_higher_harmonics(count, far, amplitude):
+def test_higher_harmonics(pieces, count, far, amplitude):
     """Every form of h_3 and h_5; the series leave out less than rounding does."""
-    found = {case.name: case.regime for case in harmonics(PIECES, (b_1, b_2)).cases}
+    found = {case.name: case.regime for case in harmonics(pieces, (b_1, b_2)).cases}
     regime = found[f"passed_{count}" + (f"_far_{far}" if far else "")]
-    exact = [value for n in HARMONICS for value in by_quadrature(mpf(amplitude), count, n)]
+    exact = [value for n in HARMONICS for value in by_quadrature(pieces, mpf(amplitude), count, n)]
     bound = mpf(2) ** -54 if far else mpf(10) ** -DIGITS
     for one, other in zip(values(regime, mpf(amplitude)), exact, strict=True):
         assert abs(one - other) <= bound * (1 + abs(other))
@@ -100,6 +112,10 @@ def test_harmonics_that_vanish():
     assert set(case.regime.derivatives[4:]) == {0}
 
 
+def at(polynomial, point):
+    return mp.polyval([mpf(c.p) / c.q for c in polynomial.all_coeffs()], point)
+
+
 @pytest.mark.parametrize("power", [2, 4, 6, 8])
 def test_moments(power):
     theta = sp.Symbol("theta", positive=True)
@@ -110,9 +126,24 @@ def test_moments(power):
     for share in (mpf("0.999"), mpf("0.3"), mpf("1e-6")):
         angle = mp.asin(share / mpf(FAR.p) * FAR.q)
         half = mp.sin(angle / 2)
-        series = half ** (power + 1) * mp.polyval([mpf(c.p) / c.q for c in moment_series(power).all_coeffs()], half**2)
+        series = half ** (power + 1) * at(moment_series(power), half**2)
         exact = mp.quad(lambda t: mp.sin(t) ** power, [0, angle], method="gauss-legendre")
         assert abs(series / exact - 1) < mpf(2) ** -54
+
+
+@pytest.mark.parametrize("power", [1, 3, 5, 7])
+def test_moments_of_odd_powers(power):
+    """Both ends of the quarter cycle, at any angle: the series ends."""
+    rest, series = odd_moment(power), moment_series(power)
+    assert all(c >= 0 for c in rest.all_coeffs()) and quarter_moment(power) == rest.eval(0)
+    for angle in (mpf("1e-6"), mpf("0.9"), mp.pi / 2):
+        x, y, half = mp.sin(angle), mp.cos(angle), mp.sin(angle / 2)
+        from_zero = half ** (power + 1) * at(series, half**2)
+        exact = mp.quad(lambda t: mp.sin(t) ** power, [0, angle], method="gauss-legendre")
+        assert abs(from_zero / exact - 1) < mpf(10) ** -DIGITS
+        to_quarter = y * at(rest, x)
+        exact = mp.quad(lambda t: mp.sin(t) ** power, [angle, mp.pi / 2], method="gauss-legendre")
+        assert abs(to_quarter - exact) < mpf(10) ** -DIGITS
 
 
 def test_no_breakpoint_no_lets():

@@ -54,7 +54,7 @@ FORCING = Parameter(F_0, "forcing amplitude", "k_v L", above=0)
 class Piece:
     """An odd force on one interval of |x|, from the end of the previous piece to its own.
 
-    force -- dimensional force F_k(x), beside the vertical spring k_v x that every oscillator here has
+    force -- dimensional force F_k(x) for x > 0, beside the vertical spring k_v x that every oscillator here has
     until -- the piece ends where this expression in x vanishes; None for the last one
     """
 
@@ -74,7 +74,8 @@ class Mechanism:
     ratios       -- dimensionless design parameters by their definitions, e.g. {r: k_h/k_v}
     dimensional  -- how the dimensional parameters follow from the ratios, e.g. {k_h: r*k_v}
     order        -- degree of the Taylor polynomial that stands for each piece; `sp.oo` for the force as it is
-    coefficients -- names of the odd Taylor coefficients of u + F_k(u), by power, of each piece that has any
+    coefficients -- names of the Taylor coefficients of u + F_k(u) for u > 0, by power, of each piece that has any; the
+                    constant of a piece that begins where the one below it ends follows from that and has none
     breakpoints  -- names of the dimensionless ends of the pieces but the last
     reach        -- largest |u| that the mechanism can take, in the ratios, or `sp.oo`
     reach_reason -- what happens there, in words
