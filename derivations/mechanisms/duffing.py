@@ -1,6 +1,6 @@
 """The Duffing oscillator with viscous and dry friction damping: one cubic piece, no breakpoint.
 
-In:  nothing.
+In:  a spring of linear and cubic stiffness beside k_v.
 Out: `MECHANISM`; its whole restoring force is alpha u + beta u^3 once made dimensionless.
 """
 

@@ -1,6 +1,6 @@
 """The paper's isolator: horizontal springs on a push-rod, which they leave when they reach their free length (2).
 
-In:  nothing.
+In:  the geometry, as sketched in the paper's Figure 1.
 Out: `MECHANISM`, the force as the geometry gives it; the Taylor coefficients and u_cr are derived, not stated.
 """
 

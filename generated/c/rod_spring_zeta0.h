@@ -1,7 +1,7 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, in the scene zeta = 0.
 
    Written by `make derive`; never edit.
-   Input: derivations/mechanisms/rod_spring.py, sha256 276f195ec67b4829281b33afb4b0d30ecf796dd89ef7acbd9ff04557a5534031
+   Input: derivations/mechanisms/rod_spring.py, sha256 76b1d63466e9529259acb51ca65a45e8a9acd6a1a923137e90a07d40549a4ff1
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.

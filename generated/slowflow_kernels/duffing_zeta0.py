@@ -1,7 +1,7 @@
 """Duffing oscillator: one cubic piece, no breakpoint, in the scene zeta = 0.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/duffing.py, sha256 96b0e5ebfc850ea0a7f740ac73956e2d27cbbd00df596ad6b7f2c340fe17265b
+Input: derivations/mechanisms/duffing.py, sha256 9cc742f303d96c79bad0568c2c4516c8f5944292cc72520ca6ccbb22912545d8
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each

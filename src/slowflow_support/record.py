@@ -1,6 +1,6 @@
 """What a mechanism says of itself, as one record that the derivation fills: `MECHANISM` in each generated module.
 
-In:  nothing; the generated modules make the records.
+In:  what the generated modules state.
 Out: `Parameter` and `Mechanism`, both immutable. Everything is dimensionless, in the paper's symbols (3)-(7).
 """
 

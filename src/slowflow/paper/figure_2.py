@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.exact.continuation import exact_response
+from slowflow.isolator import Duffing
 from slowflow.mechanism import EquationOfMotion, linear
 from slowflow_kernels import den_hartog
 
@@ -22,16 +23,14 @@ def figure_2a(ax: Any, ratios: tuple[float, ...] = (0.2, 0.4, 0.6, 0.7)) -> None
     """
     for k, ratio in enumerate(ratios):
         system = EquationOfMotion(linear(), ratio, 0.0)
+        averaged = Duffing(1.0, 0.0, mu=ratio, zeta=0.0)
         colour = f"C{k}"
         for window in ((0.3, 0.96), (1.04, 2.0)):
             _exact(ax, system, 1.0, window, colour, f"mu/F_0 = {ratio:g}" if window[0] < 1 else None)
-            Omega = np.linspace(*window, 150)
-            # (23) for H = 0 and zeta = 0
-            excess = np.sqrt(np.maximum(1.0 - (4.0 * ratio / np.pi) ** 2, 0.0))
-            ax.plot(Omega, excess / np.abs(1.0 - Omega**2), color=colour, linestyle="--", linewidth=0.8)
-            ax.plot(
-                Omega[::6], _continuous(Omega[::6], ratio), color=colour, linestyle="none", marker="o", markersize=3
-            )
+            curve = averaged.frequency_response(1.0, Omega=window)
+            ax.plot(curve.Omega, curve.A, color=colour, linestyle="--", linewidth=0.8)
+            Omega = np.linspace(*window, 25)
+            ax.plot(Omega, _continuous(Omega, ratio), color=colour, linestyle="none", marker="o", markersize=3)
     ax.set(xlabel="Omega", ylabel="A/F_0")
     ax.legend()
 
