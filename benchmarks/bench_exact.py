@@ -242,7 +242,7 @@ def fold_count_by_amplitude(curves: dict[tuple[bool, float], Response]) -> list[
     for (exact, F_0), curve in curves.items():
         top, count = int(np.argmax(curve.A)), 0
         for part in (slice(0, top - 1), slice(top + 2, None)):
-            points = [p for p in curve.states[part] if p.equations.A > 0.12][::2]
+            points = [p for p in curve.states[part] if p.A > 0.12][::2]
             found = [
                 frequency_at(exact, F_0, float(p.z[0]), (float(p.z[1]) + 1e-5, float(p.z[-1]) + 1e-5)) for p in points
             ]

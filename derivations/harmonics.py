@@ -132,10 +132,7 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
             lets += [(_moment(end, n, degree), _moment_value(end, n, degree)) for degree in degrees]
 
         def under(order: int, n: int = n) -> sp.Expr:
-            whole = sum(
-                c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d)
-                for d, c in _degrees(pieces[count])
-            )
+            whole = sum(c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d) for d, c in _degrees(pieces[count]))
             passed = sum(
                 c * sp.ff(d, order) * A ** (d - order) * _moment(end, n, d)
                 for end, jump in zip(ends, jumps, strict=True)

@@ -131,7 +131,7 @@ def check_smooth_at_rest(mechanism: Mechanism, taylor: dict[int, sp.Expr]) -> No
     even = [power for power in taylor if power % 2 == 0]
     if even:
         raise ArithmeticError(
-            f"{mechanism.name}: powers {even} of u in the first piece: an odd force has none where it is smooth at u = 0"
+            f"{mechanism.name}: powers {even} of u in the first piece, which an odd force that is smooth at 0 has not"
         )
 
 
@@ -142,7 +142,7 @@ def by_continuity(mechanism: Mechanism, number: int, exact: tuple[sp.Expr, ...],
         raise ArithmeticError(f"{mechanism.name}: the constant in piece {number + 1} of a truncated force needs a name")
     if sp.simplify((below - above).subs(u, ends[number - 1])) != 0:
         raise ArithmeticError(
-            f"{mechanism.name}: the force jumps where piece {number} ends; the constant in the next needs a name (power 0)"
+            f"{mechanism.name}: the force jumps where piece {number} ends; power 0 of the next piece needs a name"
         )
 
 

@@ -1,7 +1,7 @@
-"""Step 3, equations (20)-(22), (31), (32): the averaged force of an odd, piecewise polynomial force, and its derivatives.
+"""Step 3, equations (20)-(22), (31), (32): the averaged force of an odd piecewise polynomial, and its derivatives.
 
-In:  polynomial pieces of a force by rising |u|, as they are for u > 0, and the names of the breakpoints between them; the
-     first has odd powers only, others may have a constant and even powers.
+In:  polynomial pieces of a force by rising |u|, as they are for u > 0, and the names of the breakpoints between them;
+     the first has odd powers only, others may have a constant and even powers.
 Out: one `Regime` for each number of breakpoints that the amplitude exceeds, with the average and its first derivatives;
      beside these exact forms, one whose series keeps its digits where A exceeds a breakpoint by far.
 
@@ -114,7 +114,7 @@ def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
 
 @functools.cache
 def odd_moment(power: int) -> sp.Poly:
-    """The polynomial P with int_theta^(pi/2) sin^power t dt = y P(x) for an odd power; all its coefficients are positive.
+    """The polynomial P with int_theta^(pi/2) sin^power t dt = y P(x), power odd; all its coefficients are positive.
 
     By parts: n int sin^n t dt = sin^(n-1) theta cos theta + (n - 1) int sin^(n-2) t dt.
     """

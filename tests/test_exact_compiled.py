@@ -8,9 +8,12 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
-from slowflow.exact import EquationOfMotion, linear, steady_state
+from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator, law
+from slowflow.exact.continuation import _Path
 from slowflow.exact.integrate import STOP, TIME, Drive
+from slowflow.mechanism import Force
+from slowflow_kernels import rod_spring
 from tests.oracles.exact_cases import random_cases
 
 pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
@@ -141,6 +144,32 @@ def test_200_random_motions_by_heyoka():
         assert abs(other.A - found.A) <= 1e-10 * condition * found.A, case
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, case
         assert found.residual <= 1e-13, case
+
+
+def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkeypatch):
+    """Folds, borders and a closed curve among them; the same steps, so the same points to what Newton leaves."""
+    cases = [(case.system, case.F_0, (0.3, 1.8), None) for case in random_cases(6, seed=11)]
+    for system, F_0, window, start in [*cases, isola()]:
+        traced = exact_response(system, F_0, window, start=start)
+        with monkeypatch.context() as patched:
+            patched.setattr(_Path, "_traced", lambda self, point, first, size, travelled: ([], size, travelled))
+            followed = exact_response(system, F_0, window, start=start)
+        assert traced.closed == followed.closed == (start is not None)
+        assert len(traced.folds) == len(followed.folds) and len(traced.borders) == len(followed.borders)
+        assert np.array_equal(traced.stops, followed.stops) and np.array_equal(traced.stable, followed.stable)
+        for one, other in zip(traced.states, followed.states, strict=True):
+            assert one.cycle.signature == other.cycle.signature and one.role == other.role
+            assert np.max(np.abs(one.z - other.z)) <= 1e-9
+            assert one.A == pytest.approx(other.A, rel=1e-9)
+            # a border has the tangent of the point before it: there |u_0| and |u| half a turn later part company
+            assert one.rise == pytest.approx(other.rise, abs=1e-5 if one.role == "border" else 1e-9)
+
+
+def isola():
+    """A closed curve, which a spring has that softens and then hardens; and a motion on it."""
+    spring = EquationOfMotion(Force.of(rod_spring.MECHANISM, (1.0, -1.0, 0.27, 50.0)), 0.0, 0.02)
+    start = steady_state(spring, 0.4, 0.0264, (1.3, -1.27), half_turns=1)
+    return spring, 0.0264, (0.1, 1.5), start
 
 
 def test_every_shipped_force_is_compiled():

@@ -20,6 +20,7 @@ from slowflow.mechanism import EquationOfMotion, Expression, Piece
 
 EXACT: Any = backend.EXACT
 PHASE = 10  # numbers of a phase as C gives it
+TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 #: what C says of a call that failed, see `sf_outcome`
 STALLS, CHATTERS, ESCAPES, SINGULAR, DIVERGES, NO_MEMORY = range(1, 7)
 #: the further equation of Newton's iteration in C, see `sf_extra`
@@ -155,6 +156,48 @@ class TaylorIntegrator:
         # elimination, next to steps
         spend(steps + k**3 // 1000)
         return outcome, equations, along, tuple(rest)
+
+    def trace(
+        self,
+        system: EquationOfMotion,
+        signature: bytes,
+        half_turns: int,
+        starts_from_rest: bool,
+        F_0: float,
+        course: tuple[float, float, float, float, float],
+        point: Array,
+        came_from: bool,
+        size: float,
+        travelled: float,
+        first: Array,
+    ) -> tuple[Array, float, float]:
+        """Points of the curve after one, up to the first step with which anything is to be decided.
+
+        course -- least and greatest Omega, largest step, least cosine between tangents, largest amplitude
+        point  -- unknowns, tangent, and what `came_from` says is there: those of the point before, with its row
+        first  -- unknowns and tangent of the point where the curve began, or nothing
+        Gives a row for each point (unknowns, tangent, A, dA along the curve, monodromy), the next step's length, and
+        that of the curve so far.
+        """
+        k = point.size // 5 - 3
+        rows = np.empty((TRACED, 2 * (k + 3) + 6))
+        count, steps, _, size, travelled = EXACT.trace(
+            of_system(system),
+            signature,
+            half_turns,
+            starts_from_rest,
+            F_0,
+            course,
+            point,
+            came_from,
+            size,
+            travelled,
+            first,
+            steps_left(),
+            rows,
+        )
+        spend(steps + count * (k**3 // 1000))
+        return rows[:count], size, travelled
 
 
 def default_integrator(system: EquationOfMotion) -> Integrator:

@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.compiled import default_integrator
+from slowflow.exact.compiled import TRACED, TaylorIntegrator, default_integrator
 from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, follow
@@ -81,7 +81,7 @@ class Response:
     def steady_state(self, index: int) -> SteadyState:
         """The full steady state of a point of the curve."""
         point = self.states[index]
-        return describe(point.cycle, point.z, self.F_0, point.equations)
+        return describe(point.cycle, point.z, self.F_0, point.monodromy)
 
     @functools.cached_property
     def peak(self) -> SteadyState:
@@ -91,25 +91,47 @@ class Response:
         """
         with limited():
             point = _highest(self.F_0, self.states)
-        return describe(point.cycle, point.z, self.F_0, point.equations)
+        return describe(point.cycle, point.z, self.F_0, point.monodromy)
 
 
 class _Point(NamedTuple):
     cycle: Cycle
     z: Array
-    equations: Equations
     tangent: Array
-    role: str  # "", "fold", "border", "corner"
+    #: largest |u| at a switch, and its derivative along the curve
+    A: float
+    rise: float
+    monodromy: Array
+    role: str = ""  # "fold", "border", "corner"
+    #: the point before, in the same order of switches: its unknowns, its tangent, and the row by which it measured
+    came_from: tuple[Array, Array, Array] | None = None
+
+    @classmethod
+    def of(cls, cycle: Cycle, z: Array, equations: Equations, tangent: Array) -> _Point:
+        """The point where Newton's iteration ended."""
+        return cls(cycle, z, tangent, equations.A, float(equations.of_A[:-1] @ tangent), equations.monodromy)
+
+    def turned(self) -> _Point:
+        """The point with the curve run through the other way."""
+        return self._replace(tangent=-self.tangent, rise=-self.rise, came_from=None)
+
+    def ahead(self, row: Array, size: float) -> Array:
+        """Where the curve is thought to be at a distance by that row: along its tangent, bent as it was before."""
+        if self.came_from is None:
+            return self.z + size * self.tangent
+        z, tangent, before = self.came_from
+        # the cubic through both points along both tangents, over the distance as measured at the first
+        chord, rate = self.z - z, float(before @ self.tangent)
+        far = float(before @ chord)
+        x = size * rate / far
+        here, there = (far / rate) * self.tangent - chord, far * tangent - chord
+        bent = self.z + size * self.tangent + x * x * ((2.0 + x) * here + (1.0 + x) * there)
+        return bent + (size - float(row @ (bent - self.z))) * self.tangent
 
     @property
     def multipliers(self) -> NDArray[np.complex128]:
-        found = self.cycle.multipliers(self.equations)
+        found = self.cycle.multipliers(self.monodromy)
         return found**2 if self.cycle.sign == -1 else found
-
-    @property
-    def rise(self) -> float:
-        """The derivative of A along the curve."""
-        return float(self.equations.of_A[:-1] @ self.tangent)
 
 
 @limited()
@@ -148,7 +170,7 @@ def exact_response(
     backward: list[_Point] = []
     if not closed and start.Omega > low:
         backward = list(path.follow(path.begin(start, -1.0)))[1:]
-    points = [point._replace(tangent=-point.tangent) for point in reversed(backward)] + forward
+    points = [point.turned() for point in reversed(backward)] + forward
     return _response(F_0, points, closed)
 
 
@@ -166,7 +188,7 @@ class _Path:
         tangent = self._tangent(z, equations, None)
         if tangent[-1] * direction < 0:
             tangent = -tangent
-        return _Point(cycle, z, equations, tangent, "")
+        return _Point.of(cycle, z, equations, tangent)
 
     def follow(self, point: _Point) -> Iterator[_Point]:
         """The points from `point` on, until Omega leaves the range or the curve closes."""
@@ -175,6 +197,11 @@ class _Path:
         size = 0.1 * self.step
         travelled = 0.0
         for _ in range(MOST_POINTS):
+            plain, size, travelled = self._traced(point, first, size, travelled)
+            yield from plain
+            point = plain[-1] if plain else point
+            if len(plain) == TRACED:
+                continue
             new = self._corrected(point, size)
             usable = new is not None and self._cosine(point, new) > STRAIGHT and self._distance(point, new) < 2 * size
             if usable and new is not None and not self._inside(new):
@@ -184,7 +211,7 @@ class _Path:
                 if new.tangent[-1] * point.tangent[-1] < 0:
                     yield self._fold(point, new, size)
                 yield new
-                if new.equations.A > LARGEST:
+                if new.A > LARGEST:
                     unbounded = new.cycle.system.zeta == 0
                     raise ArithmeticError(
                         f"the response curve at F_0 = {self.F_0} passes A = {LARGEST:g} at Omega = {new.z[-1]:.9g}: "
@@ -216,8 +243,38 @@ class _Path:
                 point, size = new, 0.05 * self.step
         raise ArithmeticError(
             f"the response curve at F_0 = {self.F_0} cannot be followed beyond Omega = {point.z[-1]:.9g}, "
-            f"A = {point.equations.A:.9g}"
+            f"A = {point.A:.9g}"
         )
+
+    def _traced(self, point: _Point, first: _Point, size: float, travelled: float) -> tuple[list[_Point], float, float]:
+        """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""
+        cycle, n = point.cycle, point.z.size
+        if not isinstance(cycle.integrator, TaylorIntegrator):
+            return [], size, travelled
+        here = np.zeros(5 * n)
+        parts = (point.z, point.tangent, *(point.came_from or ()))
+        here[: len(parts) * n] = np.concatenate(parts)
+        begun = (first.z, first.tangent) if first.cycle.signature == cycle.signature else (np.empty(0),)
+        rows, size, travelled = cycle.integrator.trace(
+            cycle.system,
+            cycle.packed,
+            cycle.half_turns,
+            cycle.starts_from_rest,
+            self.F_0,
+            (self.low, self.high, self.step, STRAIGHT, LARGEST),
+            here,
+            point.came_from is not None,
+            size,
+            travelled,
+            np.concatenate(begun),
+        )
+        points = [
+            _Point(cycle, row[:n], row[n : 2 * n], float(row[2 * n]), float(row[2 * n + 1]), row[2 * n + 2 :])
+            for row in rows
+        ]
+        if points:
+            points[-1] = points[-1]._replace(came_from=(here[2 * n : 3 * n], here[3 * n : 4 * n], here[4 * n :]))
+        return points, size, travelled
 
     def _weights(self, z: Array) -> Array:
         # spans count too: where phases are about to vanish, the curve is smooth in them and in nothing else
@@ -249,14 +306,14 @@ class _Path:
         """The point of the curve at arclength `size` from `point`, whether or not its order of switches holds."""
         if size == 0.0:
             return point
-        predicted = point.z + size * point.tangent
         row = self._weights(point.z) * point.tangent
-
-        found = point.cycle.newton(predicted, self.F_0, Row(row, float(row @ predicted)), most=8)
+        # tangents are of unit length: the weighted distance along this one is the size
+        value = float(row @ point.z) + size
+        found = point.cycle.newton(point.ahead(row, size), self.F_0, Row(row, value), most=8)
         if found is None:
             return None
         tangent = self._unit(found[0], found[1].along)
-        return _Point(point.cycle, *found, tangent, "")
+        return _Point.of(point.cycle, *found, tangent)._replace(came_from=(point.z, point.tangent, row))
 
     def _cosine(self, a: _Point, b: _Point) -> float:
         return float(a.tangent @ (self._weights(a.z) * b.tangent))
@@ -277,7 +334,7 @@ class _Path:
         found = point.cycle.newton(z, self.F_0)
         if found is None:
             return beyond
-        return _Point(point.cycle, *found, self._tangent(found[0], found[1], point.tangent), "")
+        return _Point.of(point.cycle, *found, self._tangent(found[0], found[1], point.tangent))
 
     def _fold(self, point: _Point, new: _Point, size: float) -> _Point:
         """Where the tangent's Omega component vanishes."""
@@ -309,7 +366,7 @@ class _Path:
     def summit(self, base: _Point, other: _Point) -> _Point | None:
         """Where A, which rises from `base` along its tangent, turns before `other`; None if it does not."""
         # no more than their distance along the curve, which the phases take part in
-        size = math.hypot(other.equations.A / base.equations.A - 1.0, 2.0 * float(other.z[-1] - base.z[-1]))
+        size = math.hypot(other.A / base.A - 1.0, 2.0 * float(other.z[-1] - base.z[-1]))
         for _ in range(8):
             there = self._corrected(base, size)
             if there is None:
@@ -324,7 +381,7 @@ class _Path:
 
     def _fold_behind(self, new: _Point) -> _Point | None:
         """A fold between a border and the first point beyond it, found going back."""
-        back = new._replace(tangent=-new.tangent)
+        back = new.turned()
         size = SMALLEST_STEP
         while size < self.step:
             there = self._corrected(back, size)
@@ -332,7 +389,7 @@ class _Path:
                 return None
             if there.tangent[-1] * back.tangent[-1] < 0:
                 fold = self._fold(back, there, size)
-                return fold._replace(tangent=-fold.tangent)
+                return fold.turned()
             size *= 1.5
         return None
 
@@ -407,7 +464,8 @@ class _Path:
         if phase == 0:
             return point
         cycle, z = point.cycle.started_at(point.z, self.F_0, phase)
-        return point._replace(cycle=cycle, z=z, equations=cycle.equations(z, self.F_0))
+        # only its cycle and unknowns are asked for: the tangent is that of the other start
+        return point._replace(cycle=cycle, z=z, came_from=None)
 
     def _orders(self, trial: _Point) -> Iterator[tuple[Cycle, Array]]:
         """Orders of switches that may hold beyond a border, with trial unknowns; `trial` has the order that is lost."""
@@ -418,7 +476,7 @@ class _Path:
                 found = _without_short(trial, short)
                 if found is not None:
                     yield found
-        for border in trial.equations.borders:
+        for border in cycle.equations(z, self.F_0).borders:
             if border.margin < 0.0:
                 put_in = cycle.with_rest if border.rest else cycle.with_excursion
                 found = put_in(z, self.F_0, border.phase)
@@ -444,11 +502,11 @@ class _Path:
         found = cycle.newton(z, self.F_0, Row(row, float(row @ z)))
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
-        return _Point(cycle, *found, self._tangent(found[0], found[1], None), "")
+        return _Point.of(cycle, *found, self._tangent(found[0], found[1], None))
 
     def _leaving(self, new: _Point, last: _Point) -> _Point:
         """The first point beyond a border with its tangent turned away from the border."""
-        senses = [new, new._replace(tangent=-new.tangent)]
+        senses = [new, new.turned()]
         for size in (1e-4, 1e-3, 1e-2):
             there = [self._corrected(point, size) for point in senses]
             held = [point is not None and point.cycle.holds(point.z, self.F_0) for point in there]
@@ -461,19 +519,16 @@ class _Path:
     def _border(self, last: _Point, new: _Point) -> _Point:
         """The border between two orders of switches, solved for on the side with fewer phases."""
         simple = min((last, new), key=lambda p: len(p.cycle.signature))
-        if simple.equations.borders:
-            margins = [abs(border.margin) for border in simple.equations.borders]
+        borders = simple.cycle.equations(simple.z, self.F_0).borders
+        if borders:
+            margins = [abs(border.margin) for border in borders]
             index = margins.index(min(margins))
 
             # to rounding: beyond a touching point everything grows like the square root of its error
             found = simple.cycle.newton(simple.z, self.F_0, AtBorder(index), tolerance=1e-16)
             # the border may also be a stop in mid-slip, of which no margin tells: then `last` is as good as it gets
-            if (
-                found is not None
-                and abs(found[0][-1] - last.z[-1]) < 1e-5
-                and abs(found[1].A / last.equations.A - 1) < 1e-5
-            ):
-                return _Point(simple.cycle, *found, simple.tangent, "border")
+            if found is not None and abs(found[0][-1] - last.z[-1]) < 1e-5 and abs(found[1].A / last.A - 1) < 1e-5:
+                return _Point.of(simple.cycle, *found, simple.tangent)._replace(role="border")
         return last._replace(role="border")
 
 
@@ -500,17 +555,17 @@ def _without_short(trial: _Point, short: float) -> tuple[Cycle, Array] | None:
 def _highest(F_0: float, points: tuple[_Point, ...]) -> _Point:
     """The highest point of the curve through the points, between them too."""
     path = _Path(F_0, 0.0, math.inf, STEP)
-    best = max(points, key=lambda point: point.equations.A)
-    least = NEAR_TOP * best.equations.A
+    best = max(points, key=lambda point: point.A)
+    least = NEAR_TOP * best.A
     for a, b in pairwise(points):
-        if max(a.equations.A, b.equations.A) < least:
+        if max(a.A, b.A) < least:
             continue
-        back = [point._replace(tangent=-point.tangent) for point in (b, a)]
+        back = [point.turned() for point in (b, a)]
         for base, other in ((a, b), back):
             # in another order of switches the slope beyond the border says nothing of that before it
             if base.rise > 0.0 and (other.rise <= 0.0 or other.cycle.order != base.cycle.order):
                 found = path.summit(base, other)
-                if found is not None and found.equations.A > best.equations.A:
+                if found is not None and found.A > best.A:
                     best = found
                     break
     return best
@@ -521,7 +576,7 @@ def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
     # at a fold one multiplier is 1 up to rounding
     at_fold = np.array([point.role in ("fold", "corner") for point in points])
     stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
-    A = np.array([point.equations.A for point in points])
+    A = np.array([point.A for point in points])
     folds: list[Fold] = []
     for i, point in enumerate(points):
         if point.role in ("fold", "corner") and 0 < i < len(points) - 1:
@@ -542,7 +597,7 @@ def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
         multipliers=multipliers,
         stops=np.array([point.cycle.stops for point in points]),
         folds=tuple(sorted(folds, key=lambda fold: fold.Omega)),
-        borders=tuple((float(p.z[-1]), p.equations.A) for p in points if p.role in ("border", "corner")),
+        borders=tuple((float(p.z[-1]), p.A) for p in points if p.role in ("border", "corner")),
         closed=closed,
         states=tuple(points),
     )

@@ -419,11 +419,6 @@ class Cycle:
             last = size
         return None
 
-    @functools.cached_property
-    def _packed(self) -> bytes:
-        """The signature as C takes it."""
-        return np.array(self.signature, dtype=np.intc).tobytes()
-
     def _compiled(self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float) -> Equations | None:
         """Newton's iteration in C, which moves z; None where it does not converge or integration fails."""
         assert isinstance(self.integrator, TaylorIntegrator)
@@ -434,7 +429,7 @@ class Cycle:
         else:
             asked = (compiled.BORDER, z, 0.0, extra.border)
         outcome, numbers, along, (A, monodromy, borders) = self.integrator.newton(
-            self.system, self._packed, self.half_turns, z, F_0, asked, most, tolerance
+            self.system, self.packed, self.half_turns, z, F_0, asked, most, tolerance
         )
         if outcome:
             return None
@@ -455,9 +450,14 @@ class Cycle:
             None if extra is None else along,
         )
 
-    def multipliers(self, equations: Equations) -> NDArray[np.complex128]:
+    @functools.cached_property
+    def packed(self) -> bytes:
+        """The signature as C takes it."""
+        return np.array(self.signature, dtype=np.intc).tobytes()
+
+    def multipliers(self, monodromy: Array) -> NDArray[np.complex128]:
         """Floquet multipliers over the cycle of `half_turns`: their squares hold for a period if `sign` is -1."""
-        (a, b), (c, d) = equations.monodromy.tolist()
+        a, b, c, d = monodromy.ravel().tolist()
         half_trace, determinant = 0.5 * (a + d), a * d - b * c
         root = cmath.sqrt((0.5 * (a - d)) ** 2 + b * c)
         # the larger first: the smaller one would be a difference

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.exact.compiled import default_integrator
-from slowflow.exact.cycle import Cycle, Equations, closed_cycle
+from slowflow.exact.cycle import Cycle, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
@@ -208,14 +208,12 @@ def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
         )
 
 
-def describe(
-    cycle: Cycle, z: Array, F_0: float, equations: Equations, phases: list[Phase] | None = None
-) -> SteadyState:
+def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
     """The `SteadyState` of a converged cycle; its residual is measured by following the motion over one period.
 
     phases -- of one cycle; they are followed where they are not at hand
     """
-    multipliers = cycle.multipliers(equations)
+    multipliers = cycle.multipliers(monodromy)
     symmetric = cycle.sign == -1
     half = multipliers if symmetric else None
     if symmetric:
@@ -272,7 +270,7 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
         z, equations = solved
         phases = cycle.followed(z, forced.F_0)
         if phases is not None:
-            return describe(cycle, z, forced.F_0, equations, phases)
+            return describe(cycle, z, forced.F_0, equations.monodromy, phases)
         theta, u = float(z[1]), float(z[0])
         end = theta + (cycle.half_turns + 3) * math.pi
         try:

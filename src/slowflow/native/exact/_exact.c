@@ -6,7 +6,7 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#include "cycle.h"
+#include "trace.h"
 #include "taylor.h"
 
 #define NAME "slowflow._exact.system"
@@ -244,6 +244,61 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     return result;
 }
 
+/* (points, steps, has_before, step, travelled): the points' numbers row by row in `rows`, which sets how many there may be;
+ * `point` holds z, the tangent and what sf_ahead wants of the point before; `first` z and tangent, or nothing. */
+static PyObject *trace(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *capsule, *result = NULL;
+    Py_buffer signature, point, first, rows;
+    sf_course course = {0};
+    double F_0, step, travelled;
+    int half_turns, has_before;
+    long left;
+    if (!PyArg_ParseTuple(arguments, "Oy*ipd(ddddd)w*pddy*lw*", &capsule, &signature, &half_turns,
+                          &course.starts_from_rest, &F_0, &course.low, &course.high, &course.step, &course.straight,
+                          &course.largest, &point, &has_before, &step, &travelled, &first, &left, &rows))
+        return NULL;
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    const long k = (long)(signature.len / (Py_ssize_t)(2 * sizeof(int))), n = k + 4, size = k + 3;
+    const Py_ssize_t unknowns = size * (Py_ssize_t)sizeof(double);
+    const size_t of_newton = (size_t)(size * size + 2 * size + 3 * n), of_equations = sf_numbers(k);
+    double *const work = malloc((of_newton + 3 * (size_t)size + of_equations) * sizeof *work);
+    sf_border *const at = malloc((size_t)(2 * k + 1) * sizeof *at);
+    if (work == NULL || at == NULL)
+        PyErr_NoMemory();
+    else if (system != NULL && !(k > 0 && point.len == 5 * unknowns && (first.len == 0 || first.len == 2 * unknowns)))
+        PyErr_SetString(PyExc_ValueError, "arrays that do not fit the phases of the cycle");
+    else if (system != NULL) {
+        sf_forced forced = {system, 0.0, F_0, left};
+        const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
+        double *const buffer = work + of_newton + 3 * (size_t)size, *const z = point.buf;
+        sf_equations found = {.residual = buffer,
+                              .jacobian = buffer + (k + 2),
+                              .of_A = buffer + (k + 2) + (k + 2) * n,
+                              .gradients = buffer + (k + 2) + (k + 3) * n,
+                              .border = at};
+        sf_phases phases = {0};
+        const long room = (long)((size_t)rows.len / sizeof(double) / sf_numbers_of_point(k));
+        if (first.len)
+            course.first = first.buf, course.first_tangent = course.first + size;
+        long count;
+        Py_BEGIN_ALLOW_THREADS
+        count = sf_trace(&forced, &cycle, &course, z, z + size, z + 2 * size, &has_before, &step, &travelled, rows.buf,
+                         room, &found, &phases, work);
+        Py_END_ALLOW_THREADS
+        free(phases.at);
+        result = Py_BuildValue("llOdd", count, left - forced.left, has_before ? Py_True : Py_False, step, travelled);
+    }
+    free(work);
+    free(at);
+    PyBuffer_Release(&signature);
+    PyBuffer_Release(&point);
+    PyBuffer_Release(&first);
+    PyBuffer_Release(&rows);
+    return result;
+}
+
 static PyMethodDef methods[] = {
     {"system", make_system, METH_VARARGS, "laws, constants, breakpoints, mu, zeta -> an oscillator."},
     {"advance", advance, METH_VARARGS, "system, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
@@ -255,6 +310,9 @@ static PyMethodDef methods[] = {
     {"newton", newton, METH_VARARGS,
      "system, phases, half_turns, z, F_0, extra, row, value, border, most, tolerance, steps, equations, along -> "
      "outcome, spent, A, monodromy, borders."},
+    {"trace", trace, METH_VARARGS,
+     "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, rows -> "
+     "points, spent, has_before, step, travelled."},
     {NULL, NULL, 0, NULL},
 };
 
