@@ -6,11 +6,14 @@ zeros put in.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import ModuleType
 from typing import Any
+
+import numpy as np
 
 from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism
@@ -105,7 +108,14 @@ class Model:
         check_names(mechanism, values)
         domains = (*mechanism.design, *DAMPING)
         *design, mu, zeta = (validate.within(domain, values[domain.name]) for domain in domains)
-        return cls(mechanism, tuple(float(value) for value in mechanism.coefficients(*design)), mu, zeta)
+        with np.errstate(all="ignore"):
+            model = cls(mechanism, tuple(float(value) for value in mechanism.coefficients(*design)), mu, zeta)
+        named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
+        for name, value in (*named, ("4 mu/pi", model.m)):
+            if not math.isfinite(value):
+                given = ", ".join(f"{domain.name} = {values[domain.name]!r}" for domain in domains)
+                raise ValueError(f"{given}: not allowed together, {name} is beyond the range of doubles")
+        return model
 
     @property
     def law(self) -> Mechanism:
@@ -115,7 +125,10 @@ class Model:
     @cached_property
     def linear(self) -> bool:
         """Whether the averaged force is proportional to the amplitude."""
-        return not self.breakpoints and bool(self.averaged(1.0)[2] == 0)
+        if self.breakpoints:
+            return False
+        with np.errstate(over="ignore"):
+            return bool(self.averaged(1.0)[2] == 0)
 
     @cached_property
     def hardens(self) -> bool:
@@ -126,7 +139,8 @@ class Model:
     @cached_property
     def negative_stiffness(self) -> bool:
         """Whether the stiffness at rest is negative, which is -h_A there."""
-        return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
+        with np.errstate(over="ignore"):
+            return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
 
     @property
     def reach(self) -> float:

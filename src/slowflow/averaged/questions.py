@@ -172,13 +172,14 @@ class Averaged:
         """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`."""
         return solvers.extrema(self.model, self._up_to(A_max))[1]
 
+    @np.errstate(all="ignore")
     def backbone(self, A: Any) -> Floats:
         """Omega on the backbone at the amplitudes A > 0 (26); nan where the averaged stiffness is negative."""
         A = validate.positive_array("A", A)
         h = self.model.averaged(A)[0]
-        with np.errstate(invalid="ignore"):
-            return np.asarray(self.model.flow.backbone(A, h))
+        return np.asarray(self.model.flow.backbone(A, h))
 
+    @np.errstate(all="ignore")
     def limit_envelope(self, *, Omega: Any, F_0: float) -> Floats:
         """A_L at the frequencies Omega > 0 (27), which no response exceeds; inf for zeta = 0, 0 where it sticks."""
         Omega = validate.positive_array("Omega", Omega)
@@ -189,16 +190,26 @@ class Averaged:
             return np.full_like(Omega, np.inf)
         return np.asarray(self.model.flow.limit_envelope(Omega, F_0, self.model.m, self.zeta))
 
+    @np.errstate(all="ignore")
     def equivalent_damping(self, *, Omega: Any, A: Any) -> Floats:
-        """zeta_eq at (Omega, A), broadcast: the viscous damping ratio that dissipates as much per cycle (38)."""
-        Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
-        return np.asarray(self.model.flow.equivalent_damping(Omega, A, self.model.m, self.zeta) + 0 * (Omega + A))
+        """zeta_eq at (Omega, A), broadcast: the viscous damping ratio that dissipates as much per cycle (38).
 
+        Raises OverflowError where doubles do not hold what it is made of.
+        """
+        Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
+        damping = self.model.flow.equivalent_damping(Omega, A, self.model.m, self.zeta) + 0 * (Omega + A)
+        return _in_range("the equivalent damping", damping)
+
+    @np.errstate(all="ignore")
     def stability(self, *, Omega: Any, A: Any) -> Floats:
-        """Left side of (30) at (Omega, A), broadcast: a steady state there is stable where it is positive."""
+        """Left side of (30) at (Omega, A), broadcast: a steady state there is stable where it is positive.
+
+        Raises OverflowError where doubles do not hold what it is made of.
+        """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
         h, h_A, _, _ = self.model.averaged(A)
-        return np.asarray(self.model.flow.stability(Omega, A, self.model.m, self.zeta, h, h_A))
+        margin = self.model.flow.stability(Omega, A, self.model.m, self.zeta, h, h_A)
+        return _in_range("the left side of (30)", margin)
 
     def explain(self, question: str, F_0: float) -> plan.Plan:
         """What runs for "frequency_response", "amplitudes", "saddle_nodes" or "peak" at F_0, what is skipped, and why.
@@ -247,6 +258,14 @@ class Averaged:
             return found
         said = remarks.words(beside, self.model, F_0)
         return dataclasses.replace(found, message=joined(found.message, *said), remarks=beside)
+
+
+def _in_range(what: str, values: Any) -> Floats:
+    """The values, infinite ones included; OverflowError where one is the difference of two such."""
+    found = np.asarray(values)
+    if np.isnan(found).any():
+        raise OverflowError(f"{what} cannot be evaluated there: what it is made of is beyond the range of doubles")
+    return found
 
 
 def _states(found: Any) -> tuple[Any, Any, Any]:
