@@ -1,7 +1,9 @@
 """Many designs at once: in go arrays of parameters that broadcast, out come critical forcings, folds and peaks.
 
 Made by `Isolator.many(...)` and `Duffing.many(...)`. Nothing but the answers is allocated: inputs stay as they are,
-broadcast views included. A design that has no answer, or is none, gets NaN and a `status`; nothing is raised for it:
+broadcast views included. `workers` threads share the designs (-1: one for each processor) and give the same digits; the
+NumPy solvers use one. Ctrl-C is heard within a second. A design that has no answer, or is none, gets NaN and a
+`status`; nothing is raised for it:
 
     0  an answer                                     5  no amplitude was found that bounds the response
     1  a parameter outside its domain                6  more folds than places
@@ -12,7 +14,10 @@ broadcast views included. A design that has no answer, or is none, gets NaN and 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+import os
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import ModuleType
@@ -142,22 +147,22 @@ class Designs:
         self._values = {name: validate.real_array(name, values[name]) for name in names}
         self.shape = validate.common_shape(self._values)
 
-    def detachment(self) -> Detachments:
+    def detachment(self, *, workers: int = 1) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; status 3 for a mechanism without breakpoints."""
-        return Detachments(*self._ask(DETACHMENT), _designs=self)
+        return Detachments(*self._ask(DETACHMENT, workers), _designs=self)
 
-    def saddle_node_onset(self) -> Onsets:
+    def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
         """F_SN of every design, with its Omega and A."""
-        return Onsets(*self._ask(ONSET), _designs=self)
+        return Onsets(*self._ask(ONSET, workers), _designs=self)
 
-    def saddle_nodes(self, F_0: Any, places: int = 6) -> Folds:
+    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
         """Every fold at F_0, which broadcasts with the designs; status 6 where there are more than `places`."""
         places = validate.count("places", places, least=1)
-        return Folds(*self._ask(SADDLE_NODES, F_0, places), _designs=self, _F_0=F_0)
+        return Folds(*self._ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0)
 
-    def peak(self, F_0: Any) -> Peaks:
+    def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""
-        return Peaks(*self._ask(PEAK, F_0), _designs=self, _F_0=F_0)
+        return Peaks(*self._ask(PEAK, workers, F_0), _designs=self, _F_0=F_0)
 
     def untruncated_onset(self, wanted: npt.NDArray[np.bool_]) -> Floats:
         """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
@@ -175,13 +180,23 @@ class Designs:
             parameters = tuple(np.asarray(value) for value in self._mechanism.coefficients(*design))
             return remarks.of_designs(self._mechanism, parameters, mu, F_0, Omega, A, corner)
 
-    def _ask(self, question: Question, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
+    def _ask(self, question: Question, workers: int, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
+        threads = _threads(workers)
         values = dict(self._values) if F_0 is None else {**self._values, "F_0": validate.real_array("F_0", F_0)}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
         record = backend.record_of(self._mechanism.name)
         if backend.SOLVER is not None and record is not None:
-            question.batch(backend.SOLVER)(record)(*values.values(), out=tuple(outputs))
+            solve = question.batch(backend.SOLVER)(record)
+            # what the solvers do not take as it is, long doubles
+            doubles = (value if np.can_cast(value.dtype, float) else value.astype(float) for value in values.values())
+            given = [np.broadcast_to(value, shape) for value in doubles]
+
+            def part(block: tuple[slice | int, ...]) -> None:
+                out = tuple(output[block] for output in outputs)
+                solve(*(value[block] for value in given), out=out)
+
+            _share(part, _blocks(shape, question.at_once), threads)
         else:
             self._loop(question.one, list(np.broadcast_arrays(*values.values())), F_0 is not None, places, outputs)
         return outputs
@@ -212,6 +227,46 @@ class Designs:
             return (*blank, Status.NO_BOUND)
         except ArithmeticError:
             return (*blank, Status.UNRESOLVED)
+
+
+# ---- designs in parts
+
+
+def _threads(workers: int) -> int:
+    if workers == -1:
+        return os.cpu_count() or 1
+    return validate.count("workers", workers, least=1)
+
+
+def _blocks(shape: tuple[int, ...], most: int) -> Iterator[tuple[slice | int, ...]]:
+    """Indices of parts of at most so many entries that make up an array of that shape."""
+    if not shape:
+        yield (...,)  # type: ignore[misc]  # a view, where () would be the number itself
+        return
+    beyond = math.prod(shape[1:])
+    if beyond > most:
+        for k in range(shape[0]):
+            for inner in _blocks(shape[1:], most):
+                yield (k, *inner)
+        return
+    rows = most // max(beyond, 1)
+    for start in range(0, shape[0], rows):
+        yield (slice(start, start + rows),)
+
+
+def _share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> None:
+    """The work on each part, which does not hold the interpreter's lock, by so many threads."""
+    if threads == 1:
+        for one in parts:
+            work(one)
+        return
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            for _ in pool.map(work, parts):
+                pass
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
 
 
 # ---- one design, None for a blank answer
@@ -264,30 +319,36 @@ class Question:
     one     -- the answer of one design
     outputs -- shape behind the designs' and type of each part of the answer, from the number of places
     batch   -- from the compiled solvers what gives the generalised ufunc of a record
+    at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     """
 
     one: One
     outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]]
+    at_once: int
 
 
 DETACHMENT = Question(
     _detachment,
     lambda _: [*[((), float)] * 3, ((), np.int8)],
     lambda native: native.many_detachment,
+    2**18,
 )
 ONSET = Question(
     _onset,
     lambda _: [*[((), float)] * 3, *[((), np.int8)] * 2],
     lambda native: native.many_onset,
+    2**14,
 )
 SADDLE_NODES = Question(
     _saddle_nodes,
     lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 2],
     lambda native: native.many_saddle_nodes,
+    2**12,
 )
 PEAK = Question(
     _peak,
     lambda _: [*[((), float)] * 2, ((), np.int8)],
     lambda native: native.many_peak,
+    2**13,
 )
