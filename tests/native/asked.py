@@ -1,0 +1,88 @@
+"""Every compiled question once and again: in go a folder with extension modules built for it, out come answers unread.
+
+Run by `tests/test_sanitized.py` with modules that report what C must not do: python -m tests.native.asked FOLDER
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import itertools
+import math
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+FOLDER = Path(sys.argv[1])
+
+
+class Finder:
+    """Finds the package's extension modules in the folder."""
+
+    @staticmethod
+    def find_spec(name, path=None, target=None):
+        file = FOLDER / f"{name}.so"
+        return importlib.util.spec_from_file_location(name, file) if file.exists() else None
+
+
+sys.meta_path.insert(0, Finder)
+warnings.simplefilter("ignore")
+
+from slowflow import Duffing, Isolator, backend  # noqa: E402
+
+assert Path(backend.SOLVER.__file__).parent == Path(backend.EXACT.__file__).parent == FOLDER
+
+#: usual numbers, and those at which formulas break
+NUMBERS = [0.0, 5e-324, 1e-300, 1e-12, 0.01, 0.3, 1 - 2**-53, 1.0, 2.0, 1e12, 1e300]
+
+
+def asked(oscillator):
+    """All averaged questions at some forcings."""
+    yield oscillator.saddle_node_onset
+    yield oscillator.detachment
+    for A_max in (0.5, 3.0, 1e6):
+        yield lambda A_max=A_max: oscillator.cusps(A_max=A_max)
+        yield lambda A_max=A_max: oscillator.isola_points(A_max=A_max)
+        yield lambda A_max=A_max: oscillator.fold_locus(A_max=A_max, samples=50)
+    for F_0 in (1e-300, 1e-3, 0.04, 0.3, 5.0, 1e300):
+        yield lambda F_0=F_0: oscillator.saddle_nodes(F_0)
+        yield lambda F_0=F_0: oscillator.peak(F_0)
+        yield lambda F_0=F_0: oscillator.amplitudes(Omega=[1e-9, 0.7, 1.0, 40.0], F_0=F_0)
+        for samples, window in ((2, (0.0, 2.0)), (100, (0.3, 1.5)), (30, (0.0, 1e9))):
+            yield lambda F_0=F_0, n=samples, w=window: oscillator.frequency_response(F_0, samples=n, Omega=w)
+
+
+def tried(question):
+    """Refusals are answers too."""
+    try:
+        question()
+    except (ValueError, ArithmeticError):
+        return
+
+
+def main():
+    rng = np.random.default_rng(3)
+    for force, mu, zeta in itertools.product(("truncated", "untruncated"), (0.0, 0.01), (0.0, 1e-9, 0.03)):
+        for lam, r, delta_h in ((3, 2.0, 0.08), (2, 1.0, 0.499999), (3, 2, 0.4), (1, 0.5, 0.0), (1, 1, 0.999)):
+            for question in asked(Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, force=force)):
+                tried(question)
+    for alpha, beta, mu, zeta in itertools.product((-0.5, 0.0, 1.0), (-0.3, 0.0, 2.0, 1e200), (0.0, 0.02), (0.0, 0.05)):
+        for question in asked(Duffing(alpha, beta, mu, zeta)):
+            tried(question)
+    designs = [np.array([*NUMBERS, math.nan, math.inf, -1.0])[rng.integers(0, 14, 4000)] for _ in range(6)]
+    for force in ("truncated", "untruncated"):
+        many = Isolator.many(**dict(zip(("lam", "r", "delta_h", "mu", "zeta"), designs, strict=False)), force=force)
+        many.detachment(), many.saddle_node_onset(), many.peak(designs[5]), many.saddle_nodes(designs[5], places=1)
+    for zeta, mu in ((0.05, 0.0), (0.05, 0.02), (0.3, 0.03)):
+        isolator = Isolator(lam=3, r=1.5, delta_h=0.15, mu=mu, zeta=zeta)
+        for force in ("truncated", "untruncated"):
+            tried(lambda: isolator.exact_response(0.06, Omega=(0.4, 1.6), force=force))  # noqa: B023
+            tried(lambda: isolator.sweep(Omega=[0.5, 0.9, 1.0, 1.2], F_0=0.05, force=force))  # noqa: B023
+            tried(lambda: isolator.steady_state(Omega=0.2, F_0=0.05, A=3.0, force=force))  # noqa: B023
+    tried(lambda: Duffing(1.0, -1.0, 0.0, 0.01).steady_state(Omega=0.5, F_0=2.0))  # escapes
+
+
+if __name__ == "__main__":
+    main()
+    print("asked")

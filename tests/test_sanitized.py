@@ -1,0 +1,53 @@
+"""The compiled solvers and integrator under address and undefined-behaviour sanitizers."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).parents[1]
+NATIVE = ROOT / "src" / "slowflow" / "native"
+FLAGS = ["-std=c11", "-O1", "-g", "-fno-omit-frame-pointer", "-ffp-contract=off", "-fPIC", "-shared"]
+SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+INCLUDES = [
+    NATIVE,
+    ROOT / "generated" / "c",
+    ROOT / "generated" / "native",
+    np.get_include(),
+    sysconfig.get_path("include"),
+]
+MODULES = {"slowflow._native": "solver", "slowflow._exact": "exact"}
+
+
+def runtime():
+    """The library of the address sanitizer, which has to be loaded before Python; "" where there is none."""
+    if shutil.which("gcc") is None:
+        return ""
+    found = subprocess.run(["gcc", "-print-file-name=libasan.so"], capture_output=True, text=True).stdout.strip()
+    return found if Path(found).is_absolute() else ""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not runtime(), reason="gcc without its address sanitizer")
+def test_no_question_does_in_c_what_c_does_not_define(tmp_path):
+    command = ["gcc", *FLAGS, *SANITIZED, "-DPy_LIMITED_API=0x030B0000", *(f"-I{path}" for path in INCLUDES)]
+    builds = [
+        subprocess.Popen([*command, *sorted((NATIVE / folder).glob("*.c")), "-o", tmp_path / f"{name}.so", "-lm"])
+        for name, folder in MODULES.items()
+    ]
+    assert [build.wait() for build in builds] == [0, 0]
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.native.asked", str(tmp_path)],
+        cwd=ROOT,
+        env={**os.environ, "LD_PRELOAD": runtime(), "ASAN_OPTIONS": "detect_leaks=0", "PYTHONMALLOC": "malloc"},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0 and done.stdout == "asked\n", done.stderr[-3000:]
