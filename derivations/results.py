@@ -33,15 +33,15 @@ class OfMechanism:
     oscillator        -- dimensionless force, coefficients, breakpoints
     whole             -- h and its derivatives: the average of the whole restoring force u + F_k
     beside_vertical   -- H and its derivatives: the average of F_k alone
-    saddle_node_onset -- (33), by scene; none where h is no polynomial
-    saddle_nodes      -- Res_Omega(F, F_A), by scene; likewise
+    saddle_node_onset -- (33), with all damping terms; None where h is no polynomial
+    saddle_nodes      -- Res_Omega(F, F_A); likewise
     """
 
     oscillator: Oscillator
     whole: Restoring
     beside_vertical: Restoring
-    saddle_node_onset: dict[str, Elimination]
-    saddle_nodes: dict[str, Elimination]
+    saddle_node_onset: Elimination | None
+    saddle_nodes: Elimination | None
 
     @cached_property
     def harmonics(self) -> Harmonics:
@@ -77,7 +77,7 @@ class Results:
     mechanisms: dict[str, OfMechanism]
 
 
-def of_mechanism(mechanism: Mechanism, flows: dict[str, SlowFlow]) -> OfMechanism:
+def of_mechanism(mechanism: Mechanism, flow: SlowFlow) -> OfMechanism:
     """Steps that need the mechanism."""
     dimensionless = oscillator(mechanism)
     polynomial = all(piece.is_polynomial(u) for piece in dimensionless.polynomials)
@@ -87,8 +87,8 @@ def of_mechanism(mechanism: Mechanism, flows: dict[str, SlowFlow]) -> OfMechanis
         dimensionless,
         whole,
         average([piece - u for piece in dimensionless.polynomials], mechanism.breakpoints),
-        {scene: resultants.saddle_node_onset(flow, whole) for scene, flow in flows.items() if polynomial},
-        {scene: resultants.saddle_nodes(flow, whole) for scene, flow in flows.items() if polynomial},
+        resultants.saddle_node_onset(flow, whole) if polynomial else None,
+        resultants.saddle_nodes(flow, whole) if polynomial else None,
     )
 
 
@@ -107,5 +107,5 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         den_hartog(),
-        {mechanism.name: of_mechanism(mechanism, flows) for mechanism in mechanisms or all_mechanisms()},
+        {mechanism.name: of_mechanism(mechanism, flows[""]) for mechanism in mechanisms or all_mechanisms()},
     )

@@ -8,6 +8,7 @@ import json
 import math
 import re
 import runpy
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -87,6 +88,16 @@ def test_the_list_of_signatures_has_no_gap() -> None:
             arguments = list(inspect.signature(function).parameters)[1:]
             assert any(all(argument in line for argument in arguments) for line in lines), name
     assert not re.search(r"`: *$", text, re.MULTILINE)
+
+
+def test_the_list_of_kernels_is_what_mechanisms_have() -> None:
+    page = (ROOT / "docs" / "kernels.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (`.*?) \| .* \|$", page, re.MULTILINE)
+    listed = {found for row in rows for found in re.findall(r"`([A-Za-z_0-9]+)(?:\([^`]*\))?`", row)}
+    has = set()
+    for path in (ROOT / "derivations" / "mechanisms").glob("[!_]*.py"):
+        has |= set(import_module(f"slowflow_kernels.{path.stem}").__all__)
+    assert listed == has - {"force_2_u"}
 
 
 def test_every_decision_says_why_and_what_it_costs() -> None:

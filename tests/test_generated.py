@@ -104,7 +104,7 @@ def test_manifest_lists_every_file(manifest):
 
 
 def test_manifest_records_the_resultants(manifest):
-    onset = manifest["resultants"]["rod_spring"]["saddle_node_onset"][""]
+    onset = manifest["resultants"]["rod_spring"]["saddle_node_onset"]
     assert onset["degree"] == 36
     assert onset["vanishing powers"] == list(range(1, 36, 2))
     detachment = manifest["resultants"]["detachment"][""]

@@ -35,6 +35,13 @@ native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels a
 U = 2.0**-53
 #: modules that serve any kind of number, or arrays as they are
 GENERIC = ("frequencies", "motion")
+#: of a mechanism: its own averages one by one, and the slow flow's functions with these put in
+CALLS_ONLY = (
+    *("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"),
+    *("F", "F_A", "level", "phase", "jacobian", "stability", "transmissibility"),
+    *("backbone", "limit_envelope", "equivalent_damping"),
+    *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
+)
 RANGES = {
     "Omega": (0.1, 3), "A": (0.01, 1.5), "F_0": (0.01, 1), "m": (0, 0.1), "mu": (0, 0.1), "zeta": (0, 0.1),
     "h": (-2, 0.5), "h_A": (-2, 1), "h_AA": (-3, 3), "h_AAA": (-3, 3), "alpha": (-0.5, 1), "beta": (0, 3),
@@ -66,7 +73,8 @@ def kernels_of(module) -> list[str]:
     """Names of a module's functions, without those for any kind of number: they are never compiled."""
     if module.__name__.rpartition(".")[2] in GENERIC:
         return []
-    pieces = {function.__name__ for pair in getattr(module, "FORCE", ()) for function in pair}
+    record = getattr(module, "MECHANISM", None)
+    pieces = {function.__name__ for pair in record.pieces for function in pair} if record else set()
     return [name for name in module.__all__ if callable(getattr(module, name)) and name not in pieces]
 
 
@@ -93,12 +101,24 @@ def test_same_numbers_as_numpy(on_numpy, name):
         exact = np.ones(values[0].shape, bool)
         if name in ("den_hartog", "second_approximation") or kernel in ("phase", "critical"):
             exact[:] = False
-        elif "A" in given and "u_cr" in given and name != "rod_spring_attached":
+        elif "A" in given and "u_cr" in given and kernel != "attached":
             exact = given["A"] <= given["u_cr"]
         for k, (x, y) in enumerate(zip(new, old, strict=True)):
             assert x.shape == y.shape
             assert np.array_equal(x[..., exact], y[..., exact], equal_nan=True), (kernel, k)
-            if kernel in ("averaged", "averaged_2", "averaged_3", "h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"):
+            if kernel in (
+                "averaged",
+                "averaged_2",
+                "averaged_H",
+                "attached",
+                "h",
+                "h_A",
+                "h_AA",
+                "h_AAA",
+                "H",
+                "H_A",
+                "H_AA",
+            ):
                 order = k + kernel.count("A")
                 A, alpha, beta, gamma = (np.abs(given.get(n, 0.0)) for n in ("A", "alpha", "beta", "gamma"))
                 # what the moments multiply, over A^order; a moment is at most pi/2
@@ -116,10 +136,13 @@ def test_same_numbers_as_numpy(on_numpy, name):
 
 @native_only
 def test_every_kernel_is_compiled(on_numpy):
-    """All but those without outputs: a ufunc, or a ufunc's outputs stacked or in a tuple."""
+    """All but those without outputs or that only call others: a ufunc, or its outputs stacked or in a tuple."""
     for name, reference in on_numpy.items():
         module = importlib.import_module(f"slowflow_kernels.{name}")
-        for kernel in kernels_of(reference):
+        thin = {*CALLS_ONLY} if hasattr(reference, "MECHANISM") else set()
+        if hasattr(reference, "averaged_all"):
+            thin |= {"averaged", "averaged_2", "averaged_H"}
+        for kernel in set(kernels_of(reference)) - thin:
             one_each = [0.5 for _ in inspect.signature(getattr(reference, kernel)).parameters]
             with np.errstate(all="ignore"):
                 found = outputs(getattr(reference, kernel)(*one_each))
@@ -130,19 +153,18 @@ def test_every_kernel_is_compiled(on_numpy):
 
 @pytest.mark.both_backends
 def test_compositions_are_the_slow_flow_of_h():
-    """The chain of loops equals the calls by hand, bit for bit, across the regimes."""
+    """A mechanism's functions equal the calls by hand, bit for bit, across the regimes."""
     given = arguments(rod_spring_signature, 5)
     Omega, A, F_0, mu, zeta = (given[name] for name in ("Omega", "A", "F_0", "mu", "zeta"))
-    p = tuple(given[name] for name in rod_spring.PARAMETERS)
-    h, h_A, h_AA = rod_spring.averaged_3(A, *p)
+    p = tuple(given[parameter.name] for parameter in rod_spring.MECHANISM.parameters)
+    h, h_A = rod_spring.averaged_2(A, *p)
     m = slow_flow.friction(mu)
     by_hand = {
         "F": (slow_flow.F(Omega, A, F_0, m, zeta, rod_spring.h(A, *p)), (Omega, A, F_0, mu, zeta)),
-        "F_AA": (slow_flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA), (Omega, A, mu, zeta)),
+        "F_A": (slow_flow.F_A(Omega, A, m, zeta, h, h_A), (Omega, A, mu, zeta)),
     }
     for name, (expected, before) in by_hand.items():
         assert np.array_equal(getattr(rod_spring, name)(*before, *p), expected)
-    h, h_A = rod_spring.averaged_2(A, *p)
     expected = slow_flow.jacobian(Omega, A, m, zeta, h, h_A)
     for x, y in zip(rod_spring.jacobian(Omega, A, mu, zeta, *p), expected, strict=True):
         assert np.array_equal(x, y)
@@ -199,11 +221,11 @@ def test_out_and_in_place(size):
         assert np.array_equal(place, h[::order])
         assert np.array_equal(other, h_A[::order])
     shifted = np.concatenate([A, [0.0]])
-    alone = rod_spring.h(A, *p)
-    rod_spring.h(shifted[:-1], *p, out=shifted[1:])
+    alone = rod_spring.force(A, *p)
+    rod_spring.force(shifted[:-1], *p, out=shifted[1:])
     assert np.array_equal(shifted[1:], alone)
     where = A > 0.5
-    assert np.array_equal(rod_spring.h(A, *p, out=np.zeros(size), where=where), np.where(where, alone, 0))
+    assert np.array_equal(rod_spring.force(A, *p, out=np.zeros(size), where=where), np.where(where, alone, 0))
 
 
 @pytest.mark.both_backends
@@ -280,17 +302,20 @@ def targets() -> list[str]:
 @pytest.mark.skipif(len(targets()) < 2, reason="one target only")
 def test_every_clone_gives_the_same_bits(tmp_path):
     """Each target alone: without contraction wide vectors round as narrow ones do."""
-    first, *others = (clones.build(tmp_path, target) for target in targets())
     rng = np.random.default_rng(11)
-    for name in ("averaged", "averaged_2", "h", "H_A", "phase", "jacobian", "coefficients", "saddle_nodes"):
-        A = rng.uniform(0.01, 1.2, 1003)
-        A[::50] = np.nan
-        given = {
-            "coefficients": (A, 2.0, rng.uniform(0.01, 0.3, 1003)),
-            "saddle_nodes": (0.04, 0.01, A, 0.5, 2.8, 2.1, 0.4),
-        }.get(name, (A, 0.5, 2.8, rng.uniform(0, 2.1, 1003), 0.4))
-        if name in ("phase", "jacobian"):
-            given = (rng.uniform(0.1, 3, 1003), given[0], 0.01, 0.02, *given[1:])
+    A, gamma, Omega = rng.uniform(0.01, 1.2, 1003), rng.uniform(0, 2.1, 1003), rng.uniform(0.1, 3, 1003)
+    A[::50] = np.nan
+    p = (0.5, 2.8, gamma, 0.4)
+    calls = {
+        **{("rod_spring", name): (A, *p) for name in ("averaged", "averaged_2", "attached", "harmonics", "force")},
+        ("rod_spring", "coefficients"): (A, 2.0, rng.uniform(0.01, 0.3, 1003)),
+        ("rod_spring", "saddle_nodes"): (0.04, 0.01, A, *p),
+        ("slow_flow", "phase"): (Omega, A, 0.01, 0.02, -gamma),
+        ("slow_flow", "jacobian"): (Omega, A, 0.01, 0.02, -gamma, 0.3),
+    }
+    built = {module: [clones.build(tmp_path, target, module) for target in targets()] for module, _ in calls}
+    for (module, name), given in calls.items():
+        first, *others = built[module]
         expected = first(name, given)
         for clone in others:
             for x, y in zip(clone(name, given), expected, strict=True):

@@ -79,7 +79,8 @@ def test_a_record_averages_any_number_of_amplitudes_as_the_kernels_do(name):
     design, p = records.doubles([INSIDE[d.symbol.name] for d in mechanism.design]), records.doubles([0.0] * 16)
     assert record.parameters_of(design, p)
     parameters = list(p)[: record.parameters]
-    assert record.parameters == len(kernels.PARAMETERS) and record.reach == kernels.REACH
+    stated = kernels.MECHANISM
+    assert record.parameters == len(stated.parameters) and record.reach == stated.reach
     b, jump = records.doubles([0.0] * 4), records.doubles([0.0] * 4)
     record.ends(p, b), record.jumps(p, jump)
     assert list(b)[: record.breakpoints] == [float(end) for end in kernels.breakpoints(*parameters)]

@@ -1,7 +1,8 @@
 """What a kernel is: the forms in which the catalogue states functions, and in which the targets take them.
 
 In:  exact SymPy expressions, and what is known of them: arguments, equation number, domain.
-Out: `Kernel`, a function of numbers, regime by regime; `Composition`, a call of another; `Module`, a file of them.
+Out: `Kernel`, a function of numbers, regime by regime; `Selection` and `Composition`, which call another; `Module`, a
+     file of them.
 
 Arguments come in one order everywhere: Omega, A, F_0, m or mu, zeta, h, h_A, h_AA, h_AAA, the mechanism's parameters.
 """
@@ -15,12 +16,15 @@ import sympy as sp
 
 from derivations.mechanisms import Mechanism, Parameter
 from derivations.resultants import Elimination
-from derivations.slow_flow import SCENES, m
-from derivations.symbols import h, h_A, h_AA, h_AAA, mu
+from derivations.slow_flow import SCENES
+from derivations.symbols import h, h_A, h_AA, h_AAA
 
 Let = tuple[sp.Symbol, sp.Expr]
 
 AVERAGED = (h, h_A, h_AA, h_AAA)
+
+#: name of the slow flow's module with all damping terms
+GENERAL = "slow_flow"
 
 #: of h or H and its derivatives
 NAMES = ("", "_A", "_AA", "_AAA")
@@ -31,6 +35,7 @@ class Branch:
     """One regime of a kernel.
 
     name    -- for the generated code
+    kernel  -- name of another kernel of the same arguments that computes it; "" where it is printed with this one
     guards  -- pairs (left, right): the branch holds where every left <= right and no earlier branch does
     lets    -- intermediate quantities in order
     outputs -- expressions in the arguments and the lets
@@ -40,6 +45,7 @@ class Branch:
     guards: tuple[tuple[sp.Expr, sp.Expr], ...]
     lets: tuple[Let, ...]
     outputs: tuple[sp.Expr, ...]
+    kernel: str = ""
 
 
 @dataclass(frozen=True)
@@ -68,28 +74,59 @@ class Kernel:
     def width(self) -> int:
         return len(self.branches[0].outputs)
 
+    @property
+    def compiled(self) -> bool:
+        """Whether Python has it as a loop over arrays of floats."""
+        return self.width > 0 and not self.generic
+
+
+@dataclass(frozen=True)
+class Selection:
+    """A function that takes some outputs of another with the same arguments.
+
+    source -- the other one; it returns a tuple
+    chosen -- numbers of the outputs taken
+    """
+
+    name: str
+    source: Kernel | Selection
+    chosen: tuple[int, ...]
+    doc: str
+    equation: str
+
+    @property
+    def arguments(self) -> tuple[sp.Symbol, ...]:
+        return self.source.arguments
+
+    @property
+    def domain(self) -> str:
+        return self.source.domain
+
+    @property
+    def parameters(self) -> int:
+        return self.source.parameters
+
+    @property
+    def width(self) -> int:
+        return len(self.chosen)
+
+    @property
+    def returns(self) -> str:
+        return "scalar" if self.width == 1 else "tuple"
+
 
 @dataclass(frozen=True)
 class Composition:
-    """A function that calls `inner` of the slow flow with m = friction(mu) and h, h_A, ... of the mechanism put in."""
+    """A function that calls `inner` of the slow flow with m = friction(mu) and h, h_A, ... of the mechanism put in.
+
+    average -- what gives h and its first derivatives; None where the inner kernel takes none
+    """
 
     name: str
     arguments: tuple[sp.Symbol, ...]
     inner: Kernel
-    doc: str
+    average: Kernel | Selection | None
     parameters: int = 0
-
-    @property
-    def derivatives(self) -> int:
-        """How many of h, h_A, h_AA, h_AAA the inner kernel takes: 0, or up to the highest one."""
-        return max((k + 1 for k, symbol in enumerate(AVERAGED) if symbol in self.inner.arguments), default=0)
-
-    @property
-    def unused(self) -> tuple[sp.Symbol, ...]:
-        """Arguments that do not enter."""
-        parameters = self.arguments[len(self.arguments) - self.parameters :] if self.derivatives else ()
-        used = {*self.inner.arguments, *parameters, *((mu,) if m in self.inner.arguments else ())}
-        return tuple(argument for argument in self.arguments if argument not in used)
 
 
 @dataclass(frozen=True)
@@ -98,6 +135,7 @@ class Record:
 
     mechanism       -- where it comes from
     parameters      -- what its kernels take, in their order
+    pieces          -- names of the generic kernels of each piece of the force and of its slope
     harmonics_up_to -- the largest breakpoint for which the harmonics hold
     truncated       -- whether the force is a Taylor polynomial that stands for another
     untruncated     -- name of the mechanism with that other force; "" where there is none
@@ -106,6 +144,7 @@ class Record:
 
     mechanism: Mechanism
     parameters: tuple[Parameter, ...]
+    pieces: tuple[tuple[str, str], ...]
     harmonics_up_to: sp.Expr
     truncated: bool
     untruncated: str
@@ -141,11 +180,9 @@ class Module:
 
     inputs     -- file names below `derivations/` that it is derived from
     flow       -- name of the slow-flow module that compositions call
-    family     -- name of the module whose h they call
-    reexports  -- names taken over from another module of the same mechanism, as (module, names)
+    borrowed   -- names that a scene's module has from the general one, because nothing vanishes in them
     constants  -- Python constants (name, value)
     twofolds   -- kernels in double-double
-    pieces     -- tables of generic kernels by name: for each piece of a force, the names of those of force and slope
     record     -- of a mechanism's own module
     """
 
@@ -153,20 +190,18 @@ class Module:
     title: str
     inputs: tuple[str, ...]
     kernels: tuple[Kernel, ...]
+    selections: tuple[Selection, ...] = ()
     compositions: tuple[Composition, ...] = ()
     flow: str = ""
-    family: str = ""
-    reexports: tuple[str, tuple[str, ...]] = ("", ())
+    borrowed: tuple[str, ...] = ()
     constants: dict[str, object] = field(default_factory=dict)
-    mechanism: Mechanism | None = None
     twofolds: tuple[TwofoldKernel, ...] = ()
-    pieces: dict[str, tuple[tuple[str, ...], ...]] = field(default_factory=dict)
     record: Record | None = None
 
     @property
     def loops(self) -> bool:
         """Whether anything in it is compiled into loops over arrays."""
-        return bool(self.compositions) or any(not kernel.generic for kernel in self.kernels)
+        return any(kernel.compiled for kernel in self.kernels)
 
 
 def plain(
@@ -193,7 +228,8 @@ def by_even_power(elimination: Elimination) -> tuple[sp.Expr, ...]:
     if odd:
         raise ArithmeticError(f"odd powers {odd} of {elimination.unknown} in a resultant that should be even")
     top = max(elimination.reduced)
-    return tuple(elimination.reduced.get(power, sp.Integer(0)) for power in range(0, top + 1, 2))
+    # factored: expanded powers of a small difference, as F_0 - m next to sticking, lose its digits
+    return tuple(sp.factor(elimination.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
 
 
 def suffix(scene: str) -> str:

@@ -1,7 +1,7 @@
 """Kernels as a template needs them: printed line by line, with what each branch and output depends on.
 
-In:  a `Kernel` or `Composition`, the straight-line `Program`s of its branches, a `Language`.
-Out: `KernelView`, or a dict for a composition.
+In:  a `Kernel` with the straight-line `Program`s of its branches, a `Selection` or `Composition`; a `Language`.
+Out: `KernelView`, or a dict for what only calls others.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import jinja2
 import sympy as sp
 
 from derivations.emit.compensated import Exact, twofold
-from derivations.emit.form import AVERAGED, Branch, Composition, Kernel, Module, TwofoldKernel
+from derivations.emit.form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
 from derivations.emit.passes import Program, straight_line
 from derivations.emit.provenance import digest
 from derivations.restoring import FAR
@@ -27,8 +27,6 @@ Code = dict[str, tuple[Program, ...]]
 
 DERIVATIONS = Path(__file__).parents[1]
 WIDTH = 116
-# the function that gives h and how many of its derivatives
-AVERAGE_FUNCTION = {0: "", 1: "h", 2: "averaged_2", 3: "averaged_3", 4: "averaged"}
 
 
 @dataclass(frozen=True)
@@ -41,9 +39,16 @@ class Line:
 
 @dataclass(frozen=True)
 class BranchView:
-    """A branch as a template needs it."""
+    """A branch as a template needs it.
+
+    name     -- where it holds
+    function -- what computes it, after the module's prefix
+    printed  -- whether that function is printed with this kernel
+    """
 
     name: str
+    function: str
+    printed: bool
     guard: str
     lets: tuple[Line, ...]
     outputs: tuple[str, ...]
@@ -135,9 +140,12 @@ def sources(module: Module) -> dict[str, object]:
     }
 
 
-def operations(kernel: Kernel, code: Sequence[Program]) -> dict[str, dict[str, int]]:
-    """Counts after each pass, by branch."""
-    return {branch.name or "all": one.counts for branch, one in zip(kernel.branches, code, strict=True)}
+def operations(kernel: Kernel, code: Sequence[Program]) -> dict[str, str]:
+    """Counts after each pass in words, by branch."""
+    return {
+        branch.name or "all": ", ".join(f"{count} {name}" for name, count in one.counts.items())
+        for branch, one in zip(kernel.branches, code, strict=True)
+    }
 
 
 def regimes(module: Module) -> str:
@@ -214,6 +222,8 @@ def branch_view(
         guard = guard[1:-1]
     return BranchView(
         branch.name,
+        branch.kernel or (f"{kernel.name}_{branch.name}" if branch.name else kernel.name),
+        not branch.kernel,
         guard,
         lines,
         tuple(show(output) for output in program.outputs),
@@ -269,25 +279,41 @@ def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]
 
 def composition_view(composition: Composition, calls: Calls) -> dict[str, object]:
     """A composition as a template needs it: what to compute first, and the call of the inner kernel."""
-    count = composition.derivatives
-    plain = [argument.name for argument in composition.arguments]
-    packed: list[str] = []
-    if composition.parameters:
-        plain, packed = plain[: -composition.parameters], plain[-composition.parameters :]
-    local = {symbol.name: average for symbol, average in zip(AVERAGED, calls.averages, strict=True)}
+    arguments = [argument.name for argument in composition.arguments]
+    split = len(arguments) - composition.parameters
+    average, inner = composition.average, composition.inner
+    given = AVERAGED[: average.width] if average else ()
+    local = {symbol.name: name for symbol, name in zip(AVERAGED, calls.averages, strict=True)}
     local[m.name] = calls.friction
-    passed = [local.get(argument.name, argument.name) for argument in composition.inner.arguments]
     return {
         "name": composition.name,
-        "doc": composition.doc,
-        "equation": composition.inner.equation,
-        "domain": composition.inner.domain,
-        "plain": plain,
-        "packed": packed,
-        "averages": calls.averages[:count],
-        "average_function": AVERAGE_FUNCTION[count],
-        "inner": calls.inner(composition.inner.name),
-        "passed": passed,
-        "returns": composition.inner.returns,
-        "unused": [argument.name for argument in composition.unused],
+        "doc": inner.doc,
+        "equation": inner.equation,
+        "domain": inner.domain,
+        "plain": arguments[:split],
+        "packed": arguments[split:],
+        "averages": [local[symbol.name] if symbol in inner.arguments else "_" for symbol in given],
+        "average_function": average.name if average else "",
+        "inner": calls.inner(inner.name),
+        "passed": [local.get(argument.name, argument.name) for argument in inner.arguments],
+        "width": inner.width,
+        "returns": inner.returns,
+    }
+
+
+def selection_view(selection: Selection) -> dict[str, object]:
+    """A selection as a template needs it."""
+    arguments = [argument.name for argument in selection.arguments]
+    return {
+        "name": selection.name,
+        "doc": selection.doc,
+        "equation": selection.equation,
+        "domain": selection.domain,
+        "arguments": arguments,
+        "plain": arguments[: len(arguments) - selection.parameters],
+        "packed": arguments[len(arguments) - selection.parameters :],
+        "source": selection.source.name,
+        "width": selection.source.width,
+        "chosen": selection.chosen,
+        "returns": selection.returns,
     }

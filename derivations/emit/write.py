@@ -37,10 +37,11 @@ def manifest(files: dict[str, str], results: Results, modules: list[Module], cou
             "detachment": {scene: facts(e) for scene, e in results.detachment.items()},
             **{
                 name: {
-                    "saddle_node_onset": {scene: facts(e) for scene, e in derived.saddle_node_onset.items()},
-                    "saddle_nodes": {scene: facts(e) for scene, e in derived.saddle_nodes.items()},
+                    "saddle_node_onset": facts(derived.saddle_node_onset),
+                    "saddle_nodes": facts(derived.saddle_nodes),
                 }
                 for name, derived in results.mechanisms.items()
+                if derived.saddle_nodes
             },
         },
         "modules": {module.name: {"title": module.title, "operations": counts[module.name]} for module in modules},

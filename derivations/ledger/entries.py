@@ -198,7 +198,7 @@ def _ratio(facts: Facts) -> sp.Expr:
 
 def _degree(which: str) -> Callable[[Facts], sp.Expr]:
     return lambda facts: sp.Integer(
-        facts.rod.saddle_node_onset[""].degree if which == "A_s" else facts.results.detachment[""].degree
+        facts.rod.saddle_node_onset.degree if which == "A_s" else facts.results.detachment[""].degree
     )
 
 

@@ -102,8 +102,8 @@ class Example:
         self.root = next(symbol for symbol, _ in regime.lets if symbol.name == "root")
         self.detached_forms = regime.derivatives[0], sp.expand(self.root * regime.derivatives[1])
         self._seen: dict[Any, tuple[dict[sp.Symbol, Any], Any]] = {}
-        self.onset_polynomial = derived.saddle_node_onset[""].reduced
-        self.folds_polynomial = derived.saddle_nodes[""].reduced
+        self.onset_polynomial = derived.saddle_node_onset.reduced
+        self.folds_polynomial = derived.saddle_nodes.reduced
         self.detachment_polynomial = results.detachment[""].reduced
 
     # ---- the averaged force ---------------------------------------------------------------------------------------

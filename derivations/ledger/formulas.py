@@ -346,7 +346,7 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
 
 
 def _critical(results: Results) -> dict[str, Subject]:
-    onset = results.mechanisms[MECHANISM].saddle_node_onset[""]
+    onset = results.mechanisms[MECHANISM].saddle_node_onset
     detachment = results.detachment[""]
     friction = results.flows[""].m
     quasi_zero = sp.solve(stiffness(results), delta_h)[0]

@@ -171,135 +171,6 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
     rod_spring_averaged_passed_1_far_1(A, p, out);
 }
 
-/* h, h_A, h_AA together.
-   Equation (20)-(22), (31). Domain: A >= 0.
-   Operations where passed_0: 23 structured, 17 common subexpressions, 17 power chains
-   Operations where passed_1: 134 structured, 89 common subexpressions, 85 power chains
-   Operations where passed_1_far_1: 221 structured, 134 common subexpressions, 123 power chains
- */
-static inline void rod_spring_averaged_3_passed_0(double A, const double *p, double *out)
-{
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double t0 = -alpha;
-    const double t1 = A * A;
-    const double t2 = gamma * t1;
-    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
-    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
-    out[2] = A * (-4.5 * beta - 12.5 * t2);
-}
-
-static inline void rod_spring_averaged_3_passed_1(double A, const double *p, double *out)
-{
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2_swapped(root, u_cr);
-    const double t1 = x * y;
-    const double t2 = 0.5 * t1;
-    const double M2 = -t2 + 0.5 * theta;
-    const double t3 = x * x;
-    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
-    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-    const double S2_2 = 0.5 * psi_0 + t2;
-    const double A2 = A * A;
-    const double t4 = A2 * M4;
-    const double t5 = M6 * gamma;
-    const double A4 = A2 * A2;
-    const double t6 = A4 * t5;
-    const double t7 = M2 * alpha + S2_2;
-    const double t8 = 3.0 * beta;
-    const double t9 = 1.0 / root;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t10 = gamma * u_cr2;
-    const double t11 = alpha - 1.0;
-    const double t12 = t11 + u_cr2 * (beta + t10);
-    const double A3 = A * A2;
-    const double t13 = 1.0 / A3;
-    const double t14 = t9 * u_cr3;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    out[0] = -1.2732395447351628 * A * (beta * t4 + t6 + t7);
-    out[1] = 1.2732395447351628 * (-t4 * t8 - 5.0 * t6 - t7 + t12 * t9 * u_cr3 / A2);
-    out[2] = -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t5 + 2.0 * t12 * t13 * t14 + t13 * t14 *
-        (-t11 - u_cr2 * (5.0 * t10 + t8)) + t0 * t12 * u_cr3 / root3);
-}
-
-static inline void rod_spring_averaged_3_passed_1_far_1(double A, const double *p, double *out)
-{
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double u_cr = p[3];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
-    const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = -M2 + 0.78539816339744828;
-    const double A2 = A * A;
-    const double t1 = A2 * M4;
-    const double t2 = M6 * gamma;
-    const double A4 = A2 * A2;
-    const double t3 = A4 * t2;
-    const double t4 = M2 * alpha + S2_2;
-    const double t5 = 3.0 * beta;
-    const double t6 = 1.0 / root;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t7 = gamma * u_cr2;
-    const double t8 = alpha - 1.0;
-    const double t9 = t8 + u_cr2 * (beta + t7);
-    const double A3 = A * A2;
-    const double t10 = 1.0 / A3;
-    const double t11 = t6 * u_cr3;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    out[0] = -1.2732395447351628 * A * (beta * t1 + t3 + t4);
-    out[1] = 1.2732395447351628 * (-t1 * t5 - 5.0 * t3 - t4 + t6 * t9 * u_cr3 / A2);
-    out[2] = -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t2 + 2.0 * t10 * t11 * t9 + t10 * t11 * (-t8
-        - u_cr2 * (t5 + 5.0 * t7)) + t0 * t9 * u_cr3 / root3);
-}
-
-static inline void rod_spring_averaged_3(double A, const double *p, double *out)
-{
-    const double u_cr = p[3];
-    if (A <= u_cr) {
-        rod_spring_averaged_3_passed_0(A, p, out);
-        return;
-    }
-    if (A <= 1.25 * u_cr) {
-        rod_spring_averaged_3_passed_1(A, p, out);
-        return;
-    }
-    rod_spring_averaged_3_passed_1_far_1(A, p, out);
-}
-
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
@@ -404,440 +275,30 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
     rod_spring_averaged_2_passed_1_far_1(A, p, out);
 }
 
-/* The first piece alone: h, h_A, h_AA, h_AAA together.
-   Equation (20), (21). Domain: 0 <= A <= u_cr.
-   Operations: 28 structured, 19 common subexpressions, 19 power chains
+/* H, H_A together.
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Operations where passed_0: 19 structured, 14 common subexpressions, 14 power chains
+   Operations where passed_1: 71 structured, 55 common subexpressions, 52 power chains
+   Operations where passed_1_far_1: 162 structured, 102 common subexpressions, 92 power chains
  */
-static inline void rod_spring_attached(double A, const double *p, double *out)
+static inline void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
-    const double t0 = -alpha;
-    const double t1 = A * A;
-    const double t2 = gamma * t1;
-    const double t3 = 4.5 * beta;
-    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
-    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
-    out[2] = A * (-12.5 * t2 - t3);
-    out[3] = -37.5 * t2 - t3;
-}
-
-/* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: 0 <= A <= u_cr.
-   Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
-   Operations where passed_1: 47 structured, 42 common subexpressions, 40 power chains
-   Operations where passed_1_far_1: 134 structured, 87 common subexpressions, 78 power chains
- */
-static inline double rod_spring_h_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(u_cr);
     const double t0 = A * A;
-    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0));
+    const double t1 = gamma * t0;
+    const double t2 = 1.0 - alpha;
+    out[0] = A * (t0 * (-0.75 * beta - 0.625 * t1) + t2);
+    out[1] = t0 * (-2.25 * beta - 3.125 * t1) + t2;
 }
 
-static inline double rod_spring_h_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+static inline void rod_spring_averaged_H_passed_1(double A, const double *p, double *out)
 {
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2_swapped(root, u_cr);
-    const double t1 = x * y;
-    const double t2 = 0.5 * t1;
-    const double M2 = -t2 + 0.5 * theta;
-    const double t3 = x * x;
-    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
-    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-    const double S2_2 = 0.5 * psi_0 + t2;
-    const double A2 = A * A;
-    const double A4 = A2 * A2;
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2);
-}
-
-static inline double rod_spring_h_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
-    const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = -M2 + 0.78539816339744828;
-    const double A2 = A * A;
-    const double A4 = A2 * A2;
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2);
-}
-
-static inline double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    if (A <= u_cr)
-        return rod_spring_h_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
-        return rod_spring_h_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_h_passed_1_far_1(A, alpha, beta, gamma, u_cr);
-}
-
-/* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: 0 <= A <= u_cr.
-   Operations where passed_0: 8 structured, 7 common subexpressions, 7 power chains
-   Operations where passed_1: 62 structured, 55 common subexpressions, 52 power chains
-   Operations where passed_1_far_1: 149 structured, 100 common subexpressions, 90 power chains
- */
-static inline double rod_spring_h_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(u_cr);
-    const double t0 = A * A;
-    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0);
-}
-
-static inline double rod_spring_h_A_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double psi_0 = angles_atan2(root, u_cr);
-    const double theta = angles_atan2_swapped(root, u_cr);
-    const double t1 = x * y;
-    const double t2 = 0.5 * t1;
-    const double M2 = -t2 + 0.5 * theta;
-    const double t3 = x * x;
-    const double M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta;
-    const double M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-    const double S2_2 = 0.5 * psi_0 + t2;
-    const double A2 = A * A;
-    const double u_cr2 = u_cr * u_cr;
-    const double A4 = A2 * A2;
-    const double u_cr3 = u_cr * u_cr2;
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 *
-        (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root));
-}
-
-static inline double rod_spring_h_A_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
-    const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = -M2 + 0.78539816339744828;
-    const double A2 = A * A;
-    const double u_cr2 = u_cr * u_cr;
-    const double A4 = A2 * A2;
-    const double u_cr3 = u_cr * u_cr2;
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 *
-        (alpha + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root));
-}
-
-static inline double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    if (A <= u_cr)
-        return rod_spring_h_A_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
-        return rod_spring_h_A_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr);
-}
-
-/* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: 0 <= A <= u_cr.
-   Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
-   Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
-   Operations where passed_1_far_1: 171 structured, 102 common subexpressions, 95 power chains
- */
-static inline double rod_spring_h_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(alpha);
-    (void)(u_cr);
-    return A * (-12.5 * A * A * gamma - 4.5 * beta);
-}
-
-static inline double rod_spring_h_AA_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double theta = angles_atan2_swapped(root, u_cr);
-    const double t1 = x * x;
-    const double t2 = x * y;
-    const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
-    const double M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-    const double A2 = A * A;
-    const double A3 = A * A2;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t3 = gamma * u_cr2;
-    const double t4 = alpha - 1.0;
-    const double t5 = t4 + u_cr2 * (beta + t3);
-    const double t6 = u_cr3 / (A3 * root);
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 -
-        u_cr2 * (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3);
-}
-
-static inline double rod_spring_h_AA_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double A2 = A * A;
-    const double A3 = A * A2;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t1 = gamma * u_cr2;
-    const double t2 = alpha - 1.0;
-    const double t3 = t2 + u_cr2 * (beta + t1);
-    const double t4 = u_cr3 / (A3 * root);
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 -
-        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3);
-}
-
-static inline double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    if (A <= u_cr)
-        return rod_spring_h_AA_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
-        return rod_spring_h_AA_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr);
-}
-
-/* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: 0 <= A <= u_cr.
-   Operations where passed_0: 5 structured, 5 common subexpressions, 5 power chains
-   Operations where passed_1: 139 structured, 80 common subexpressions, 74 power chains
-   Operations where passed_1_far_1: 228 structured, 124 common subexpressions, 112 power chains
- */
-static inline double rod_spring_h_AAA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(alpha);
-    (void)(u_cr);
-    return -37.5 * A * A * gamma - 4.5 * beta;
-}
-
-static inline double rod_spring_h_AAA_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double theta = angles_atan2_swapped(root, u_cr);
-    const double t1 = x * x;
-    const double t2 = x * y;
-    const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
-    const double M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-    const double A2 = A * A;
-    const double t3 = 3.0 * beta;
-    const double u_cr2 = u_cr * u_cr;
-    const double t4 = gamma * u_cr2;
-    const double A4 = A2 * A2;
-    const double t5 = 1.0 / (A4 * root);
-    const double t6 = alpha - 1.0;
-    const double t7 = t6 + u_cr2 * (beta + t4);
-    const double t8 = 1.0 / A2;
-    const double u_cr3 = u_cr * u_cr2;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double t9 = u_cr3 / root3;
-    const double t10 = t8 * t9;
-    const double t11 = t5 * u_cr3;
-    const double t12 = -t6 - u_cr2 * (t3 + 5.0 * t4);
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
-    return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t12 + t10 * t7 + 3.0 * t11 *
-        t12 + 6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2));
-}
-
-static inline double rod_spring_h_AAA_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double A2 = A * A;
-    const double t1 = 3.0 * beta;
-    const double u_cr2 = u_cr * u_cr;
-    const double t2 = gamma * u_cr2;
-    const double A4 = A2 * A2;
-    const double t3 = 1.0 / (A4 * root);
-    const double t4 = alpha - 1.0;
-    const double t5 = t4 + u_cr2 * (beta + t2);
-    const double t6 = 1.0 / A2;
-    const double u_cr3 = u_cr * u_cr2;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double t7 = u_cr3 / root3;
-    const double t8 = t6 * t7;
-    const double t9 = t3 * u_cr3;
-    const double t10 = -t4 - u_cr2 * (t1 + 5.0 * t2);
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
-    return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 + 3.0 * t10 * t9 + 2.0 *
-        t3 * u_cr5 * (t1 + 10.0 * t2) + t5 * t7 * (2.0 * t6 + 3.0 / root2) + t5 * t8 + 6.0 * t5 * t9);
-}
-
-static inline double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    if (A <= u_cr)
-        return rod_spring_h_AAA_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
-        return rod_spring_h_AAA_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr);
-}
-
-/* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: 0 <= A <= u_cr.
-   Operations where passed_0: 10 structured, 9 common subexpressions, 9 power chains
-   Operations where passed_1: 42 structured, 39 common subexpressions, 37 power chains
-   Operations where passed_1_far_1: 133 structured, 86 common subexpressions, 77 power chains
- */
-static inline double rod_spring_H_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(u_cr);
-    const double t0 = A * A;
-    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0);
-}
-
-static inline double rod_spring_H_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double theta = angles_atan2_swapped(root, u_cr);
-    const double t1 = x * y;
-    const double M2 = -0.5 * t1 + 0.5 * theta;
-    const double t2 = x * x;
-    const double M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta;
-    const double M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-    const double A2 = A * A;
-    const double A4 = A2 * A2;
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0));
-}
-
-static inline double rod_spring_H_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
-    const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double A2 = A * A;
-    const double A4 = A2 * A2;
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0));
-}
-
-static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    if (A <= u_cr)
-        return rod_spring_H_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
-        return rod_spring_H_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_H_passed_1_far_1(A, alpha, beta, gamma, u_cr);
-}
-
-/* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: 0 <= A <= u_cr.
-   Operations where passed_0: 9 structured, 8 common subexpressions, 8 power chains
-   Operations where passed_1: 57 structured, 51 common subexpressions, 48 power chains
-   Operations where passed_1_far_1: 148 structured, 98 common subexpressions, 88 power chains
- */
-static inline double rod_spring_H_A_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(u_cr);
-    const double t0 = A * A;
-    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0;
-}
-
-static inline double rod_spring_H_A_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -849,16 +310,24 @@ static inline double rod_spring_H_A_passed_1(double A, double alpha, double beta
     const double M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta;
     const double M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
     const double t3 = alpha - 1.0;
+    const double t4 = M2 * t3;
     const double A2 = A * A;
-    const double u_cr2 = u_cr * u_cr;
+    const double t5 = A2 * M4 * beta;
     const double A4 = A2 * A2;
+    const double t6 = A4 * M6 * gamma;
+    const double u_cr2 = u_cr * u_cr;
     const double u_cr3 = u_cr * u_cr2;
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t3 + u_cr3 * (t3 + u_cr2 *
-        (beta + gamma * u_cr2)) / (A2 * root));
+    out[0] = -1.2732395447351628 * A * (t4 + t5 + t6);
+    out[1] = 1.2732395447351628 * (-t4 - 3.0 * t5 - 5.0 * t6 + u_cr3 * (t3 + u_cr2 * (beta + gamma * u_cr2)) / (A2
+        * root));
 }
 
-static inline double rod_spring_H_A_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+static inline void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, double *out)
 {
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
@@ -882,104 +351,49 @@ static inline double rod_spring_H_A_passed_1_far_1(double A, double alpha, doubl
     const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
     const double t1 = alpha - 1.0;
+    const double t2 = M2 * t1;
     const double A2 = A * A;
-    const double u_cr2 = u_cr * u_cr;
+    const double t3 = A2 * M4 * beta;
     const double A4 = A2 * A2;
+    const double t4 = A4 * M6 * gamma;
+    const double u_cr2 = u_cr * u_cr;
     const double u_cr3 = u_cr * u_cr2;
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t1 + u_cr3 * (t1 + u_cr2 *
-        (beta + gamma * u_cr2)) / (A2 * root));
+    out[0] = -1.2732395447351628 * A * (t2 + t3 + t4);
+    out[1] = 1.2732395447351628 * (-t2 - 3.0 * t3 - 5.0 * t4 + u_cr3 * (t1 + u_cr2 * (beta + gamma * u_cr2)) / (A2
+        * root));
 }
 
-static inline double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
+static inline void rod_spring_averaged_H(double A, const double *p, double *out)
 {
-    if (A <= u_cr)
-        return rod_spring_H_A_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
-        return rod_spring_H_A_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        rod_spring_averaged_H_passed_0(A, p, out);
+        return;
+    }
+    if (A <= 1.25 * u_cr) {
+        rod_spring_averaged_H_passed_1(A, p, out);
+        return;
+    }
+    rod_spring_averaged_H_passed_1_far_1(A, p, out);
 }
 
-/* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: 0 <= A <= u_cr.
-   Operations where passed_0: 6 structured, 6 common subexpressions, 6 power chains
-   Operations where passed_1: 82 structured, 58 common subexpressions, 57 power chains
-   Operations where passed_1_far_1: 171 structured, 102 common subexpressions, 95 power chains
+/* The first piece alone: h, h_A, h_AA, h_AAA together.
+   Equation (20), (21). Domain: 0 <= A <= u_cr.
+   Operations: 28 structured, 19 common subexpressions, 19 power chains
  */
-static inline double rod_spring_H_AA_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
+static inline void rod_spring_attached(double A, const double *p, double *out)
 {
-    (void)(alpha);
-    (void)(u_cr);
-    return A * (-12.5 * A * A * gamma - 4.5 * beta);
-}
-
-static inline double rod_spring_H_AA_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double theta = angles_atan2_swapped(root, u_cr);
-    const double t1 = x * x;
-    const double t2 = x * y;
-    const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
-    const double M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
-    const double A2 = A * A;
-    const double A3 = A * A2;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t3 = gamma * u_cr2;
-    const double t4 = alpha - 1.0;
-    const double t5 = t4 + u_cr2 * (beta + t3);
-    const double t6 = u_cr3 / (A3 * root);
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 -
-        u_cr2 * (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3);
-}
-
-static inline double rod_spring_H_AA_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double t0 = 1.0 / A;
-    const double x = t0 * u_cr;
-    const double y = root * t0;
-    const double s = x / sqrt(2.0 * y + 2.0);
-    const double s2 = s * s;
-    const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double A2 = A * A;
-    const double A3 = A * A2;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t1 = gamma * u_cr2;
-    const double t2 = alpha - 1.0;
-    const double t3 = t2 + u_cr2 * (beta + t1);
-    const double t4 = u_cr3 / (A3 * root);
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 -
-        u_cr2 * (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3);
-}
-
-static inline double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
-{
-    if (A <= u_cr)
-        return rod_spring_H_AA_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
-        return rod_spring_H_AA_passed_1(A, alpha, beta, gamma, u_cr);
-    return rod_spring_H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double t0 = -alpha;
+    const double t1 = A * A;
+    const double t2 = gamma * t1;
+    const double t3 = 4.5 * beta;
+    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
+    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
+    out[2] = A * (-12.5 * t2 - t3);
+    out[3] = -37.5 * t2 - t3;
 }
 
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
@@ -1288,34 +702,6 @@ static inline void rod_spring_hardening(const double *p, double *out)
     out[2] = -u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0);
 }
 
-/* Whole dimensionless restoring force u + F_k(u), truncated.
-   Equation (3), (6). Domain: any u.
-   Operations where piece_1: 7 structured, 6 common subexpressions, 6 power chains
-   Operations where piece_2: 0 structured, 0 common subexpressions, 0 power chains
- */
-static inline double rod_spring_force_piece_1(double u, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(u_cr);
-    const double t0 = u * u;
-    return u * (alpha + t0 * (beta + gamma * t0));
-}
-
-static inline double rod_spring_force_piece_2(double u, double alpha, double beta, double gamma, double u_cr)
-{
-    (void)(alpha);
-    (void)(beta);
-    (void)(gamma);
-    (void)(u_cr);
-    return u;
-}
-
-static inline double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
-{
-    if (fabs(u) <= u_cr)
-        return rod_spring_force_piece_1(u, alpha, beta, gamma, u_cr);
-    return rod_spring_force_piece_2(u, alpha, beta, gamma, u_cr);
-}
-
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 7 structured, 6 common subexpressions, 6 power chains
@@ -1365,9 +751,21 @@ static inline double rod_spring_force_2_u(double u, double alpha, double beta, d
     return 1.0;
 }
 
+/* Whole dimensionless restoring force u + F_k(u), truncated.
+   Equation (3), (6). Domain: any u.
+   Operations where force_1: 7 structured, 6 common subexpressions, 6 power chains
+   Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
+{
+    if (fabs(u) <= u_cr)
+        return rod_spring_force_1(u, alpha, beta, gamma, u_cr);
+    return rod_spring_force_2(u, alpha, beta, gamma, u_cr);
+}
+
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
    Equation (33). Domain: roots with 0 < A <= u_cr.
-   Operations: 718 structured, 299 common subexpressions, 253 power chains
+   Operations: 591 structured, 307 common subexpressions, 261 power chains
  */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
 static inline void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
@@ -1381,79 +779,75 @@ static inline void rod_spring_saddle_node_onset(double m, double zeta, const dou
     const double m2 = m * m;
     const double m4 = m2 * m2;
     const double t1 = m4 * zeta4;
-    const double t2 = alpha * t1;
+    const double t2 = alpha * gamma;
     const double beta2 = beta * beta;
-    const double t3 = beta * gamma;
-    const double t4 = m2 * zeta4;
-    const double t5 = t0 * t4;
-    const double gamma2 = gamma * gamma;
+    const double t3 = beta * t0;
+    const double t4 = gamma * m2;
+    const double t5 = m2 * zeta4;
     const double beta3 = beta * beta2;
-    const double t6 = beta3 * zeta4;
-    const double t7 = alpha * m2;
+    const double t6 = alpha * beta3;
+    const double gamma2 = gamma * gamma;
+    const double t7 = gamma2 * m2;
     const double beta4 = beta2 * beta2;
-    const double t8 = beta4 * zeta4;
-    const double t9 = beta4 * zeta2;
-    const double t10 = alpha * gamma;
+    const double t8 = beta2 * zeta2;
+    const double t9 = t0 * zeta2;
+    const double t10 = 1600.0 * gamma2;
+    const double t11 = m2 * zeta2;
+    const double t12 = alpha * zeta2;
+    const double t13 = beta * zeta2;
     const double beta5 = beta * beta4;
-    const double t11 = beta5 * zeta2;
-    const double t12 = gamma * m2;
-    const double t13 = alpha * gamma2;
-    const double t14 = beta3 * zeta2;
-    const double t15 = beta5 * zeta4;
+    const double t14 = beta5 * zeta2;
     const double gamma3 = gamma * gamma2;
-    const double t16 = gamma3 * t4;
-    const double t17 = beta2 * gamma2;
-    const double t18 = t7 * zeta2;
+    const double t15 = gamma3 * t11;
+    const double t16 = gamma * zeta2;
+    const double t17 = gamma2 * zeta2;
     const double beta6 = beta3 * beta3;
-    const double t19 = beta6 * zeta2;
-    const double t20 = beta * gamma3;
-    const double t21 = t0 * zeta4;
     const double beta7 = beta * beta6;
     const double gamma4 = gamma2 * gamma2;
-    const double t22 = gamma4 * zeta4;
-    const double t23 = gamma4 * zeta2;
-    const double t24 = m2 * zeta2;
-    const double t25 = beta2 * gamma3;
-    const double gamma5 = gamma * gamma4;
-    const double t26 = gamma5 * zeta2;
-    const double gamma6 = gamma3 * gamma3;
-    const double t27 = gamma6 * zeta2;
-    const double gamma7 = gamma * gamma6;
+    const double t18 = gamma * t14;
+    const double t19 = gamma4 * t11;
+    const double t20 = t17 * t6;
+    const double t21 = gamma2 * zeta4;
+    const double t22 = alpha * gamma3 * zeta4;
+    const double t23 = beta2 * t16;
     const double beta8 = beta4 * beta4;
+    const double gamma5 = gamma * gamma4;
+    const double gamma6 = gamma3 * gamma3;
+    const double gamma7 = gamma * gamma6;
     const double gamma8 = gamma4 * gamma4;
     out[0] = 4096.0 * t0 * t1;
-    out[1] = 36864.0 * beta * t2;
-    out[2] = 34560.0 * beta2 * t1 + 76800.0 * gamma * t2;
-    out[3] = 294912.0 * beta2 * t5 + 107520.0 * t1 * t3;
-    out[4] = 72000.0 * gamma2 * t1 + 1474560.0 * t3 * t5 + 1658880.0 * t6 * t7;
-    out[5] = 11335680.0 * beta2 * t10 * t4 + 1843200.0 * gamma2 * t5 + 1430784.0 * m2 * t8 - 1710720.0 * t7 * t9;
-    out[6] = 25651200.0 * beta * t13 * t4 - 17038080.0 * gamma * t14 * t7 - 1819584.0 * m2 * t11 + 5308416.0 * t0
-        * t8 + 11335680.0 * t12 * t6;
-    out[7] = 11943936.0 * alpha * t15 + 19200000.0 * alpha * t16 + 53084160.0 * gamma * t0 * t6 - 19692720.0 * t12
-        * t9 - 63417600.0 * t17 * t18 + 32659200.0 * t17 * t4;
-    out[8] = -1119744.0 * alpha * t19 + 40032000.0 * beta * t16 + 6718464.0 * beta6 * zeta4 - 83397600.0 * gamma2
-        * m2 * t14 + 129392640.0 * t10 * t8 + 199065600.0 * t17 * t21 - 104544000.0 * t18 * t20;
-    out[9] = -1259712.0 * beta7 * zeta2 + 78382080.0 * gamma * t15 + 17200000.0 * m2 * t22 - 14307840.0 * t10 *
-        t11 + 550195200.0 * t13 * t6 + 331776000.0 * t20 * t21 - 64400000.0 * t23 * t7 - 171684000.0 * t24 * t25;
-    out[10] = 1140480000.0 * alpha * t25 * zeta4 - 170100000.0 * beta * gamma4 * t24 + 59049.0 * beta8 - 17146080.0
-        * gamma * t19 + 371692800.0 * gamma2 * t8 + 207360000.0 * t0 * t22 - 75427200.0 * t13 * t9;
-    out[11] = 1140480000.0 * alpha * beta * gamma4 * zeta4 - 209952000.0 * alpha * gamma3 * t14 + 912384000.0 *
-        beta3 * gamma3 * zeta4 + 918540.0 * beta7 * gamma - 98560800.0 * gamma2 * t11 - 63750000.0 * m2 * t26;
-    out[12] = -325440000.0 * alpha * beta2 * t23 + 432000000.0 * alpha * gamma5 * zeta4 + 1215360000.0 * beta2 *
-        t22 + 6196500.0 * beta6 * gamma2 - 309906000.0 * gamma3 * t9;
-    out[13] = -266400000.0 * alpha * beta * t26 + 828000000.0 * beta * gamma5 * zeta4 + 23692500.0 * beta5 * gamma3
-        - 575100000.0 * gamma4 * t14;
-    out[14] = -90000000.0 * alpha * t27 - 629100000.0 * beta2 * t26 + 56193750.0 * beta4 * gamma4 + 225000000.0 *
-        gamma6 * zeta4;
-    out[15] = -375000000.0 * beta * t27 + 84712500.0 * beta3 * gamma5;
-    out[16] = 79312500.0 * beta2 * gamma6 - 93750000.0 * gamma7 * zeta2;
+    out[1] = 36864.0 * alpha * beta * t1;
+    out[2] = 3840.0 * t1 * (9.0 * beta2 + 20.0 * t2);
+    out[3] = 3072.0 * beta * t5 * (96.0 * t3 + 35.0 * t4);
+    out[4] = 2880.0 * t5 * (512.0 * gamma * t3 + 576.0 * t6 + 25.0 * t7);
+    out[5] = 1152.0 * t11 * (-1485.0 * alpha * beta4 + 1242.0 * beta4 * zeta2 + t10 * t9 + 9840.0 * t2 * t8);
+    out[6] = -192.0 * t13 * (88740.0 * alpha * beta2 * gamma * m2 - 27648.0 * beta3 * t9 + 9477.0 * beta4 * m2 -
+        133600.0 * t12 * t7 - 59040.0 * t4 * t8);
+    out[7] = -48.0 * zeta2 * (1321200.0 * alpha * beta2 * gamma2 * m2 - 248832.0 * alpha * t14 - 400000.0 * alpha
+        * t15 - 680400.0 * beta2 * t7 * zeta2 - 1105920.0 * beta3 * t0 * t16 + 410265.0 * beta4 * gamma * m2);
+    out[8] = -288.0 * t13 * (3888.0 * alpha * beta5 + 363000.0 * alpha * gamma3 * m2 + 289575.0 * beta2 * gamma2 *
+        m2 - 449280.0 * beta3 * t2 * zeta2 - 23328.0 * t14 - 139000.0 * t15 - 691200.0 * t17 * t3);
+    out[9] = -32.0 * zeta2 * (447120.0 * alpha * beta5 * gamma + 2012500.0 * alpha * gamma4 * m2 + 5365125.0 *
+        beta2 * gamma3 * m2 + 39366.0 * beta7 - 10368000.0 * gamma3 * t3 * zeta2 - 2449440.0 * t18 - 537500.0 * t19
+        - 17193600.0 * t20);
+    out[10] = -81.0 * (931200.0 * alpha * beta4 * gamma2 * zeta2 + 2100000.0 * beta * gamma4 * m2 * zeta2 -
+        14080000.0 * beta2 * t22 - 4588800.0 * beta4 * t21 + 211680.0 * beta6 * gamma * zeta2 - 729.0 * beta8 -
+        2560000.0 * gamma4 * t0 * zeta4);
+    out[11] = -60.0 * gamma * (-19008000.0 * beta * t22 - 15206400.0 * beta3 * t21 - 15309.0 * beta7 + 1642680.0 *
+        t18 + 1062500.0 * t19 + 3499200.0 * t20);
+    out[12] = -4500.0 * gamma2 * (72320.0 * alpha * beta2 * gamma2 * zeta2 - 270080.0 * beta2 * t21 + 68868.0 *
+        beta4 * gamma * zeta2 - 1377.0 * beta6 - 96000.0 * t22);
+    out[13] = -22500.0 * beta * gamma3 * (-1053.0 * beta4 + 11840.0 * gamma2 * t12 - 36800.0 * t21 + 25560.0 * t23);
+    out[14] = -56250.0 * gamma4 * (-999.0 * beta4 + t10 * t12 - 4000.0 * t21 + 11184.0 * t23);
+    out[15] = 37500.0 * beta * gamma5 * (2259.0 * beta2 - 10000.0 * t16);
+    out[16] = 187500.0 * gamma6 * (423.0 * beta2 - 500.0 * t16);
     out[17] = 42187500.0 * beta * gamma7;
     out[18] = 9765625.0 * gamma8;
 }
 
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
    Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
-   Operations: 1405 structured, 504 common subexpressions, 460 power chains
+   Operations: 1281 structured, 510 common subexpressions, 476 power chains
  */
 #define ROD_SPRING_SADDLE_NODES_COUNT 17
 static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
@@ -1461,174 +855,221 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
-    const double F_0_2 = F_0 * F_0;
+    const double t0 = F_0 + m;
+    const double t1 = -F_0 + m;
     const double m2 = m * m;
-    const double m3 = m * m2;
-    const double m6 = m3 * m3;
-    const double F_0_4 = F_0_2 * F_0_2;
-    const double m4 = m2 * m2;
+    const double zeta2 = zeta * zeta;
+    const double t2 = alpha * m2;
+    const double F_0_2 = F_0 * F_0;
+    const double t3 = F_0_2 * alpha;
+    const double t4 = F_0_2 * zeta2;
     const double F_0_3 = F_0 * F_0_2;
     const double F_0_6 = F_0_3 * F_0_3;
-    const double zeta2 = zeta * zeta;
-    const double t0 = m6 * zeta2;
-    const double t1 = 512.0 * alpha;
-    const double zeta4 = zeta2 * zeta2;
-    const double t2 = 1024.0 * zeta4;
-    const double t3 = F_0_2 * m4;
-    const double t4 = F_0_4 * m2;
-    const double t5 = t4 * zeta2;
-    const double t6 = F_0_6 * zeta2;
-    const double t7 = alpha * alpha;
-    const double t8 = t3 * zeta2;
-    const double t9 = 1536.0 * beta;
+    const double t5 = F_0_6 * beta;
+    const double m3 = m * m2;
+    const double m6 = m3 * m3;
+    const double m4 = m2 * m2;
+    const double t6 = F_0_2 * m4;
+    const double t7 = beta * t6;
+    const double F_0_4 = F_0_2 * F_0_2;
+    const double t8 = alpha * alpha;
+    const double t9 = m4 * zeta2;
     const double beta2 = beta * beta;
-    const double t10 = 288.0 * beta2;
-    const double t11 = 1280.0 * gamma;
-    const double t12 = m4 * zeta4;
-    const double t13 = alpha * t12;
-    const double t14 = 864.0 * beta2;
-    const double t15 = F_0_2 * zeta4;
-    const double t16 = m2 * t15;
-    const double t17 = alpha * beta;
-    const double t18 = beta * gamma;
-    const double t19 = 960.0 * t18;
-    const double t20 = 2880.0 * t18;
-    const double t21 = beta2 * zeta4;
-    const double t22 = F_0_4 * beta2;
-    const double t23 = alpha * zeta2;
-    const double t24 = beta2 * m4;
-    const double t25 = alpha * gamma;
-    const double t26 = m2 * zeta2;
-    const double t27 = F_0_2 * t26;
-    const double t28 = alpha * t27;
+    const double t10 = 9.0 * beta2;
+    const double t11 = 40.0 * gamma;
+    const double t12 = gamma * zeta2;
+    const double zeta4 = zeta2 * zeta2;
+    const double t13 = m4 * zeta4;
+    const double t14 = alpha * t13;
+    const double t15 = 27.0 * beta2;
+    const double t16 = F_0_4 * m2;
+    const double t17 = gamma * m4;
+    const double t18 = beta * zeta4;
+    const double t19 = F_0_2 * t18;
+    const double t20 = 15.0 * gamma;
+    const double t21 = 45.0 * gamma;
+    const double t22 = F_0_4 * zeta4;
+    const double t23 = 36.0 * beta2;
+    const double t24 = alpha * zeta2;
+    const double t25 = alpha * t9;
+    const double t26 = gamma * zeta4;
+    const double t27 = t2 * t4;
     const double gamma2 = gamma * gamma;
-    const double t29 = 800.0 * gamma2;
-    const double t30 = 7680.0 * t18;
-    const double t31 = 2400.0 * gamma2;
+    const double t28 = 25.0 * gamma2;
+    const double t29 = beta * gamma;
+    const double t30 = 240.0 * t29;
+    const double t31 = 75.0 * gamma2;
     const double beta3 = beta * beta2;
     const double t32 = beta3 * zeta2;
-    const double t33 = 3840.0 * t18;
-    const double t34 = F_0_2 * m2;
-    const double t35 = m2 * t7;
+    const double t33 = alpha * t12;
+    const double t34 = beta * t33;
+    const double t35 = F_0_2 * m2;
+    const double t36 = gamma * t35;
+    const double t37 = beta3 * m2;
+    const double t38 = m2 * zeta4;
+    const double t39 = t38 * t8;
     const double beta4 = beta2 * beta2;
-    const double t36 = 324.0 * beta4;
-    const double t37 = beta4 * m2;
-    const double t38 = gamma2 * zeta4;
-    const double t39 = 6912.0 * alpha;
-    const double t40 = beta3 * t15;
-    const double t41 = gamma2 * t23;
-    const double t42 = F_0_4 * gamma;
-    const double t43 = beta2 * zeta2;
-    const double t44 = m2 * zeta4;
-    const double t45 = beta3 * t44;
-    const double t46 = gamma * m4;
-    const double t47 = t7 * zeta4;
-    const double t48 = 2160.0 * beta3;
-    const double t49 = 5184.0 * beta4;
-    const double t50 = 2592.0 * t37;
-    const double t51 = F_0_2 * zeta2;
-    const double t52 = beta4 * t51;
-    const double t53 = beta3 * gamma;
-    const double t54 = beta * gamma2;
-    const double t55 = 9600.0 * t54 * zeta2;
-    const double t56 = t21 * t25;
+    const double t40 = 81.0 * beta4;
+    const double t41 = 1600.0 * gamma2;
+    const double t42 = beta3 * zeta4;
+    const double t43 = 1728.0 * t42;
+    const double t44 = 800.0 * gamma2;
+    const double t45 = beta2 * gamma;
+    const double t46 = m2 * t4;
+    const double t47 = 135.0 * beta3;
+    const double t48 = beta4 * zeta4;
+    const double t49 = beta4 * zeta2;
+    const double t50 = 162.0 * t49;
+    const double t51 = beta * gamma2;
+    const double t52 = 600.0 * t51;
+    const double t53 = 2160.0 * t3;
+    const double t54 = t2 * zeta4;
     const double beta5 = beta * beta4;
-    const double t57 = 1944.0 * beta5;
-    const double t58 = 5400.0 * gamma2;
+    const double t55 = 243.0 * beta5;
+    const double t56 = beta2 * gamma2;
+    const double t57 = 675.0 * t56;
     const double gamma3 = gamma * gamma2;
-    const double t59 = gamma3 * zeta2;
-    const double t60 = 6000.0 * F_0_4;
-    const double t61 = alpha * t38;
-    const double t62 = beta * t61;
-    const double t63 = F_0_2 * t32;
-    const double t64 = 17280.0 * t25;
-    const double t65 = m2 * t32;
-    const double t66 = beta2 * gamma2;
-    const double t67 = beta * gamma3;
-    const double t68 = beta5 * zeta4;
-    const double t69 = alpha * gamma3;
-    const double t70 = 14580.0 * gamma;
-    const double t71 = gamma2 * t21;
-    const double t72 = 43200.0 * alpha * t66;
+    const double t58 = F_0_4 * gamma3;
+    const double t59 = t55 * zeta2;
+    const double t60 = 500.0 * gamma3;
+    const double t61 = gamma * t42;
+    const double t62 = gamma * t32;
+    const double t63 = gamma3 * m2;
+    const double t64 = 1500.0 * beta;
+    const double t65 = gamma3 * zeta4;
+    const double t66 = beta * gamma3;
+    const double t67 = 3645.0 * gamma;
+    const double t68 = t56 * zeta4;
+    const double t69 = 10800.0 * t56;
+    const double t70 = t3 * zeta2;
+    const double t71 = t2 * zeta2;
     const double gamma4 = gamma2 * gamma2;
-    const double t73 = 2500.0 * gamma4;
-    const double t74 = 5000.0 * gamma4;
-    const double t75 = F_0_2 * t59;
-    const double t76 = 48000.0 * t17;
-    const double t77 = m2 * t59;
-    const double t78 = 43200.0 * gamma2;
-    const double t79 = 20000.0 * gamma4;
-    const double t80 = alpha * t79;
-    const double t81 = 63000.0 * beta2;
-    const double t82 = 45000.0 * beta * gamma4;
-    const double gamma5 = gamma * gamma4;
-    const double t83 = 12500.0 * gamma5;
-    const double t84 = gamma5 * zeta4;
-    const double m8 = m4 * m4;
-    const double F_0_8 = F_0_4 * F_0_4;
+    const double t72 = 625.0 * gamma4;
+    const double t73 = alpha * gamma;
+    const double t74 = 1250.0 * gamma4;
+    const double t75 = 12000.0 * t66;
+    const double t76 = 10800.0 * gamma2;
+    const double t77 = t8 * zeta2;
+    const double t78 = t0 * t0;
+    const double t79 = t78 * t78;
+    const double t80 = t1 * t1;
+    const double t81 = t80 * t80;
     const double beta6 = beta3 * beta3;
+    const double gamma5 = gamma * gamma4;
     const double gamma6 = gamma3 * gamma3;
-    out[0] = -256.0 * F_0_2 * m6 + 384.0 * F_0_4 * m4 - 256.0 * F_0_6 * m2 + 64.0 * F_0_8 + 64.0 * m8;
-    out[1] = 1024.0 * F_0_2 * alpha * m4 * zeta2 + 1024.0 * F_0_4 * m2 * zeta4 - t0 * t1 - t1 * t5 - t2 * t3;
-    out[2] = -384.0 * beta * t0 - 1920.0 * beta * t5 + 768.0 * beta * t6 + m4 * t2 * t7 + t8 * t9;
-    out[3] = -F_0_6 * t10 - 320.0 * gamma * t0 - 2880.0 * gamma * t5 + 1920.0 * gamma * t8 + m6 * t10 + t11 * t6 +
-        t13 * t9 - t14 * t3 + t14 * t4 + 3072.0 * t16 * t17;
-    out[4] = 2304.0 * F_0_4 * t21 - F_0_6 * t19 + 1152.0 * beta2 * t28 + 576.0 * m4 * t21 + m6 * t19 + t11 * t13 +
-        5120.0 * t16 * t25 - t20 * t3 + t20 * t4 + 1152.0 * t22 * t23 - 2304.0 * t23 * t24;
-    out[5] = F_0_4 * t23 * t33 + F_0_4 * t30 * zeta4 - 864.0 * F_0_4 * t32 - F_0_6 * t29 - m4 * t23 * t30 - 1728.0
-        * m4 * t32 + m6 * t29 + t12 * t19 - 1920.0 * t16 * t18 + 4608.0 * t21 * t35 + t28 * t33 - t3 * t31 + t31 *
-        t4 + 2592.0 * t32 * t34;
-    out[6] = -648.0 * F_0_2 * t37 + F_0_4 * t36 + 6400.0 * F_0_4 * t38 + 3200.0 * F_0_4 * t41 + 12240.0 * beta2 *
-        gamma * t27 + 3200.0 * gamma2 * t28 + 15360.0 * m2 * t18 * t47 + m4 * t36 + 400.0 * m4 * t38 - 6400.0 * m4 *
-        t41 - 3200.0 * t34 * t38 + t39 * t40 + t39 * t45 - 5040.0 * t42 * t43 - 7200.0 * t43 * t46;
-    out[7] = 34560.0 * F_0_2 * t56 - F_0_4 * t55 - 2592.0 * alpha * t52 + 28800.0 * m2 * t56 - m4 * t55 + t15 *
-        t49 - t23 * t50 + 19200.0 * t27 * t54 - 4320.0 * t34 * t53 + 12800.0 * t35 * t38 + t42 * t48 + t46 * t48 +
-        t50 * zeta4;
-    out[8] = 57600.0 * F_0_2 * t62 + 30240.0 * gamma * t40 + 12960.0 * gamma * t45 + 38400.0 * m2 * t62 - 4000.0 *
-        m4 * t59 + t22 * t58 + t24 * t58 - t26 * t57 + 10000.0 * t34 * t59 - 10800.0 * t34 * t66 + t47 * t49 - t51 *
-        t57 - t59 * t60 - t63 * t64 - t64 * t65;
-    out[9] = 64800.0 * F_0_2 * t71 + 7776.0 * alpha * t68 + 23400.0 * m2 * t71 + 6000.0 * m4 * t67 + 32000.0 * t15
-        * t69 - t26 * t72 - 12000.0 * t34 * t67 - t37 * t70 * zeta2 + 16000.0 * t44 * t69 + 34560.0 * t47 * t53 -
-        t51 * t72 - t52 * t70 + t60 * t67;
-    out[10] = F_0_4 * t73 + 58320.0 * alpha * beta4 * gamma * zeta4 + 2916.0 * beta6 * zeta4 + m4 * t73 + 60000.0 *
-        t15 * t67 - t34 * t74 + 18000.0 * t44 * t67 - t63 * t78 - t65 * t78 + 86400.0 * t7 * t71 - t75 * t76 - t76 *
-        t77;
-    out[11] = 172800.0 * beta3 * t61 + 24300.0 * gamma * t68 + t15 * t79 - t26 * t80 + t44 * t74 + 96000.0 * t47 *
-        t67 - t51 * t80 - t75 * t81 - t77 * t81;
-    out[12] = 83025.0 * beta4 * t38 + 40000.0 * gamma4 * t47 + 252000.0 * t21 * t69 - t26 * t82 - t51 * t82;
-    out[13] = 180000.0 * alpha * beta * gamma4 * zeta4 + 148500.0 * beta3 * gamma3 * zeta4 - t26 * t83 - t51 * t83;
-    out[14] = 50000.0 * alpha * t84 + 146250.0 * gamma4 * t21;
-    out[15] = 75000.0 * beta * t84;
+    out[0] = 64.0 * t79 * t81;
+    out[1] = -512.0 * m2 * t0 * t1 * zeta2 * (t2 - t3 + 2.0 * t4);
+    out[2] = -128.0 * zeta2 * (15.0 * F_0_4 * beta * m2 + 3.0 * beta * m6 - 6.0 * t5 - 12.0 * t7 - 8.0 * t8 * t9);
+    out[3] = 32.0 * (-F_0_6 * t10 + F_0_6 * t11 * zeta2 + 48.0 * beta * t14 + m6 * t10 - 10.0 * m6 * t12 - 90.0 *
+        t12 * t16 + t15 * t16 - t15 * t6 + 60.0 * t17 * t4 + 96.0 * t19 * t2);
+    out[4] = 64.0 * (80.0 * F_0_2 * t2 * t26 + 18.0 * F_0_4 * beta2 * t24 + beta * m6 * t20 + beta * t16 * t21 +
+        18.0 * beta2 * t27 + 20.0 * gamma * t14 + t10 * t13 - t20 * t5 - t21 * t7 + t22 * t23 - t23 * t25);
+    out[5] = 32.0 * (-27.0 * F_0_4 * t32 + 120.0 * F_0_4 * t34 - F_0_6 * t28 + 144.0 * beta2 * t39 - 54.0 * m4 *
+        t32 + m6 * t28 + 30.0 * t13 * t29 + t16 * t31 - 60.0 * t18 * t36 + t22 * t30 - t25 * t30 + 120.0 * t27 * t29
+        - t31 * t6 + 81.0 * t37 * t4);
+    out[6] = -4.0 * (162.0 * F_0_2 * beta4 * m2 + 800.0 * F_0_2 * gamma2 * m2 * zeta4 + 1260.0 * F_0_4 * beta2 *
+        gamma * zeta2 - F_0_4 * t24 * t44 - F_0_4 * t40 + 1600.0 * alpha * gamma2 * m4 * zeta2 + 1800.0 * beta2 *
+        gamma * m4 * zeta2 - 3840.0 * gamma * m2 * t18 * t8 - 100.0 * gamma2 * t13 - m4 * t40 - t2 * t43 - t22 * t41
+        - t27 * t44 - t3 * t43 - 3060.0 * t45 * t46);
+    out[7] = 16.0 * (324.0 * F_0_2 * beta4 * zeta4 + F_0_4 * gamma * t47 - F_0_4 * t52 * zeta2 - 270.0 * beta3 *
+        t36 + 162.0 * m2 * t48 + t17 * t47 - t2 * t50 - t3 * t50 + t39 * t44 + t45 * t53 * zeta4 + 1800.0 * t45 *
+        t54 + 1200.0 * t46 * t51 - t52 * t9);
+    out[8] = 8.0 * (3780.0 * F_0_2 * t61 + F_0_4 * t57 - m2 * t59 + m4 * t57 - 2160.0 * t2 * t62 + 1620.0 * t26 *
+        t37 + 7200.0 * t3 * t51 * zeta4 - 1350.0 * t35 * t56 - t4 * t55 + 1250.0 * t4 * t63 + 648.0 * t48 * t8 +
+        4800.0 * t51 * t54 - t53 * t62 - 750.0 * t58 * zeta2 - t60 * t9);
+    out[9] = 4.0 * (16200.0 * F_0_2 * t68 + 1944.0 * alpha * beta5 * zeta4 - beta4 * t4 * t67 + gamma3 * m4 * t64
+        - m2 * t49 * t67 + 4000.0 * t2 * t65 + 8000.0 * t3 * t65 - 3000.0 * t35 * t66 + 5850.0 * t38 * t56 + t58 *
+        t64 + 8640.0 * t61 * t8 - t69 * t70 - t69 * t71);
+    out[10] = 4.0 * (F_0_4 * t72 - beta3 * t4 * t76 + 729.0 * beta6 * zeta4 + 15000.0 * gamma3 * t19 - m2 * t32 *
+        t76 + m4 * t72 + 4500.0 * t18 * t63 - t35 * t74 + 14580.0 * t48 * t73 + 21600.0 * t68 * t8 - t70 * t75 - t71
+        * t75);
+    out[11] = -100.0 * t12 * (200.0 * F_0_2 * alpha * gamma3 + 630.0 * F_0_2 * beta2 * gamma2 + 200.0 * alpha *
+        gamma3 * m2 + 630.0 * beta2 * gamma2 * m2 - 200.0 * gamma3 * t4 - 1728.0 * t32 * t73 - 960.0 * t51 * t77 -
+        t59 - 50.0 * t63 * zeta2);
+    out[12] = -t28 * zeta2 * (1800.0 * F_0_2 * beta * gamma2 + 1800.0 * beta * gamma2 * m2 - 10080.0 * beta2 * t33
+        - t41 * t77 - 3321.0 * t49);
+    out[13] = -t60 * zeta2 * (F_0_2 * t28 + m2 * t28 - 297.0 * t32 - 360.0 * t34);
+    out[14] = t74 * zeta4 * (alpha * t11 + 117.0 * beta2);
+    out[15] = 75000.0 * gamma5 * t18;
     out[16] = 15625.0 * gamma6 * zeta4;
 }
 
-/* Cosine balance, -F_0 cos phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_R(double Omega, double A, double mu, double zeta, const double *p)
+/* The averaged restoring force h = H - A.
+   Equation (20)-(22). Domain: A >= 0. */
+static inline double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    (void)(mu);
-    (void)(zeta);
-    const double average[1] = {
-        rod_spring_h(A, p[0], p[1], p[2], p[3]),
-    };
-    return slow_flow_R(Omega, A, average[0]);
+    const double p[] = {alpha, beta, gamma, u_cr};
+    double values[2];
+    rod_spring_averaged_2(A, p, values);
+    return values[0];
 }
 
-/* Sine balance, -F_0 sin phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_I(double Omega, double A, double mu, double zeta, const double *p)
+/* d/dA of the averaged restoring force h = H - A.
+   Equation (31). Domain: A >= 0. */
+static inline double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
-    (void)(p);
-    return slow_flow_I(Omega, A, slow_flow_friction(mu), zeta);
+    const double p[] = {alpha, beta, gamma, u_cr};
+    double values[2];
+    rod_spring_averaged_2(A, p, values);
+    return values[1];
+}
+
+/* d2/dA2 of the averaged restoring force h = H - A.
+   Equation from (31). Domain: A >= 0. */
+static inline double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double p[] = {alpha, beta, gamma, u_cr};
+    double values[4];
+    rod_spring_averaged(A, p, values);
+    return values[2];
+}
+
+/* d3/dA3 of the averaged restoring force h = H - A.
+   Equation from (31). Domain: A >= 0. */
+static inline double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double p[] = {alpha, beta, gamma, u_cr};
+    double values[4];
+    rod_spring_averaged(A, p, values);
+    return values[3];
+}
+
+/* The averaged force H beside the vertical spring.
+   Equation (20)-(22). Domain: A >= 0. */
+static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double p[] = {alpha, beta, gamma, u_cr};
+    double values[2];
+    rod_spring_averaged_H(A, p, values);
+    return values[0];
+}
+
+/* d/dA of the averaged force H beside the vertical spring.
+   Equation (31). Domain: A >= 0. */
+static inline double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double p[] = {alpha, beta, gamma, u_cr};
+    double values[2];
+    rod_spring_averaged_H(A, p, values);
+    return values[1];
+}
+
+/* d2/dA2 of the averaged force H beside the vertical spring.
+   Equation from (31). Domain: A >= 0. */
+static inline double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double p[] = {alpha, beta, gamma, u_cr};
+    double values[4];
+    rod_spring_averaged(A, p, values);
+    return values[2];
 }
 
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0. */
 static inline double rod_spring_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
-    const double average[1] = {
-        rod_spring_h(A, p[0], p[1], p[2], p[3]),
-    };
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
     return slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
 }
 
@@ -1641,50 +1082,21 @@ static inline double rod_spring_F_A(double Omega, double A, double mu, double ze
     return slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
 }
 
-/* d2F/dA2.
-   Equation (24), (33). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_F_AA(double Omega, double A, double mu, double zeta, const double *p)
-{
-    double average[3];
-    rod_spring_averaged_3(A, p, average);
-    return slow_flow_F_AA(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], average[2]);
-}
-
-/* d3F/dA3.
-   Equation (24). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_F_AAA(double Omega, double A, double mu, double zeta, const double *p)
-{
-    double average[4];
-    rod_spring_averaged(A, p, average);
-    return slow_flow_F_AAA(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], average[2], average[3]);
-}
-
-/* dF/dOmega.
-   Equation (24), (34). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_F_Omega(double Omega, double A, double mu, double zeta, const double *p)
-{
-    const double average[1] = {
-        rod_spring_h(A, p[0], p[1], p[2], p[3]),
-    };
-    return slow_flow_F_Omega(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-}
-
-/* d2F/dA dOmega.
-   Equation (24). Domain: Omega > 0, A > 0. */
-static inline double rod_spring_F_AOmega(double Omega, double A, double mu, double zeta, const double *p)
+/* The forcing F_0 for which (Omega, A) is a steady state.
+   Equation (24). Domain: Omega >= 0, A > 0. */
+static inline double rod_spring_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
-    return slow_flow_F_AOmega(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
+    return slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
 }
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0. */
 static inline double rod_spring_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
-    const double average[1] = {
-        rod_spring_h(A, p[0], p[1], p[2], p[3]),
-    };
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
     return slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
 }
 
@@ -1710,9 +1122,8 @@ static inline double rod_spring_stability(double Omega, double A, double mu, dou
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. */
 static inline double rod_spring_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
-    const double average[1] = {
-        rod_spring_h(A, p[0], p[1], p[2], p[3]),
-    };
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
     return slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
 }
 
@@ -1720,9 +1131,8 @@ static inline double rod_spring_transmissibility(double Omega, double A, double 
    Equation (26). Domain: A > 0, h <= 0. */
 static inline double rod_spring_backbone(double A, const double *p)
 {
-    const double average[1] = {
-        rod_spring_h(A, p[0], p[1], p[2], p[3]),
-    };
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
     return slow_flow_backbone(A, average[0]);
 }
 
@@ -1738,6 +1148,42 @@ static inline double rod_spring_limit_envelope(double Omega, double F_0, double 
 static inline double rod_spring_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
+}
+
+/* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24). Domain: A > 0. */
+static inline void rod_spring_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], out);
+}
+
+/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24), (30). Domain: A > 0. */
+static inline void rod_spring_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], out);
+}
+
+/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
+   Equation (34). Domain: A > 0. */
+static inline void rod_spring_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], out);
+}
+
+/* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+   Equation (34). Domain: A > 0. */
+static inline void rod_spring_detachment(double A, double mu, double zeta, const double *p, double *out)
+{
+    double average[2];
+    rod_spring_averaged_2(A, p, average);
+    slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], out);
 }
 
 #endif

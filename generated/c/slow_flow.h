@@ -252,40 +252,33 @@ static inline void slow_flow_peak_cubic(double A, double m, double zeta, double 
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
-   Operations: 183 structured, 91 common subexpressions, 69 power chains
+   Operations: 103 structured, 67 common subexpressions, 50 power chains
  */
 #define SLOW_FLOW_DETACHMENT_COUNT 4
 static inline void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
 {
-    const double h2 = h * h;
     const double m2 = m * m;
-    const double m4 = m2 * m2;
     const double zeta2 = zeta * zeta;
+    const double t0 = A * zeta2;
+    const double t1 = h * t0;
+    const double h2 = h * h;
     const double zeta4 = zeta2 * zeta2;
     const double A2 = A * A;
-    const double t0 = A2 * zeta4;
-    const double t1 = A * zeta2;
-    const double t2 = h * t1;
+    const double t2 = A2 * zeta4;
+    const double t3 = 2.0 * m2;
+    const double t4 = 8.0 * t2;
+    const double t5 = m2 + 4.0 * t1;
+    const double m4 = m2 * m2;
     const double h3 = h * h2;
+    const double zeta8 = zeta4 * zeta4;
+    const double A4 = A2 * A2;
     const double zeta3 = zeta * zeta2;
     const double zeta6 = zeta3 * zeta3;
     const double A3 = A * A2;
-    const double t3 = A3 * zeta6;
-    const double t4 = 32.0 * t3;
-    const double zeta8 = zeta4 * zeta4;
-    const double A4 = A2 * A2;
-    const double t5 = 16.0 * A4 * zeta8;
-    const double t6 = 8.0 * t1;
-    const double t7 = h3 * t6;
-    const double t8 = h2 * m2;
-    const double t9 = 8.0 * t0;
-    const double m3 = m * m2;
-    const double m6 = m3 * m3;
-    const double h4 = h2 * h2;
-    out[0] = -8.0 * h * m2 * t3 - h2 * m4 - h2 * t5 - h3 * t4 - 16.0 * h4 * t0 - m2 * t7 - m4 * t0 - 10.0 * m4 *
-        t2 - m6 - 32.0 * t0 * t8;
-    out[1] = h * t4 + h2 * t9 + 20.0 * m2 * t0 + 2.0 * m2 * t2 + 3.0 * m4 + t5 - t7 + 2.0 * t8;
-    out[2] = h * t6 - h2 - 3.0 * m2 + t9;
+    out[0] = -t5 * t5 * (h2 + m2 + 2.0 * t1 + t2);
+    out[1] = 32.0 * A3 * h * zeta6 + 16.0 * A4 * zeta8 + h2 * t3 + h2 * t4 - 8.0 * h3 * t0 + 20.0 * m2 * t2 + 3.0
+        * m4 + t1 * t3;
+    out[2] = -h2 - 3.0 * m2 + 8.0 * t1 + t4;
     out[3] = 1.0;
 }
 

@@ -14,25 +14,6 @@
 
 #include "angles.h"
 
-/* Dry friction's share of I.
-   Equation (23). Domain: mu >= 0.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
- */
-static inline double slow_flow_mu0_friction(double mu)
-{
-    (void)(mu);
-    return 0.0;
-}
-
-/* Cosine balance, -F_0 cos phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
- */
-static inline double slow_flow_mu0_R(double Omega, double A, double h)
-{
-    return A * Omega * Omega + h;
-}
-
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
@@ -134,16 +115,6 @@ static inline double slow_flow_mu0_phase(double Omega, double A, double m, doubl
     return angles_atan2(-I_, -R);
 }
 
-/* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0.
-   Operations: 2 structured, 2 common subexpressions, 2 power chains
- */
-static inline double slow_flow_mu0_backbone(double A, double h)
-{
-    const double square = -h / A;
-    return sqrt(square);
-}
-
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
@@ -164,54 +135,6 @@ static inline double slow_flow_mu0_equivalent_damping(double Omega, double A, do
     (void)(A);
     (void)(m);
     return zeta;
-}
-
-/* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Operations: 8 structured, 8 common subexpressions, 8 power chains
- */
-static inline double slow_flow_mu0_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
-{
-    (void)(m);
-    const double I_ = 2.0 * A * Omega * zeta;
-    return sqrt(I_ * I_ + h * h) / F_0;
-}
-
-/* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0.
-   Operations: 10 structured, 8 common subexpressions, 8 power chains
- */
-static inline void slow_flow_mu0_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
-{
-    (void)(m);
-    const double t0 = -zeta;
-    const double t1 = Omega * Omega;
-    const double t2 = 0.5 / Omega;
-    out[0] = t0;
-    out[1] = t2 * (A * t1 + h);
-    out[2] = t2 * (-h_A - t1) / A;
-    out[3] = t0;
-}
-
-/* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
-   Equation beside (30). Domain: A > 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
- */
-static inline double slow_flow_mu0_mean_stiffness(double A, double h, double h_A)
-{
-    return -0.5 * h_A - 0.5 * h / A;
-}
-
-/* What carries a small mean offset back; where the mean stiffness is negative this decides.
-   Equation beside (30). Domain: Omega > 0, A > 0.
-   Operations: 14 structured, 14 common subexpressions, 14 power chains
- */
-static inline double slow_flow_mu0_offset_stiffness(double Omega, double A, double h, double h_A)
-{
-    const double t0 = 1.0 / A;
-    const double t1 = h * t0;
-    const double t2 = h * t0 - h_A;
-    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1);
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
@@ -269,30 +192,20 @@ static inline void slow_flow_mu0_peak_cubic(double A, double m, double zeta, dou
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
-   Operations: 28 structured, 18 common subexpressions, 15 power chains
+   Operations: 22 structured, 16 common subexpressions, 14 power chains
  */
 #define SLOW_FLOW_MU0_DETACHMENT_COUNT 3
 static inline void slow_flow_mu0_detachment(double A, double m, double zeta, double h, double *out)
 {
     (void)(m);
+    const double t0 = h * h;
     const double zeta2 = zeta * zeta;
-    const double t0 = 4.0 * A * zeta2;
-    const double h2 = h * h;
+    const double t1 = A * zeta2;
+    const double t2 = 4.0 * t1;
     const double zeta4 = zeta2 * zeta2;
-    const double t1 = 4.0 * A * A * zeta4;
-    const double h3 = h * h2;
-    out[0] = -h2 * t1 - h3 * t0;
-    out[1] = h * t0 - h2 + t1;
+    out[0] = -t0 * t2 * (h + t1);
+    out[1] = 4.0 * A * A * zeta4 + h * t2 - t0;
     out[2] = 1.0;
-}
-
-/* d3F/dA2 dOmega.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 11 structured, 11 common subexpressions, 11 power chains
- */
-static inline double slow_flow_mu0_F_AAOmega(double Omega, double A, double zeta, double h_A, double h_AA)
-{
-    return 4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A + 4.0 * zeta * zeta);
 }
 
 /* d2F/dOmega2.
@@ -318,29 +231,6 @@ static inline double slow_flow_mu0_level(double Omega, double A, double m, doubl
     return sqrt(I_ * I_ + R * R);
 }
 
-/* F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
-   Equation from (24). Domain: F_0 >= m.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
- */
-static inline void slow_flow_mu0_rest(double F_0, double m, double h, double h_A, double *out)
-{
-    (void)(m);
-    const double product = F_0 * F_0;
-    const double c = sqrt(product);
-    out[0] = -c + h;
-    out[1] = c + h;
-    out[2] = h_A;
-}
-
-/* Omega at an isola point.
-   Equation from (30), (34). Domain: h_A >= 0.
-   Operations: 1 structured, 1 common subexpressions, 1 power chains
- */
-static inline double slow_flow_mu0_isola_Omega(double h_A)
-{
-    return sqrt(h_A);
-}
-
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
    Operations: 11 structured, 9 common subexpressions, 9 power chains
@@ -353,64 +243,6 @@ static inline void slow_flow_mu0_isola(double A, double m, double zeta, double h
     const double bracket_A = A * h_AA + 2.0 * h_A + t0;
     out[0] = bracket;
     out[1] = bracket_A;
-}
-
-/* F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.
-   Equation from (33). Domain: A > 0.
-   Operations: 36 structured, 30 common subexpressions, 30 power chains
- */
-static inline void slow_flow_mu0_cusps(double A, double zeta, double h, double h_A, double h_AA, double h_AAA, double *out)
-{
-    const double along = A * h_A - h;
-    const double t0 = A * h_AA;
-    const double t1 = 4.0 * zeta * zeta;
-    const double e = t0 + t1;
-    const double e_A = A * h_AAA + h_AA;
-    const double t2 = 0.5 * e;
-    out[0] = -h_A - t2;
-    out[1] = h * h_AA + h_A * h_A;
-    out[2] = along * h_AA + 0.25 * e * e + h_A * t1;
-    out[3] = h * h_AAA + 3.0 * h_A * h_AA;
-    out[4] = along * h_AAA + e_A * t2 + h_AA * t0 + h_AA * t1;
-}
-
-/* d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).
-   Equation from (33). Domain: Omega > 0.
-   Operations: 2 structured, 2 common subexpressions, 2 power chains
- */
-static inline double slow_flow_mu0_cusp_F_AAOmega(double Omega, double root)
-{
-    return 8.0 * Omega * root;
-}
-
-/* Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.
-   Equation from (30). Domain: A > 0.
-   Operations: 6 structured, 6 common subexpressions, 6 power chains
- */
-static inline double slow_flow_mu0_turn_p_A(double A, double zeta, double h_A, double h_AA)
-{
-    return 0.5 * A * h_AA + h_A + 2.0 * zeta * zeta;
-}
-
-/* Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.
-   Equation from (34). Domain: any h_A.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
- */
-static inline double slow_flow_mu0_peak_p_A(double zeta, double h_A)
-{
-    return h_A + 2.0 * zeta * zeta;
-}
-
-/* Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.
-   Equation from (30), (34). Domain: A > 0, q >= 0.
-   Operations: 8 structured, 8 common subexpressions, 8 power chains
- */
-static inline void slow_flow_mu0_critical(double A, double p, double q, double p_A, double *out)
-{
-    const double cube = 6.75 * A * q * q;
-    const double c = cbrt(cube);
-    out[0] = -c - p;
-    out[1] = -p_A - 0.33333333333333331 * c / A;
 }
 
 #endif

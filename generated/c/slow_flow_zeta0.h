@@ -14,24 +14,6 @@
 
 #include "angles.h"
 
-/* Dry friction's share of I.
-   Equation (23). Domain: mu >= 0.
-   Operations: 1 structured, 1 common subexpressions, 1 power chains
- */
-static inline double slow_flow_zeta0_friction(double mu)
-{
-    return 1.2732395447351628 * mu;
-}
-
-/* Cosine balance, -F_0 cos phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
- */
-static inline double slow_flow_zeta0_R(double Omega, double A, double h)
-{
-    return A * Omega * Omega + h;
-}
-
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
@@ -131,16 +113,6 @@ static inline double slow_flow_zeta0_phase(double Omega, double A, double m, dou
     return angles_atan2_swapped(-R, -m);
 }
 
-/* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0.
-   Operations: 2 structured, 2 common subexpressions, 2 power chains
- */
-static inline double slow_flow_zeta0_backbone(double A, double h)
-{
-    const double square = -h / A;
-    return sqrt(square);
-}
-
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
@@ -162,55 +134,6 @@ static inline double slow_flow_zeta0_equivalent_damping(double Omega, double A, 
 {
     (void)(zeta);
     return 0.5 * m / (A * Omega);
-}
-
-/* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Operations: 5 structured, 5 common subexpressions, 5 power chains
- */
-static inline double slow_flow_zeta0_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
-{
-    (void)(Omega);
-    (void)(A);
-    (void)(zeta);
-    return sqrt(h * h + m * m) / F_0;
-}
-
-/* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0.
-   Operations: 13 structured, 9 common subexpressions, 9 power chains
- */
-static inline void slow_flow_zeta0_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
-{
-    (void)(zeta);
-    const double t0 = Omega * Omega;
-    const double t1 = 0.5 / Omega;
-    const double t2 = t1 / A;
-    out[0] = 0.0;
-    out[1] = t1 * (A * t0 + h);
-    out[2] = t2 * (-h_A - t0);
-    out[3] = -m * t2;
-}
-
-/* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
-   Equation beside (30). Domain: A > 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
- */
-static inline double slow_flow_zeta0_mean_stiffness(double A, double h, double h_A)
-{
-    return -0.5 * h_A - 0.5 * h / A;
-}
-
-/* What carries a small mean offset back; where the mean stiffness is negative this decides.
-   Equation beside (30). Domain: Omega > 0, A > 0.
-   Operations: 14 structured, 14 common subexpressions, 14 power chains
- */
-static inline double slow_flow_zeta0_offset_stiffness(double Omega, double A, double h, double h_A)
-{
-    const double t0 = 1.0 / A;
-    const double t1 = h * t0;
-    const double t2 = h * t0 - h_A;
-    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1);
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
@@ -268,29 +191,18 @@ static inline void slow_flow_zeta0_peak_cubic(double A, double m, double zeta, d
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
-   Operations: 11 structured, 9 common subexpressions, 7 power chains
+   Operations: 9 structured, 6 common subexpressions, 6 power chains
  */
 #define SLOW_FLOW_ZETA0_DETACHMENT_COUNT 3
 static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, double h, double *out)
 {
     (void)(A);
     (void)(zeta);
-    const double t0 = h * h;
-    const double m2 = m * m;
-    const double m4 = m2 * m2;
-    out[0] = m2 * t0 + m4;
-    out[1] = -2.0 * m2 - t0;
+    const double t0 = m * m;
+    const double t1 = h * h;
+    out[0] = t0 * (t0 + t1);
+    out[1] = -2.0 * t0 - t1;
     out[2] = 1.0;
-}
-
-/* d3F/dA2 dOmega.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 8 structured, 8 common subexpressions, 8 power chains
- */
-static inline double slow_flow_zeta0_F_AAOmega(double Omega, double A, double zeta, double h_A, double h_AA)
-{
-    (void)(zeta);
-    return 4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A);
 }
 
 /* d2F/dOmega2.
@@ -314,19 +226,6 @@ static inline double slow_flow_zeta0_level(double Omega, double A, double m, dou
     (void)(zeta);
     const double R = A * Omega * Omega + h;
     return sqrt(R * R + m * m);
-}
-
-/* F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
-   Equation from (24). Domain: F_0 >= m.
-   Operations: 6 structured, 6 common subexpressions, 6 power chains
- */
-static inline void slow_flow_zeta0_rest(double F_0, double m, double h, double h_A, double *out)
-{
-    const double product = -(-F_0 + m) * (F_0 + m);
-    const double c = sqrt(product);
-    out[0] = -c + h;
-    out[1] = c + h;
-    out[2] = h_A;
 }
 
 /* Omega of the folds.

@@ -20,18 +20,8 @@ extern const sf_module sf_module_slow_flow_mu0_zeta0;
 extern const sf_module sf_module_second_approximation;
 extern const sf_module sf_module_den_hartog;
 extern const sf_module sf_module_duffing;
-extern const sf_module sf_module_duffing_mu0;
-extern const sf_module sf_module_duffing_zeta0;
-extern const sf_module sf_module_duffing_mu0_zeta0;
 extern const sf_module sf_module_rod_spring;
-extern const sf_module sf_module_rod_spring_mu0;
-extern const sf_module sf_module_rod_spring_zeta0;
-extern const sf_module sf_module_rod_spring_mu0_zeta0;
-extern const sf_module sf_module_rod_spring_attached;
 extern const sf_module sf_module_rod_spring_untruncated;
-extern const sf_module sf_module_rod_spring_untruncated_mu0;
-extern const sf_module sf_module_rod_spring_untruncated_zeta0;
-extern const sf_module sf_module_rod_spring_untruncated_mu0_zeta0;
 
 static char all_double[SF_MOST_OPERANDS];
 static PyUFuncGenericFunction run[] = {sf_run};
@@ -101,76 +91,16 @@ static PyObject *load_duffing(PyObject *self, PyObject *none)
     return ufuncs_of(&sf_module_duffing);
 }
 
-static PyObject *load_duffing_mu0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_duffing_mu0);
-}
-
-static PyObject *load_duffing_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_duffing_zeta0);
-}
-
-static PyObject *load_duffing_mu0_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_duffing_mu0_zeta0);
-}
-
 static PyObject *load_rod_spring(PyObject *self, PyObject *none)
 {
     (void)self, (void)none;
     return ufuncs_of(&sf_module_rod_spring);
 }
 
-static PyObject *load_rod_spring_mu0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_mu0);
-}
-
-static PyObject *load_rod_spring_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_zeta0);
-}
-
-static PyObject *load_rod_spring_mu0_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_mu0_zeta0);
-}
-
-static PyObject *load_rod_spring_attached(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_attached);
-}
-
 static PyObject *load_rod_spring_untruncated(PyObject *self, PyObject *none)
 {
     (void)self, (void)none;
     return ufuncs_of(&sf_module_rod_spring_untruncated);
-}
-
-static PyObject *load_rod_spring_untruncated_mu0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_untruncated_mu0);
-}
-
-static PyObject *load_rod_spring_untruncated_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_untruncated_zeta0);
-}
-
-static PyObject *load_rod_spring_untruncated_mu0_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_untruncated_mu0_zeta0);
 }
 
 static PyMethodDef methods[] = {
@@ -181,18 +111,8 @@ static PyMethodDef methods[] = {
     {"second_approximation", load_second_approximation, METH_NOARGS, "The compiled kernels of slowflow_kernels.second_approximation."},
     {"den_hartog", load_den_hartog, METH_NOARGS, "The compiled kernels of slowflow_kernels.den_hartog."},
     {"duffing", load_duffing, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing."},
-    {"duffing_mu0", load_duffing_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing_mu0."},
-    {"duffing_zeta0", load_duffing_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing_zeta0."},
-    {"duffing_mu0_zeta0", load_duffing_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing_mu0_zeta0."},
     {"rod_spring", load_rod_spring, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring."},
-    {"rod_spring_mu0", load_rod_spring_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_mu0."},
-    {"rod_spring_zeta0", load_rod_spring_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_zeta0."},
-    {"rod_spring_mu0_zeta0", load_rod_spring_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_mu0_zeta0."},
-    {"rod_spring_attached", load_rod_spring_attached, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_attached."},
     {"rod_spring_untruncated", load_rod_spring_untruncated, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated."},
-    {"rod_spring_untruncated_mu0", load_rod_spring_untruncated_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated_mu0."},
-    {"rod_spring_untruncated_zeta0", load_rod_spring_untruncated_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated_zeta0."},
-    {"rod_spring_untruncated_mu0_zeta0", load_rod_spring_untruncated_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.rod_spring_untruncated_mu0_zeta0."},
     {NULL, NULL, 0, NULL},
 };
 

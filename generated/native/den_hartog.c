@@ -8,10 +8,11 @@
 
 #include "kernels.h"
 
-SF_WIDE void den_hartog_V_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void den_hartog_V_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = den_hartog_V(Omega[i]);
@@ -22,10 +23,11 @@ static const sf_loop den_hartog_V_loops[] = {
     den_hartog_V_loop,
 };
 
-SF_WIDE void den_hartog_U_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void den_hartog_U_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = den_hartog_U(Omega[i]);
@@ -36,11 +38,12 @@ static const sf_loop den_hartog_U_loops[] = {
     den_hartog_U_loop,
 };
 
-SF_WIDE void den_hartog_S_ratio_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void den_hartog_S_ratio_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict tau = in[0];
     const double *restrict Omega = in[1];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = den_hartog_S_ratio(tau[i], Omega[i]);
@@ -51,12 +54,13 @@ static const sf_loop den_hartog_S_ratio_loops[] = {
     den_hartog_S_ratio_loop,
 };
 
-SF_WIDE void den_hartog_amplitude_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void den_hartog_amplitude_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict F_0 = in[1];
     const double *restrict mu = in[2];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = den_hartog_amplitude(Omega[i], F_0[i], mu[i]);
@@ -67,12 +71,13 @@ static const sf_loop den_hartog_amplitude_loops[] = {
     den_hartog_amplitude_loop,
 };
 
-SF_WIDE void den_hartog_bound_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void den_hartog_bound_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict F_0 = in[1];
     const double *restrict S = in[2];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = den_hartog_bound(Omega[i], F_0[i], S[i]);
@@ -83,13 +88,14 @@ static const sf_loop den_hartog_bound_loops[] = {
     den_hartog_bound_loop,
 };
 
-SF_WIDE void den_hartog_motion_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void den_hartog_motion_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict tau = in[0];
     const double *restrict Omega = in[1];
     const double *restrict A = in[2];
     const double *restrict mu = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = den_hartog_motion(tau[i], Omega[i], A[i], mu[i]);

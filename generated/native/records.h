@@ -15,7 +15,6 @@
 
 #include "slow_flow.h"
 #include "duffing.h"
-#include "rod_spring_attached.h"
 #include "rod_spring.h"
 #include "rod_spring_untruncated.h"
 
@@ -141,12 +140,12 @@ static const sf_mechanism duffing_record = {
 static void rod_spring_attached_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
     if (n == 1) {
-        rod_spring_attached_averaged(A[0], p, out);
+        rod_spring_averaged_passed_0(A[0], p, out);
         return;
     }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[4];
-        rod_spring_attached_averaged(A[i], p, h);
+        rod_spring_averaged_passed_0(A[i], p, h);
         out[i] = h[0];
         out[n + i] = h[1];
         out[2 * n + i] = h[2];
@@ -157,12 +156,12 @@ static void rod_spring_attached_record_averaged(ptrdiff_t n, const double *A, co
 static void rod_spring_attached_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
 {
     if (n == 1) {
-        rod_spring_attached_averaged_2(A[0], p, out);
+        rod_spring_averaged_2_passed_0(A[0], p, out);
         return;
     }
     for (ptrdiff_t i = 0; i < n; i++) {
         double h[2];
-        rod_spring_attached_averaged_2(A[i], p, h);
+        rod_spring_averaged_2_passed_0(A[i], p, h);
         out[i] = h[0];
         out[n + i] = h[1];
     }

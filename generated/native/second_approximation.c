@@ -8,7 +8,7 @@
 
 #include "kernels.h"
 
-SF_WIDE void second_approximation_response_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void second_approximation_response_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -33,6 +33,7 @@ SF_WIDE void second_approximation_response_loop(ptrdiff_t n, const double *const
     double *restrict out_6 = out[6];
     double *restrict out_7 = out[7];
     double *restrict out_8 = out[8];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[9];
@@ -54,7 +55,7 @@ static const sf_loop second_approximation_response_loops[] = {
     second_approximation_response_loop,
 };
 
-SF_WIDE void second_approximation_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void second_approximation_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -73,6 +74,7 @@ SF_WIDE void second_approximation_detachment_loop(ptrdiff_t n, const double *con
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -89,7 +91,7 @@ static const sf_loop second_approximation_detachment_loops[] = {
     second_approximation_detachment_loop,
 };
 
-SF_WIDE void second_approximation_folds_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void second_approximation_folds_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -111,6 +113,7 @@ SF_WIDE void second_approximation_folds_loop(ptrdiff_t n, const double *const *i
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];

@@ -8,10 +8,11 @@
 
 #include "kernels.h"
 
-SF_WIDE void slow_flow_friction_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_friction_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict mu = in[0];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_friction(mu[i]);
@@ -22,12 +23,13 @@ static const sf_loop slow_flow_friction_loops[] = {
     slow_flow_friction_loop,
 };
 
-SF_WIDE void slow_flow_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict h = in[2];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_R(Omega[i], A[i], h[i]);
@@ -38,13 +40,14 @@ static const sf_loop slow_flow_R_loops[] = {
     slow_flow_R_loop,
 };
 
-SF_WIDE void slow_flow_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_I(Omega[i], A[i], m[i], zeta[i]);
@@ -55,7 +58,7 @@ static const sf_loop slow_flow_I_loops[] = {
     slow_flow_I_loop,
 };
 
-SF_WIDE void slow_flow_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -64,6 +67,7 @@ SF_WIDE void slow_flow_F_loop(ptrdiff_t n, const double *const *in, double *cons
     const double *restrict zeta = in[4];
     const double *restrict h = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
@@ -74,7 +78,7 @@ static const sf_loop slow_flow_F_loops[] = {
     slow_flow_F_loop,
 };
 
-SF_WIDE void slow_flow_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -83,6 +87,7 @@ SF_WIDE void slow_flow_F_A_loop(ptrdiff_t n, const double *const *in, double *co
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -93,7 +98,7 @@ static const sf_loop slow_flow_F_A_loops[] = {
     slow_flow_F_A_loop,
 };
 
-SF_WIDE void slow_flow_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -103,6 +108,7 @@ SF_WIDE void slow_flow_F_AA_loop(ptrdiff_t n, const double *const *in, double *c
     const double *restrict h_A = in[5];
     const double *restrict h_AA = in[6];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F_AA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
@@ -113,7 +119,7 @@ static const sf_loop slow_flow_F_AA_loops[] = {
     slow_flow_F_AA_loop,
 };
 
-SF_WIDE void slow_flow_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -124,6 +130,7 @@ SF_WIDE void slow_flow_F_AAA_loop(ptrdiff_t n, const double *const *in, double *
     const double *restrict h_AA = in[6];
     const double *restrict h_AAA = in[7];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F_AAA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
@@ -134,7 +141,7 @@ static const sf_loop slow_flow_F_AAA_loops[] = {
     slow_flow_F_AAA_loop,
 };
 
-SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -142,6 +149,7 @@ SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in, double
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F_Omega(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -152,7 +160,7 @@ static const sf_loop slow_flow_F_Omega_loops[] = {
     slow_flow_F_Omega_loop,
 };
 
-SF_WIDE void slow_flow_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -161,6 +169,7 @@ SF_WIDE void slow_flow_F_AOmega_loop(ptrdiff_t n, const double *const *in, doubl
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F_AOmega(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -171,7 +180,7 @@ static const sf_loop slow_flow_F_AOmega_loops[] = {
     slow_flow_F_AOmega_loop,
 };
 
-SF_WIDE void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -179,6 +188,7 @@ SF_WIDE void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, double *
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_phase(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -189,11 +199,12 @@ static const sf_loop slow_flow_phase_loops[] = {
     slow_flow_phase_loop,
 };
 
-SF_WIDE void slow_flow_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict h = in[1];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_backbone(A[i], h[i]);
@@ -204,13 +215,14 @@ static const sf_loop slow_flow_backbone_loops[] = {
     slow_flow_backbone_loop,
 };
 
-SF_WIDE void slow_flow_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict F_0 = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_limit_envelope(Omega[i], F_0[i], m[i], zeta[i]);
@@ -221,13 +233,14 @@ static const sf_loop slow_flow_limit_envelope_loops[] = {
     slow_flow_limit_envelope_loop,
 };
 
-SF_WIDE void slow_flow_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_equivalent_damping(Omega[i], A[i], m[i], zeta[i]);
@@ -238,7 +251,7 @@ static const sf_loop slow_flow_equivalent_damping_loops[] = {
     slow_flow_equivalent_damping_loop,
 };
 
-SF_WIDE void slow_flow_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -247,6 +260,7 @@ SF_WIDE void slow_flow_transmissibility_loop(ptrdiff_t n, const double *const *i
     const double *restrict zeta = in[4];
     const double *restrict h = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_transmissibility(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
@@ -257,7 +271,7 @@ static const sf_loop slow_flow_transmissibility_loops[] = {
     slow_flow_transmissibility_loop,
 };
 
-SF_WIDE void slow_flow_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -269,6 +283,7 @@ SF_WIDE void slow_flow_jacobian_loop(ptrdiff_t n, const double *const *in, doubl
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -284,12 +299,13 @@ static const sf_loop slow_flow_jacobian_loops[] = {
     slow_flow_jacobian_loop,
 };
 
-SF_WIDE void slow_flow_mean_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mean_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict h = in[1];
     const double *restrict h_A = in[2];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mean_stiffness(A[i], h[i], h_A[i]);
@@ -300,13 +316,14 @@ static const sf_loop slow_flow_mean_stiffness_loops[] = {
     slow_flow_mean_stiffness_loop,
 };
 
-SF_WIDE void slow_flow_offset_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_offset_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict h = in[2];
     const double *restrict h_A = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_offset_stiffness(Omega[i], A[i], h[i], h_A[i]);
@@ -317,7 +334,7 @@ static const sf_loop slow_flow_offset_stiffness_loops[] = {
     slow_flow_offset_stiffness_loop,
 };
 
-SF_WIDE void slow_flow_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -326,6 +343,7 @@ SF_WIDE void slow_flow_stability_loop(ptrdiff_t n, const double *const *in, doub
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_stability(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -336,7 +354,7 @@ static const sf_loop slow_flow_stability_loops[] = {
     slow_flow_stability_loop,
 };
 
-SF_WIDE void slow_flow_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict F_0 = in[1];
@@ -347,6 +365,7 @@ SF_WIDE void slow_flow_response_quartic_loop(ptrdiff_t n, const double *const *i
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -362,7 +381,7 @@ static const sf_loop slow_flow_response_quartic_loops[] = {
     slow_flow_response_quartic_loop,
 };
 
-SF_WIDE void slow_flow_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -373,6 +392,7 @@ SF_WIDE void slow_flow_fold_quartic_loop(ptrdiff_t n, const double *const *in, d
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -388,7 +408,7 @@ static const sf_loop slow_flow_fold_quartic_loops[] = {
     slow_flow_fold_quartic_loop,
 };
 
-SF_WIDE void slow_flow_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -397,6 +417,7 @@ SF_WIDE void slow_flow_peak_cubic_loop(ptrdiff_t n, const double *const *in, dou
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];
@@ -411,7 +432,7 @@ static const sf_loop slow_flow_peak_cubic_loops[] = {
     slow_flow_peak_cubic_loop,
 };
 
-SF_WIDE void slow_flow_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -421,6 +442,7 @@ SF_WIDE void slow_flow_detachment_loop(ptrdiff_t n, const double *const *in, dou
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -436,7 +458,7 @@ static const sf_loop slow_flow_detachment_loops[] = {
     slow_flow_detachment_loop,
 };
 
-SF_WIDE void slow_flow_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -444,6 +466,7 @@ SF_WIDE void slow_flow_F_AAOmega_loop(ptrdiff_t n, const double *const *in, doub
     const double *restrict h_A = in[3];
     const double *restrict h_AA = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F_AAOmega(Omega[i], A[i], zeta[i], h_A[i], h_AA[i]);
@@ -454,13 +477,14 @@ static const sf_loop slow_flow_F_AAOmega_loops[] = {
     slow_flow_F_AAOmega_loop,
 };
 
-SF_WIDE void slow_flow_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict zeta = in[2];
     const double *restrict h = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_F_OmegaOmega(Omega[i], A[i], zeta[i], h[i]);
@@ -471,7 +495,7 @@ static const sf_loop slow_flow_F_OmegaOmega_loops[] = {
     slow_flow_F_OmegaOmega_loop,
 };
 
-SF_WIDE void slow_flow_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -479,6 +503,7 @@ SF_WIDE void slow_flow_level_loop(ptrdiff_t n, const double *const *in, double *
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_level(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -489,7 +514,7 @@ static const sf_loop slow_flow_level_loops[] = {
     slow_flow_level_loop,
 };
 
-SF_WIDE void slow_flow_rest_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_rest_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict F_0 = in[0];
     const double *restrict m = in[1];
@@ -498,6 +523,7 @@ SF_WIDE void slow_flow_rest_loop(ptrdiff_t n, const double *const *in, double *c
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];
@@ -512,10 +538,11 @@ static const sf_loop slow_flow_rest_loops[] = {
     slow_flow_rest_loop,
 };
 
-SF_WIDE void slow_flow_isola_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_isola_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict h_A = in[0];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_isola_Omega(h_A[i]);
@@ -526,7 +553,7 @@ static const sf_loop slow_flow_isola_Omega_loops[] = {
     slow_flow_isola_Omega_loop,
 };
 
-SF_WIDE void slow_flow_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -536,6 +563,7 @@ SF_WIDE void slow_flow_isola_loop(ptrdiff_t n, const double *const *in, double *
     const double *restrict h_AA = in[5];
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[2];
@@ -549,7 +577,7 @@ static const sf_loop slow_flow_isola_loops[] = {
     slow_flow_isola_loop,
 };
 
-SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict zeta = in[1];
@@ -562,6 +590,7 @@ SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, double *
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
     double *restrict out_4 = out[4];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[5];
@@ -578,11 +607,12 @@ static const sf_loop slow_flow_cusps_loops[] = {
     slow_flow_cusps_loop,
 };
 
-SF_WIDE void slow_flow_cusp_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_cusp_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict root = in[1];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_cusp_F_AAOmega(Omega[i], root[i]);
@@ -593,13 +623,14 @@ static const sf_loop slow_flow_cusp_F_AAOmega_loops[] = {
     slow_flow_cusp_F_AAOmega_loop,
 };
 
-SF_WIDE void slow_flow_turn_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_turn_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict zeta = in[1];
     const double *restrict h_A = in[2];
     const double *restrict h_AA = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_turn_p_A(A[i], zeta[i], h_A[i], h_AA[i]);
@@ -610,11 +641,12 @@ static const sf_loop slow_flow_turn_p_A_loops[] = {
     slow_flow_turn_p_A_loop,
 };
 
-SF_WIDE void slow_flow_peak_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_peak_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict zeta = in[0];
     const double *restrict h_A = in[1];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_peak_p_A(zeta[i], h_A[i]);
@@ -625,7 +657,7 @@ static const sf_loop slow_flow_peak_p_A_loops[] = {
     slow_flow_peak_p_A_loop,
 };
 
-SF_WIDE void slow_flow_critical_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_critical_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict p = in[1];
@@ -633,6 +665,7 @@ SF_WIDE void slow_flow_critical_loop(ptrdiff_t n, const double *const *in, doubl
     const double *restrict p_A = in[3];
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[2];

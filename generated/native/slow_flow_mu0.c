@@ -8,43 +8,14 @@
 
 #include "kernels.h"
 
-SF_WIDE void slow_flow_mu0_friction_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict mu = in[0];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_friction(mu[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_friction_loops[] = {
-    slow_flow_mu0_friction_loop,
-};
-
-SF_WIDE void slow_flow_mu0_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict h = in[2];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_R(Omega[i], A[i], h[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_R_loops[] = {
-    slow_flow_mu0_R_loop,
-};
-
-SF_WIDE void slow_flow_mu0_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_I(Omega[i], A[i], m[i], zeta[i]);
@@ -55,7 +26,7 @@ static const sf_loop slow_flow_mu0_I_loops[] = {
     slow_flow_mu0_I_loop,
 };
 
-SF_WIDE void slow_flow_mu0_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -64,6 +35,7 @@ SF_WIDE void slow_flow_mu0_F_loop(ptrdiff_t n, const double *const *in, double *
     const double *restrict zeta = in[4];
     const double *restrict h = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_F(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
@@ -74,7 +46,7 @@ static const sf_loop slow_flow_mu0_F_loops[] = {
     slow_flow_mu0_F_loop,
 };
 
-SF_WIDE void slow_flow_mu0_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -83,6 +55,7 @@ SF_WIDE void slow_flow_mu0_F_A_loop(ptrdiff_t n, const double *const *in, double
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_F_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -93,7 +66,7 @@ static const sf_loop slow_flow_mu0_F_A_loops[] = {
     slow_flow_mu0_F_A_loop,
 };
 
-SF_WIDE void slow_flow_mu0_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -103,6 +76,7 @@ SF_WIDE void slow_flow_mu0_F_AA_loop(ptrdiff_t n, const double *const *in, doubl
     const double *restrict h_A = in[5];
     const double *restrict h_AA = in[6];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_F_AA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
@@ -113,7 +87,7 @@ static const sf_loop slow_flow_mu0_F_AA_loops[] = {
     slow_flow_mu0_F_AA_loop,
 };
 
-SF_WIDE void slow_flow_mu0_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -124,6 +98,7 @@ SF_WIDE void slow_flow_mu0_F_AAA_loop(ptrdiff_t n, const double *const *in, doub
     const double *restrict h_AA = in[6];
     const double *restrict h_AAA = in[7];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_F_AAA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
@@ -134,7 +109,7 @@ static const sf_loop slow_flow_mu0_F_AAA_loops[] = {
     slow_flow_mu0_F_AAA_loop,
 };
 
-SF_WIDE void slow_flow_mu0_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -142,6 +117,7 @@ SF_WIDE void slow_flow_mu0_F_Omega_loop(ptrdiff_t n, const double *const *in, do
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_F_Omega(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -152,7 +128,7 @@ static const sf_loop slow_flow_mu0_F_Omega_loops[] = {
     slow_flow_mu0_F_Omega_loop,
 };
 
-SF_WIDE void slow_flow_mu0_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -161,6 +137,7 @@ SF_WIDE void slow_flow_mu0_F_AOmega_loop(ptrdiff_t n, const double *const *in, d
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_F_AOmega(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -171,7 +148,7 @@ static const sf_loop slow_flow_mu0_F_AOmega_loops[] = {
     slow_flow_mu0_F_AOmega_loop,
 };
 
-SF_WIDE void slow_flow_mu0_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -179,6 +156,7 @@ SF_WIDE void slow_flow_mu0_phase_loop(ptrdiff_t n, const double *const *in, doub
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_phase(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -189,28 +167,14 @@ static const sf_loop slow_flow_mu0_phase_loops[] = {
     slow_flow_mu0_phase_loop,
 };
 
-SF_WIDE void slow_flow_mu0_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_backbone(A[i], h[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_backbone_loops[] = {
-    slow_flow_mu0_backbone_loop,
-};
-
-SF_WIDE void slow_flow_mu0_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict F_0 = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_limit_envelope(Omega[i], F_0[i], m[i], zeta[i]);
@@ -221,13 +185,14 @@ static const sf_loop slow_flow_mu0_limit_envelope_loops[] = {
     slow_flow_mu0_limit_envelope_loop,
 };
 
-SF_WIDE void slow_flow_mu0_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_equivalent_damping(Omega[i], A[i], m[i], zeta[i]);
@@ -238,26 +203,7 @@ static const sf_loop slow_flow_mu0_equivalent_damping_loops[] = {
     slow_flow_mu0_equivalent_damping_loop,
 };
 
-SF_WIDE void slow_flow_mu0_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h = in[5];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_transmissibility(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_transmissibility_loops[] = {
-    slow_flow_mu0_transmissibility_loop,
-};
-
-SF_WIDE void slow_flow_mu0_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -266,66 +212,7 @@ SF_WIDE void slow_flow_mu0_jacobian_loop(ptrdiff_t n, const double *const *in, d
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double values[4];
-        slow_flow_mu0_jacobian(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-    }
-}
-
-static const sf_loop slow_flow_mu0_jacobian_loops[] = {
-    slow_flow_mu0_jacobian_loop,
-};
-
-SF_WIDE void slow_flow_mu0_mean_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    const double *restrict h_A = in[2];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_mean_stiffness(A[i], h[i], h_A[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_mean_stiffness_loops[] = {
-    slow_flow_mu0_mean_stiffness_loop,
-};
-
-SF_WIDE void slow_flow_mu0_offset_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_offset_stiffness(Omega[i], A[i], h[i], h_A[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_offset_stiffness_loops[] = {
-    slow_flow_mu0_offset_stiffness_loop,
-};
-
-SF_WIDE void slow_flow_mu0_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_stability(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -336,7 +223,7 @@ static const sf_loop slow_flow_mu0_stability_loops[] = {
     slow_flow_mu0_stability_loop,
 };
 
-SF_WIDE void slow_flow_mu0_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict F_0 = in[1];
@@ -347,6 +234,7 @@ SF_WIDE void slow_flow_mu0_response_quartic_loop(ptrdiff_t n, const double *cons
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -362,7 +250,7 @@ static const sf_loop slow_flow_mu0_response_quartic_loops[] = {
     slow_flow_mu0_response_quartic_loop,
 };
 
-SF_WIDE void slow_flow_mu0_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -373,6 +261,7 @@ SF_WIDE void slow_flow_mu0_fold_quartic_loop(ptrdiff_t n, const double *const *i
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -388,7 +277,7 @@ static const sf_loop slow_flow_mu0_fold_quartic_loops[] = {
     slow_flow_mu0_fold_quartic_loop,
 };
 
-SF_WIDE void slow_flow_mu0_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -397,6 +286,7 @@ SF_WIDE void slow_flow_mu0_peak_cubic_loop(ptrdiff_t n, const double *const *in,
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];
@@ -411,7 +301,7 @@ static const sf_loop slow_flow_mu0_peak_cubic_loops[] = {
     slow_flow_mu0_peak_cubic_loop,
 };
 
-SF_WIDE void slow_flow_mu0_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -420,6 +310,7 @@ SF_WIDE void slow_flow_mu0_detachment_loop(ptrdiff_t n, const double *const *in,
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];
@@ -434,31 +325,14 @@ static const sf_loop slow_flow_mu0_detachment_loops[] = {
     slow_flow_mu0_detachment_loop,
 };
 
-SF_WIDE void slow_flow_mu0_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h_A = in[3];
-    const double *restrict h_AA = in[4];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_F_AAOmega(Omega[i], A[i], zeta[i], h_A[i], h_AA[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_F_AAOmega_loops[] = {
-    slow_flow_mu0_F_AAOmega_loop,
-};
-
-SF_WIDE void slow_flow_mu0_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict zeta = in[2];
     const double *restrict h = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_F_OmegaOmega(Omega[i], A[i], zeta[i], h[i]);
@@ -469,7 +343,7 @@ static const sf_loop slow_flow_mu0_F_OmegaOmega_loops[] = {
     slow_flow_mu0_F_OmegaOmega_loop,
 };
 
-SF_WIDE void slow_flow_mu0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -477,6 +351,7 @@ SF_WIDE void slow_flow_mu0_level_loop(ptrdiff_t n, const double *const *in, doub
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_mu0_level(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -487,44 +362,7 @@ static const sf_loop slow_flow_mu0_level_loops[] = {
     slow_flow_mu0_level_loop,
 };
 
-SF_WIDE void slow_flow_mu0_rest_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict F_0 = in[0];
-    const double *restrict m = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double values[3];
-        slow_flow_mu0_rest(F_0[i], m[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-    }
-}
-
-static const sf_loop slow_flow_mu0_rest_loops[] = {
-    slow_flow_mu0_rest_loop,
-};
-
-SF_WIDE void slow_flow_mu0_isola_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict h_A = in[0];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_isola_Omega(h_A[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_isola_Omega_loops[] = {
-    slow_flow_mu0_isola_Omega_loop,
-};
-
-SF_WIDE void slow_flow_mu0_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_mu0_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -534,6 +372,7 @@ SF_WIDE void slow_flow_mu0_isola_loop(ptrdiff_t n, const double *const *in, doub
     const double *restrict h_AA = in[5];
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[2];
@@ -547,110 +386,7 @@ static const sf_loop slow_flow_mu0_isola_loops[] = {
     slow_flow_mu0_isola_loop,
 };
 
-SF_WIDE void slow_flow_mu0_cusps_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict zeta = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    const double *restrict h_AA = in[4];
-    const double *restrict h_AAA = in[5];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double values[5];
-        slow_flow_mu0_cusps(A[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-    }
-}
-
-static const sf_loop slow_flow_mu0_cusps_loops[] = {
-    slow_flow_mu0_cusps_loop,
-};
-
-SF_WIDE void slow_flow_mu0_cusp_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict root = in[1];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_cusp_F_AAOmega(Omega[i], root[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_cusp_F_AAOmega_loops[] = {
-    slow_flow_mu0_cusp_F_AAOmega_loop,
-};
-
-SF_WIDE void slow_flow_mu0_turn_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict zeta = in[1];
-    const double *restrict h_A = in[2];
-    const double *restrict h_AA = in[3];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_turn_p_A(A[i], zeta[i], h_A[i], h_AA[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_turn_p_A_loops[] = {
-    slow_flow_mu0_turn_p_A_loop,
-};
-
-SF_WIDE void slow_flow_mu0_peak_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict zeta = in[0];
-    const double *restrict h_A = in[1];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_peak_p_A(zeta[i], h_A[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_peak_p_A_loops[] = {
-    slow_flow_mu0_peak_p_A_loop,
-};
-
-SF_WIDE void slow_flow_mu0_critical_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict p = in[1];
-    const double *restrict q = in[2];
-    const double *restrict p_A = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double values[2];
-        slow_flow_mu0_critical(A[i], p[i], q[i], p_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-    }
-}
-
-static const sf_loop slow_flow_mu0_critical_loops[] = {
-    slow_flow_mu0_critical_loop,
-};
-
 static const sf_kernel kernels[] = {
-    {"friction",
-     "Dry friction's share of I. Equation (23). Domain: mu >= 0.",
-     1, 1, 1, NULL, slow_flow_mu0_friction_loops},
-    {"R",
-     "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     3, 1, 1, NULL, slow_flow_mu0_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
      4, 1, 1, NULL, slow_flow_mu0_I_loops},
@@ -675,9 +411,6 @@ static const sf_kernel kernels[] = {
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
      5, 1, 1, NULL, slow_flow_mu0_phase_loops},
-    {"backbone",
-     "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     2, 1, 1, NULL, slow_flow_mu0_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",
@@ -686,22 +419,6 @@ static const sf_kernel kernels[] = {
      "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
      "A > 0.",
      4, 1, 1, NULL, slow_flow_mu0_equivalent_damping_loops},
-    {"transmissibility",
-     "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
-     "0, A > 0, F_0 > 0.",
-     6, 1, 1, NULL, slow_flow_mu0_transmissibility_loops},
-    {"jacobian",
-     "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
-     "> 0.",
-     6, 4, 1, NULL, slow_flow_mu0_jacobian_loops},
-    {"mean_stiffness",
-     "Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive. "
-     "Equation beside (30). Domain: A > 0.",
-     3, 1, 1, NULL, slow_flow_mu0_mean_stiffness_loops},
-    {"offset_stiffness",
-     "What carries a small mean offset back; where the mean stiffness is negative this decides. Equation beside "
-     "(30). Domain: Omega > 0, A > 0.",
-     4, 1, 1, NULL, slow_flow_mu0_offset_stiffness_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
      6, 1, 1, NULL, slow_flow_mu0_stability_loops},
@@ -719,44 +436,16 @@ static const sf_kernel kernels[] = {
      "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr. "
      "Equation (34). Domain: A > 0.",
      4, 3, 1, NULL, slow_flow_mu0_detachment_loops},
-    {"F_AAOmega",
-     "d3F/dA2 dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     5, 1, 1, NULL, slow_flow_mu0_F_AAOmega_loops},
     {"F_OmegaOmega",
      "d2F/dOmega2. Equation (24). Domain: Omega > 0, A > 0.",
      4, 1, 1, NULL, slow_flow_mu0_F_OmegaOmega_loops},
     {"level",
      "The forcing F_0 for which (Omega, A) is a steady state. Equation (24). Domain: Omega >= 0, A > 0.",
      5, 1, 1, NULL, slow_flow_mu0_level_loops},
-    {"rest",
-     "F at Omega = 0 as a product: h - c, h + c, and the slope of both along A. Equation from (24). Domain: F_0 >= "
-     "m.",
-     4, 3, 1, NULL, slow_flow_mu0_rest_loops},
-    {"isola_Omega",
-     "Omega at an isola point. Equation from (30), (34). Domain: h_A >= 0.",
-     1, 1, 1, NULL, slow_flow_mu0_isola_Omega_loops},
     {"isola",
      "Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A. "
      "Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.",
      6, 2, 1, NULL, slow_flow_mu0_isola_loops},
-    {"cusps",
-     "F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A. "
-     "Equation from (33). Domain: A > 0.",
-     6, 5, 1, NULL, slow_flow_mu0_cusps_loops},
-    {"cusp_F_AAOmega",
-     "d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`). Equation from "
-     "(33). Domain: Omega > 0.",
-     2, 1, 1, NULL, slow_flow_mu0_cusp_F_AAOmega_loops},
-    {"turn_p_A",
-     "Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q. Equation from (30). Domain: A > 0.",
-     4, 1, 1, NULL, slow_flow_mu0_turn_p_A_loops},
-    {"peak_p_A",
-     "Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q. Equation from (34). Domain: any h_A.",
-     2, 1, 1, NULL, slow_flow_mu0_peak_p_A_loops},
-    {"critical",
-     "Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A. Equation from (30), "
-     "(34). Domain: A > 0, q >= 0.",
-     4, 2, 1, NULL, slow_flow_mu0_critical_loops},
 };
 
 const sf_module sf_module_slow_flow_mu0 = {"slow_flow_mu0", kernels, sizeof kernels / sizeof kernels[0]};

@@ -8,43 +8,14 @@
 
 #include "kernels.h"
 
-SF_WIDE void slow_flow_zeta0_friction_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict mu = in[0];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_zeta0_friction(mu[i]);
-    }
-}
-
-static const sf_loop slow_flow_zeta0_friction_loops[] = {
-    slow_flow_zeta0_friction_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict h = in[2];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_zeta0_R(Omega[i], A[i], h[i]);
-    }
-}
-
-static const sf_loop slow_flow_zeta0_R_loops[] = {
-    slow_flow_zeta0_R_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_I(Omega[i], A[i], m[i], zeta[i]);
@@ -55,7 +26,7 @@ static const sf_loop slow_flow_zeta0_I_loops[] = {
     slow_flow_zeta0_I_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -64,6 +35,7 @@ SF_WIDE void slow_flow_zeta0_F_loop(ptrdiff_t n, const double *const *in, double
     const double *restrict zeta = in[4];
     const double *restrict h = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_F(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
@@ -74,7 +46,7 @@ static const sf_loop slow_flow_zeta0_F_loops[] = {
     slow_flow_zeta0_F_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -83,6 +55,7 @@ SF_WIDE void slow_flow_zeta0_F_A_loop(ptrdiff_t n, const double *const *in, doub
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_F_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -93,7 +66,7 @@ static const sf_loop slow_flow_zeta0_F_A_loops[] = {
     slow_flow_zeta0_F_A_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -103,6 +76,7 @@ SF_WIDE void slow_flow_zeta0_F_AA_loop(ptrdiff_t n, const double *const *in, dou
     const double *restrict h_A = in[5];
     const double *restrict h_AA = in[6];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_F_AA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
@@ -113,7 +87,7 @@ static const sf_loop slow_flow_zeta0_F_AA_loops[] = {
     slow_flow_zeta0_F_AA_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -124,6 +98,7 @@ SF_WIDE void slow_flow_zeta0_F_AAA_loop(ptrdiff_t n, const double *const *in, do
     const double *restrict h_AA = in[6];
     const double *restrict h_AAA = in[7];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_F_AAA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
@@ -134,7 +109,7 @@ static const sf_loop slow_flow_zeta0_F_AAA_loops[] = {
     slow_flow_zeta0_F_AAA_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -142,6 +117,7 @@ SF_WIDE void slow_flow_zeta0_F_Omega_loop(ptrdiff_t n, const double *const *in, 
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_F_Omega(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -152,7 +128,7 @@ static const sf_loop slow_flow_zeta0_F_Omega_loops[] = {
     slow_flow_zeta0_F_Omega_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -161,6 +137,7 @@ SF_WIDE void slow_flow_zeta0_F_AOmega_loop(ptrdiff_t n, const double *const *in,
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_F_AOmega(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -171,7 +148,7 @@ static const sf_loop slow_flow_zeta0_F_AOmega_loops[] = {
     slow_flow_zeta0_F_AOmega_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -179,6 +156,7 @@ SF_WIDE void slow_flow_zeta0_phase_loop(ptrdiff_t n, const double *const *in, do
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_phase(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -189,28 +167,14 @@ static const sf_loop slow_flow_zeta0_phase_loops[] = {
     slow_flow_zeta0_phase_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_zeta0_backbone(A[i], h[i]);
-    }
-}
-
-static const sf_loop slow_flow_zeta0_backbone_loops[] = {
-    slow_flow_zeta0_backbone_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict F_0 = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_limit_envelope(Omega[i], F_0[i], m[i], zeta[i]);
@@ -221,13 +185,14 @@ static const sf_loop slow_flow_zeta0_limit_envelope_loops[] = {
     slow_flow_zeta0_limit_envelope_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict m = in[2];
     const double *restrict zeta = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_equivalent_damping(Omega[i], A[i], m[i], zeta[i]);
@@ -238,26 +203,7 @@ static const sf_loop slow_flow_zeta0_equivalent_damping_loops[] = {
     slow_flow_zeta0_equivalent_damping_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h = in[5];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_zeta0_transmissibility(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
-    }
-}
-
-static const sf_loop slow_flow_zeta0_transmissibility_loops[] = {
-    slow_flow_zeta0_transmissibility_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -266,66 +212,7 @@ SF_WIDE void slow_flow_zeta0_jacobian_loop(ptrdiff_t n, const double *const *in,
     const double *restrict h = in[4];
     const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double values[4];
-        slow_flow_zeta0_jacobian(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-    }
-}
-
-static const sf_loop slow_flow_zeta0_jacobian_loops[] = {
-    slow_flow_zeta0_jacobian_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_mean_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    const double *restrict h_A = in[2];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_zeta0_mean_stiffness(A[i], h[i], h_A[i]);
-    }
-}
-
-static const sf_loop slow_flow_zeta0_mean_stiffness_loops[] = {
-    slow_flow_zeta0_mean_stiffness_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_offset_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_zeta0_offset_stiffness(Omega[i], A[i], h[i], h_A[i]);
-    }
-}
-
-static const sf_loop slow_flow_zeta0_offset_stiffness_loops[] = {
-    slow_flow_zeta0_offset_stiffness_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_stability(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
@@ -336,7 +223,7 @@ static const sf_loop slow_flow_zeta0_stability_loops[] = {
     slow_flow_zeta0_stability_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict F_0 = in[1];
@@ -347,6 +234,7 @@ SF_WIDE void slow_flow_zeta0_response_quartic_loop(ptrdiff_t n, const double *co
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -362,7 +250,7 @@ static const sf_loop slow_flow_zeta0_response_quartic_loops[] = {
     slow_flow_zeta0_response_quartic_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -373,6 +261,7 @@ SF_WIDE void slow_flow_zeta0_fold_quartic_loop(ptrdiff_t n, const double *const 
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -388,7 +277,7 @@ static const sf_loop slow_flow_zeta0_fold_quartic_loops[] = {
     slow_flow_zeta0_fold_quartic_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -397,6 +286,7 @@ SF_WIDE void slow_flow_zeta0_peak_cubic_loop(ptrdiff_t n, const double *const *i
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];
@@ -411,7 +301,7 @@ static const sf_loop slow_flow_zeta0_peak_cubic_loops[] = {
     slow_flow_zeta0_peak_cubic_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict m = in[1];
@@ -420,6 +310,7 @@ SF_WIDE void slow_flow_zeta0_detachment_loop(ptrdiff_t n, const double *const *i
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[3];
@@ -434,31 +325,14 @@ static const sf_loop slow_flow_zeta0_detachment_loops[] = {
     slow_flow_zeta0_detachment_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h_A = in[3];
-    const double *restrict h_AA = in[4];
-    double *restrict out_0 = out[0];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_zeta0_F_AAOmega(Omega[i], A[i], zeta[i], h_A[i], h_AA[i]);
-    }
-}
-
-static const sf_loop slow_flow_zeta0_F_AAOmega_loops[] = {
-    slow_flow_zeta0_F_AAOmega_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
     const double *restrict zeta = in[2];
     const double *restrict h = in[3];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_F_OmegaOmega(Omega[i], A[i], zeta[i], h[i]);
@@ -469,7 +343,7 @@ static const sf_loop slow_flow_zeta0_F_OmegaOmega_loops[] = {
     slow_flow_zeta0_F_OmegaOmega_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
     const double *restrict A = in[1];
@@ -477,6 +351,7 @@ SF_WIDE void slow_flow_zeta0_level_loop(ptrdiff_t n, const double *const *in, do
     const double *restrict zeta = in[3];
     const double *restrict h = in[4];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_level(Omega[i], A[i], m[i], zeta[i], h[i]);
@@ -487,33 +362,11 @@ static const sf_loop slow_flow_zeta0_level_loops[] = {
     slow_flow_zeta0_level_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_rest_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict F_0 = in[0];
-    const double *restrict m = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double values[3];
-        slow_flow_zeta0_rest(F_0[i], m[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-    }
-}
-
-static const sf_loop slow_flow_zeta0_rest_loops[] = {
-    slow_flow_zeta0_rest_loop,
-};
-
-SF_WIDE void slow_flow_zeta0_undamped_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_undamped_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict h_A = in[0];
     double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         out_0[i] = slow_flow_zeta0_undamped_Omega(h_A[i]);
@@ -524,7 +377,7 @@ static const sf_loop slow_flow_zeta0_undamped_Omega_loops[] = {
     slow_flow_zeta0_undamped_Omega_loop,
 };
 
-SF_WIDE void slow_flow_zeta0_undamped_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_zeta0_undamped_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
     const double *restrict h = in[1];
@@ -535,6 +388,7 @@ SF_WIDE void slow_flow_zeta0_undamped_loop(ptrdiff_t n, const double *const *in,
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
     double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
@@ -551,12 +405,6 @@ static const sf_loop slow_flow_zeta0_undamped_loops[] = {
 };
 
 static const sf_kernel kernels[] = {
-    {"friction",
-     "Dry friction's share of I. Equation (23). Domain: mu >= 0.",
-     1, 1, 1, NULL, slow_flow_zeta0_friction_loops},
-    {"R",
-     "Cosine balance, -F_0 cos phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
-     3, 1, 1, NULL, slow_flow_zeta0_R_loops},
     {"I",
      "Sine balance, -F_0 sin phi at a fixed point. Equation (23). Domain: Omega > 0, A > 0.",
      4, 1, 1, NULL, slow_flow_zeta0_I_loops},
@@ -581,9 +429,6 @@ static const sf_kernel kernels[] = {
     {"phase",
      "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
      5, 1, 1, NULL, slow_flow_zeta0_phase_loops},
-    {"backbone",
-     "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
-     2, 1, 1, NULL, slow_flow_zeta0_backbone_loops},
     {"limit_envelope",
      "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
      "sticks otherwise.",
@@ -592,22 +437,6 @@ static const sf_kernel kernels[] = {
      "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
      "A > 0.",
      4, 1, 1, NULL, slow_flow_zeta0_equivalent_damping_loops},
-    {"transmissibility",
-     "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
-     "0, A > 0, F_0 > 0.",
-     6, 1, 1, NULL, slow_flow_zeta0_transmissibility_loops},
-    {"jacobian",
-     "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
-     "> 0.",
-     6, 4, 1, NULL, slow_flow_zeta0_jacobian_loops},
-    {"mean_stiffness",
-     "Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive. "
-     "Equation beside (30). Domain: A > 0.",
-     3, 1, 1, NULL, slow_flow_zeta0_mean_stiffness_loops},
-    {"offset_stiffness",
-     "What carries a small mean offset back; where the mean stiffness is negative this decides. Equation beside "
-     "(30). Domain: Omega > 0, A > 0.",
-     4, 1, 1, NULL, slow_flow_zeta0_offset_stiffness_loops},
     {"stability",
      "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
      6, 1, 1, NULL, slow_flow_zeta0_stability_loops},
@@ -625,19 +454,12 @@ static const sf_kernel kernels[] = {
      "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr. "
      "Equation (34). Domain: A > 0.",
      4, 3, 1, NULL, slow_flow_zeta0_detachment_loops},
-    {"F_AAOmega",
-     "d3F/dA2 dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     5, 1, 1, NULL, slow_flow_zeta0_F_AAOmega_loops},
     {"F_OmegaOmega",
      "d2F/dOmega2. Equation (24). Domain: Omega > 0, A > 0.",
      4, 1, 1, NULL, slow_flow_zeta0_F_OmegaOmega_loops},
     {"level",
      "The forcing F_0 for which (Omega, A) is a steady state. Equation (24). Domain: Omega >= 0, A > 0.",
      5, 1, 1, NULL, slow_flow_zeta0_level_loops},
-    {"rest",
-     "F at Omega = 0 as a product: h - c, h + c, and the slope of both along A. Equation from (24). Domain: F_0 >= "
-     "m.",
-     4, 3, 1, NULL, slow_flow_zeta0_rest_loops},
     {"undamped_Omega",
      "Omega of the folds. Equation from (30). Domain: h_A <= 0.",
      1, 1, 1, NULL, slow_flow_zeta0_undamped_Omega_loops},

@@ -11,7 +11,7 @@
 
 #include "exact/series.h"
 
-/* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (6). */
+/* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
 static void duffing_force_1_force(int n, const double *p, sf_series *w)
 {
     const double alpha = p[0];

@@ -17,18 +17,8 @@ MODULES = (
     "second_approximation",
     "den_hartog",
     "duffing",
-    "duffing_mu0",
-    "duffing_zeta0",
-    "duffing_mu0_zeta0",
     "rod_spring",
-    "rod_spring_mu0",
-    "rod_spring_zeta0",
-    "rod_spring_mu0_zeta0",
-    "rod_spring_attached",
     "rod_spring_untruncated",
-    "rod_spring_untruncated_mu0",
-    "rod_spring_untruncated_zeta0",
-    "rod_spring_untruncated_mu0_zeta0",
 )
 
 __all__ = ["MODULES", *MODULES]

@@ -6,7 +6,6 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain and the operations after each pass.
-FORCE: force and slope of each piece, for any kind of number that has arithmetic.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
 """
 
@@ -20,40 +19,23 @@ from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
 from slowflow_support.record import Mechanism, Parameter, nothing
 
-NAME = "rod_spring"
-PARAMETERS = ("alpha", "beta", "gamma", "u_cr")
-RATIOS = ("lam", "r", "delta_h")
-REACH = 1.0
-REACH_REASON = "the push-rod stands vertical"
-HARMONICS_UP_TO = float("inf")
-
 __all__ = [
-    "FORCE",
     "F_A",
-    "F_AA",
-    "F_AAA",
-    "HARMONICS_UP_TO",
     "H_A",
     "H_AA",
-    "NAME",
-    "PARAMETERS",
-    "RATIOS",
-    "REACH",
-    "REACH_REASON",
+    "MECHANISM",
     "F",
-    "F_AOmega",
-    "F_Omega",
     "H",
-    "I",
-    "R",
     "attached",
     "averaged",
     "averaged_2",
-    "averaged_3",
+    "averaged_H",
     "backbone",
     "breakpoints",
     "coefficients",
+    "detachment",
     "equivalent_damping",
+    "fold_quartic",
     "force",
     "force_1",
     "force_1_u",
@@ -67,8 +49,11 @@ __all__ = [
     "harmonics",
     "jacobian",
     "jumps",
+    "level",
     "limit_envelope",
+    "peak_cubic",
     "phase",
+    "response_quartic",
     "saddle_node_onset",
     "saddle_nodes",
     "stability",
@@ -216,124 +201,6 @@ def averaged(A, alpha, beta, gamma, u_cr):
     return by_regime(guards, bodies, arguments, 4)
 
 
-def _averaged_3_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 23 structured, 17 common subexpressions, 17 power chains
-    t0 = -alpha
-    t1 = A * A
-    t2 = gamma * t1
-    return (
-        A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)),
-        t0 + t1 * (-2.25 * beta - 3.125 * t2),
-        A * (-4.5 * beta - 12.5 * t2),
-    )
-
-
-def _averaged_3_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 134 structured, 89 common subexpressions, 85 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
-    theta = np.arctan2(u_cr, root)
-    t1 = x * y
-    t2 = 0.5 * t1
-    M2 = -t2 + 0.5 * theta
-    t3 = x * x
-    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
-    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    S2_2 = 0.5 * psi_0 + t2
-    A2 = A * A
-    t4 = A2 * M4
-    t5 = M6 * gamma
-    A4 = A2 * A2
-    t6 = A4 * t5
-    t7 = M2 * alpha + S2_2
-    t8 = 3.0 * beta
-    t9 = 1.0 / root
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
-    t10 = gamma * u_cr2
-    t11 = alpha - 1.0
-    t12 = t11 + u_cr2 * (beta + t10)
-    A3 = A * A2
-    t13 = 1.0 / A3
-    t14 = t9 * u_cr3
-    root2 = root * root
-    root3 = root * root2
-    return (
-        -1.2732395447351628 * A * (beta * t4 + t6 + t7),
-        1.2732395447351628 * (-t4 * t8 - 5.0 * t6 - t7 + t12 * t9 * u_cr3 / A2),
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t5 + 2.0 * t12 * t13 * t14 + t13 * t14 * (-t11 -
-        u_cr2 * (5.0 * t10 + t8)) + t0 * t12 * u_cr3 / root3),
-    )
-
-
-def _averaged_3_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 221 structured, 134 common subexpressions, 123 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    s = x / np.sqrt(2.0 * y + 2.0)
-    s2 = s * s
-    s4 = s2 * s2
-    s3 = s * s2
-    s6 = s3 * s3
-    s7 = s * s6
-    M6 = (
-        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
-        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
-        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
-        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
-        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
-    )
-    x2 = x * x
-    x4 = x2 * x2
-    x5 = x * x4
-    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
-    x3 = x * x2
-    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = -M2 + 0.78539816339744828
-    A2 = A * A
-    t1 = A2 * M4
-    t2 = M6 * gamma
-    A4 = A2 * A2
-    t3 = A4 * t2
-    t4 = M2 * alpha + S2_2
-    t5 = 3.0 * beta
-    t6 = 1.0 / root
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
-    t7 = gamma * u_cr2
-    t8 = alpha - 1.0
-    t9 = t8 + u_cr2 * (beta + t7)
-    A3 = A * A2
-    t10 = 1.0 / A3
-    t11 = t6 * u_cr3
-    root2 = root * root
-    root3 = root * root2
-    return (
-        -1.2732395447351628 * A * (beta * t1 + t3 + t4),
-        1.2732395447351628 * (-t1 * t5 - 5.0 * t3 - t4 + t6 * t9 * u_cr3 / A2),
-        -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * t2 + 2.0 * t10 * t11 * t9 + t10 * t11 * (-t8 -
-        u_cr2 * (t5 + 5.0 * t7)) + t0 * t9 * u_cr3 / root3),
-    )
-
-
-def averaged_3(A, alpha, beta, gamma, u_cr):
-    """h, h_A, h_AA together.
-
-    Equation (20)-(22), (31). Domain: A >= 0.
-    """
-    arguments = floats(A, alpha, beta, gamma, u_cr)
-    A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_averaged_3_passed_0, _averaged_3_passed_1, _averaged_3_passed_1_far_1)
-    return by_regime(guards, bodies, arguments, 3)
-
-
 def _averaged_2_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 17 structured, 13 common subexpressions, 13 power chains
     t0 = -alpha
@@ -427,422 +294,19 @@ def averaged_2(A, alpha, beta, gamma, u_cr):
     return by_regime(guards, bodies, arguments, 2)
 
 
-def attached(A, alpha, beta, gamma, u_cr):
-    """The first piece alone: h, h_A, h_AA, h_AAA together.
-
-    Equation (20), (21). Domain: 0 <= A <= u_cr.
-    Operations: 28 structured, 19 common subexpressions, 19 power chains.
-    """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    t0 = -alpha
-    t1 = A * A
-    t2 = gamma * t1
-    t3 = 4.5 * beta
-    arguments = (A, alpha, beta, gamma, u_cr)
+def _averaged_H_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 19 structured, 14 common subexpressions, 14 power chains
+    t0 = A * A
+    t1 = gamma * t0
+    t2 = 1.0 - alpha
     return (
-        full(A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), arguments),
-        full(t0 + t1 * (-2.25 * beta - 3.125 * t2), arguments),
-        full(A * (-12.5 * t2 - t3), arguments),
-        full(-37.5 * t2 - t3, arguments),
+        A * (t0 * (-0.75 * beta - 0.625 * t1) + t2),
+        t0 * (-2.25 * beta - 3.125 * t1) + t2,
     )
 
 
-def _h_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 9 structured, 8 common subexpressions, 8 power chains
-    t0 = A * A
-    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0))
-
-
-def _h_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 47 structured, 42 common subexpressions, 40 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
-    theta = np.arctan2(u_cr, root)
-    t1 = x * y
-    t2 = 0.5 * t1
-    M2 = -t2 + 0.5 * theta
-    t3 = x * x
-    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
-    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    S2_2 = 0.5 * psi_0 + t2
-    A2 = A * A
-    A4 = A2 * A2
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2)
-
-
-def _h_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 134 structured, 87 common subexpressions, 78 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    s = x / np.sqrt(2.0 * y + 2.0)
-    s2 = s * s
-    s4 = s2 * s2
-    s3 = s * s2
-    s6 = s3 * s3
-    s7 = s * s6
-    M6 = (
-        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
-        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
-        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
-        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
-        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
-    )
-    x2 = x * x
-    x4 = x2 * x2
-    x5 = x * x4
-    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
-    x3 = x * x2
-    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = -M2 + 0.78539816339744828
-    A2 = A * A
-    A4 = A2 * A2
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * alpha + S2_2)
-
-
-def h(A, alpha, beta, gamma, u_cr):
-    """The averaged restoring force h = H - A.
-
-    Equation (20)-(22). Domain: 0 <= A <= u_cr.
-    """
-    arguments = floats(A, alpha, beta, gamma, u_cr)
-    A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_h_passed_0, _h_passed_1, _h_passed_1_far_1)
-    return number_by_regime(guards, bodies, arguments)
-
-
-def _h_A_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 8 structured, 7 common subexpressions, 7 power chains
-    t0 = A * A
-    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0)
-
-
-def _h_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 62 structured, 55 common subexpressions, 52 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    psi_0 = np.arctan2(root, u_cr)
-    theta = np.arctan2(u_cr, root)
-    t1 = x * y
-    t2 = 0.5 * t1
-    M2 = -t2 + 0.5 * theta
-    t3 = x * x
-    M4 = -t1 * (0.25 * t3 + 0.375) + 0.375 * theta
-    M6 = -t1 * (t3 * (0.16666666666666666 * t3 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    S2_2 = 0.5 * psi_0 + t2
-    A2 = A * A
-    u_cr2 = u_cr * u_cr
-    A4 = A2 * A2
-    u_cr3 = u_cr * u_cr2
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha
-        + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root))
-
-
-def _h_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 149 structured, 100 common subexpressions, 90 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    s = x / np.sqrt(2.0 * y + 2.0)
-    s2 = s * s
-    s4 = s2 * s2
-    s3 = s * s2
-    s6 = s3 * s3
-    s7 = s * s6
-    M6 = (
-        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
-        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
-        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
-        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
-        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
-    )
-    x2 = x * x
-    x4 = x2 * x2
-    x5 = x * x4
-    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
-    x3 = x * x2
-    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    S2_2 = -M2 + 0.78539816339744828
-    A2 = A * A
-    u_cr2 = u_cr * u_cr
-    A4 = A2 * A2
-    u_cr3 = u_cr * u_cr2
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * alpha - S2_2 + u_cr3 * (alpha
-        + u_cr2 * (beta + gamma * u_cr2) - 1.0) / (A2 * root))
-
-
-def h_A(A, alpha, beta, gamma, u_cr):
-    """d/dA of the averaged restoring force h = H - A.
-
-    Equation (31). Domain: 0 <= A <= u_cr.
-    """
-    arguments = floats(A, alpha, beta, gamma, u_cr)
-    A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_h_A_passed_0, _h_A_passed_1, _h_A_passed_1_far_1)
-    return number_by_regime(guards, bodies, arguments)
-
-
-def _h_AA_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 6 structured, 6 common subexpressions, 6 power chains
-    return A * (-12.5 * A * A * gamma - 4.5 * beta)
-
-
-def _h_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 82 structured, 58 common subexpressions, 57 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    theta = np.arctan2(u_cr, root)
-    t1 = x * x
-    t2 = x * y
-    M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    A2 = A * A
-    A3 = A * A2
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
-    t3 = gamma * u_cr2
-    t4 = alpha - 1.0
-    t5 = t4 + u_cr2 * (beta + t3)
-    t6 = u_cr3 / (A3 * root)
-    root2 = root * root
-    root3 = root * root2
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
-        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3)
-
-
-def _h_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 171 structured, 102 common subexpressions, 95 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    s = x / np.sqrt(2.0 * y + 2.0)
-    s2 = s * s
-    s4 = s2 * s2
-    s3 = s * s2
-    s6 = s3 * s3
-    s7 = s * s6
-    M6 = (
-        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
-        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
-        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
-        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
-        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
-    )
-    x2 = x * x
-    x4 = x2 * x2
-    x5 = x * x4
-    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
-    A2 = A * A
-    A3 = A * A2
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
-    t1 = gamma * u_cr2
-    t2 = alpha - 1.0
-    t3 = t2 + u_cr2 * (beta + t1)
-    t4 = u_cr3 / (A3 * root)
-    root2 = root * root
-    root3 = root * root2
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
-        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3)
-
-
-def h_AA(A, alpha, beta, gamma, u_cr):
-    """d2/dA2 of the averaged restoring force h = H - A.
-
-    Equation from (31). Domain: 0 <= A <= u_cr.
-    """
-    arguments = floats(A, alpha, beta, gamma, u_cr)
-    A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_h_AA_passed_0, _h_AA_passed_1, _h_AA_passed_1_far_1)
-    return number_by_regime(guards, bodies, arguments)
-
-
-def _h_AAA_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 5 structured, 5 common subexpressions, 5 power chains
-    return -37.5 * A * A * gamma - 4.5 * beta
-
-
-def _h_AAA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 139 structured, 80 common subexpressions, 74 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    theta = np.arctan2(u_cr, root)
-    t1 = x * x
-    t2 = x * y
-    M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    A2 = A * A
-    t3 = 3.0 * beta
-    u_cr2 = u_cr * u_cr
-    t4 = gamma * u_cr2
-    A4 = A2 * A2
-    t5 = 1.0 / (A4 * root)
-    t6 = alpha - 1.0
-    t7 = t6 + u_cr2 * (beta + t4)
-    t8 = 1.0 / A2
-    u_cr3 = u_cr * u_cr2
-    root2 = root * root
-    root3 = root * root2
-    t9 = u_cr3 / root3
-    t10 = t8 * t9
-    t11 = t5 * u_cr3
-    t12 = -t6 - u_cr2 * (t3 + 5.0 * t4)
-    u_cr4 = u_cr2 * u_cr2
-    u_cr5 = u_cr * u_cr4
-    return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t12 + t10 * t7 + 3.0 * t11 * t12
-        + 6.0 * t11 * t7 + 2.0 * t5 * u_cr5 * (t3 + 10.0 * t4) + t7 * t9 * (2.0 * t8 + 3.0 / root2))
-
-
-def _h_AAA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 228 structured, 124 common subexpressions, 112 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    s = x / np.sqrt(2.0 * y + 2.0)
-    s2 = s * s
-    s4 = s2 * s2
-    s3 = s * s2
-    s6 = s3 * s3
-    s7 = s * s6
-    M6 = (
-        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
-        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
-        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
-        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
-        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
-    )
-    x2 = x * x
-    x4 = x2 * x2
-    x5 = x * x4
-    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
-    A2 = A * A
-    t1 = 3.0 * beta
-    u_cr2 = u_cr * u_cr
-    t2 = gamma * u_cr2
-    A4 = A2 * A2
-    t3 = 1.0 / (A4 * root)
-    t4 = alpha - 1.0
-    t5 = t4 + u_cr2 * (beta + t2)
-    t6 = 1.0 / A2
-    u_cr3 = u_cr * u_cr2
-    root2 = root * root
-    root3 = root * root2
-    t7 = u_cr3 / root3
-    t8 = t6 * t7
-    t9 = t3 * u_cr3
-    t10 = -t4 - u_cr2 * (t1 + 5.0 * t2)
-    u_cr4 = u_cr2 * u_cr2
-    u_cr5 = u_cr * u_cr4
-    return 1.2732395447351628 * (-60.0 * A2 * M6 * gamma - 6.0 * M4 * beta + t10 * t8 + 3.0 * t10 * t9 + 2.0 * t3 *
-        u_cr5 * (t1 + 10.0 * t2) + t5 * t7 * (2.0 * t6 + 3.0 / root2) + t5 * t8 + 6.0 * t5 * t9)
-
-
-def h_AAA(A, alpha, beta, gamma, u_cr):
-    """d3/dA3 of the averaged restoring force h = H - A.
-
-    Equation from (31). Domain: 0 <= A <= u_cr.
-    """
-    arguments = floats(A, alpha, beta, gamma, u_cr)
-    A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_h_AAA_passed_0, _h_AAA_passed_1, _h_AAA_passed_1_far_1)
-    return number_by_regime(guards, bodies, arguments)
-
-
-def _H_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 10 structured, 9 common subexpressions, 9 power chains
-    t0 = A * A
-    return A * (-alpha + t0 * (-0.75 * beta - 0.625 * gamma * t0) + 1.0)
-
-
-def _H_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 42 structured, 39 common subexpressions, 37 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    theta = np.arctan2(u_cr, root)
-    t1 = x * y
-    M2 = -0.5 * t1 + 0.5 * theta
-    t2 = x * x
-    M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta
-    M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    A2 = A * A
-    A4 = A2 * A2
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0))
-
-
-def _H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 133 structured, 86 common subexpressions, 77 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    s = x / np.sqrt(2.0 * y + 2.0)
-    s2 = s * s
-    s4 = s2 * s2
-    s3 = s * s2
-    s6 = s3 * s3
-    s7 = s * s6
-    M6 = (
-        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
-        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
-        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
-        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
-        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
-    )
-    x2 = x * x
-    x4 = x2 * x2
-    x5 = x * x4
-    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
-    x3 = x * x2
-    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
-    A2 = A * A
-    A4 = A2 * A2
-    return -1.2732395447351628 * A * (A2 * M4 * beta + A4 * M6 * gamma + M2 * (alpha - 1.0))
-
-
-def H(A, alpha, beta, gamma, u_cr):
-    """The averaged force H beside the vertical spring.
-
-    Equation (20)-(22). Domain: 0 <= A <= u_cr.
-    """
-    arguments = floats(A, alpha, beta, gamma, u_cr)
-    A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_H_passed_0, _H_passed_1, _H_passed_1_far_1)
-    return number_by_regime(guards, bodies, arguments)
-
-
-def _H_A_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 9 structured, 8 common subexpressions, 8 power chains
-    t0 = A * A
-    return -alpha + t0 * (-2.25 * beta - 3.125 * gamma * t0) + 1.0
-
-
-def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 57 structured, 51 common subexpressions, 48 power chains
+def _averaged_H_passed_1(A, alpha, beta, gamma, u_cr):
+    # operations: 71 structured, 55 common subexpressions, 52 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -854,16 +318,22 @@ def _H_A_passed_1(A, alpha, beta, gamma, u_cr):
     M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta
     M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
     t3 = alpha - 1.0
+    t4 = M2 * t3
     A2 = A * A
-    u_cr2 = u_cr * u_cr
+    t5 = A2 * M4 * beta
     A4 = A2 * A2
+    t6 = A4 * M6 * gamma
+    u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t3 + u_cr3 * (t3 + u_cr2 *
-        (beta + gamma * u_cr2)) / (A2 * root))
+    return (
+        -1.2732395447351628 * A * (t4 + t5 + t6),
+        1.2732395447351628 * (-t4 - 3.0 * t5 - 5.0 * t6 + u_cr3 * (t3 + u_cr2 * (beta + gamma * u_cr2)) / (A2 *
+        root)),
+    )
 
 
-def _H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 148 structured, 98 common subexpressions, 88 power chains
+def _averaged_H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 162 structured, 102 common subexpressions, 92 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     t0 = 1.0 / A
     x = t0 * u_cr
@@ -889,104 +359,50 @@ def _H_A_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     x3 = x * x2
     M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
     t1 = alpha - 1.0
+    t2 = M2 * t1
     A2 = A * A
-    u_cr2 = u_cr * u_cr
+    t3 = A2 * M4 * beta
     A4 = A2 * A2
-    u_cr3 = u_cr * u_cr2
-    return 1.2732395447351628 * (-3.0 * A2 * M4 * beta - 5.0 * A4 * M6 * gamma - M2 * t1 + u_cr3 * (t1 + u_cr2 *
-        (beta + gamma * u_cr2)) / (A2 * root))
-
-
-def H_A(A, alpha, beta, gamma, u_cr):
-    """d/dA of the averaged force H beside the vertical spring.
-
-    Equation (31). Domain: 0 <= A <= u_cr.
-    """
-    arguments = floats(A, alpha, beta, gamma, u_cr)
-    A, alpha, beta, gamma, u_cr = arguments
-    guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_H_A_passed_0, _H_A_passed_1, _H_A_passed_1_far_1)
-    return number_by_regime(guards, bodies, arguments)
-
-
-def _H_AA_passed_0(A, alpha, beta, gamma, u_cr):
-    # operations: 6 structured, 6 common subexpressions, 6 power chains
-    return A * (-12.5 * A * A * gamma - 4.5 * beta)
-
-
-def _H_AA_passed_1(A, alpha, beta, gamma, u_cr):
-    # operations: 82 structured, 58 common subexpressions, 57 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    theta = np.arctan2(u_cr, root)
-    t1 = x * x
-    t2 = x * y
-    M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta
-    M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
-    A2 = A * A
-    A3 = A * A2
+    t4 = A4 * M6 * gamma
     u_cr2 = u_cr * u_cr
     u_cr3 = u_cr * u_cr2
-    t3 = gamma * u_cr2
-    t4 = alpha - 1.0
-    t5 = t4 + u_cr2 * (beta + t3)
-    t6 = u_cr3 / (A3 * root)
-    root2 = root * root
-    root3 = root * root2
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t5 * t6 + t6 * (-t4 - u_cr2 *
-        (3.0 * beta + 5.0 * t3)) + t0 * t5 * u_cr3 / root3)
-
-
-def _H_AA_passed_1_far_1(A, alpha, beta, gamma, u_cr):
-    # operations: 171 structured, 102 common subexpressions, 95 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    t0 = 1.0 / A
-    x = t0 * u_cr
-    y = root * t0
-    s = x / np.sqrt(2.0 * y + 2.0)
-    s2 = s * s
-    s4 = s2 * s2
-    s3 = s * s2
-    s6 = s3 * s3
-    s7 = s * s6
-    M6 = (
-        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
-        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
-        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
-        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
-        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
-        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
+    return (
+        -1.2732395447351628 * A * (t2 + t3 + t4),
+        1.2732395447351628 * (-t2 - 3.0 * t3 - 5.0 * t4 + u_cr3 * (t1 + u_cr2 * (beta + gamma * u_cr2)) / (A2 *
+        root)),
     )
-    x2 = x * x
-    x4 = x2 * x2
-    x5 = x * x4
-    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
-    A2 = A * A
-    A3 = A * A2
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
-    t1 = gamma * u_cr2
-    t2 = alpha - 1.0
-    t3 = t2 + u_cr2 * (beta + t1)
-    t4 = u_cr3 / (A3 * root)
-    root2 = root * root
-    root3 = root * root2
-    return -1.2732395447351628 * (6.0 * A * M4 * beta + 20.0 * A3 * M6 * gamma + 2.0 * t3 * t4 + t4 * (-t2 - u_cr2 *
-        (3.0 * beta + 5.0 * t1)) + t0 * t3 * u_cr3 / root3)
 
 
-def H_AA(A, alpha, beta, gamma, u_cr):
-    """d2/dA2 of the averaged force H beside the vertical spring.
+def averaged_H(A, alpha, beta, gamma, u_cr):
+    """H, H_A together.
 
-    Equation from (31). Domain: 0 <= A <= u_cr.
+    Equation (20)-(22), (31). Domain: A >= 0.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
-    bodies = (_H_AA_passed_0, _H_AA_passed_1, _H_AA_passed_1_far_1)
-    return number_by_regime(guards, bodies, arguments)
+    bodies = (_averaged_H_passed_0, _averaged_H_passed_1, _averaged_H_passed_1_far_1)
+    return by_regime(guards, bodies, arguments, 2)
+
+
+def attached(A, alpha, beta, gamma, u_cr):
+    """The first piece alone: h, h_A, h_AA, h_AAA together.
+
+    Equation (20), (21). Domain: 0 <= A <= u_cr.
+    Operations: 28 structured, 19 common subexpressions, 19 power chains.
+    """
+    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
+    t0 = -alpha
+    t1 = A * A
+    t2 = gamma * t1
+    t3 = 4.5 * beta
+    arguments = (A, alpha, beta, gamma, u_cr)
+    return (
+        full(A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), arguments),
+        full(t0 + t1 * (-2.25 * beta - 3.125 * t2), arguments),
+        full(A * (-12.5 * t2 - t3), arguments),
+        full(-37.5 * t2 - t3, arguments),
+    )
 
 
 def _harmonics_passed_0(A, alpha, beta, gamma, u_cr):
@@ -1294,29 +710,6 @@ def hardening(alpha, beta, gamma, u_cr):
     )
 
 
-def _force_piece_1(u, alpha, beta, gamma, u_cr):
-    # operations: 7 structured, 6 common subexpressions, 6 power chains
-    t0 = u * u
-    return u * (alpha + t0 * (beta + gamma * t0))
-
-
-def _force_piece_2(u, alpha, beta, gamma, u_cr):
-    # operations: 0 structured, 0 common subexpressions, 0 power chains
-    return u
-
-
-def force(u, alpha, beta, gamma, u_cr):
-    """Whole dimensionless restoring force u + F_k(u), truncated.
-
-    Equation (3), (6). Domain: any u.
-    """
-    arguments = floats(u, alpha, beta, gamma, u_cr)
-    u, alpha, beta, gamma, u_cr = arguments
-    guards = (np.abs(u) <= u_cr,)
-    bodies = (_force_piece_1, _force_piece_2)
-    return number_by_regime(guards, bodies, arguments)
-
-
 def force_1(u, alpha, beta, gamma, u_cr):
     """Piece 1 of the whole restoring force u + F_k(u).
 
@@ -1355,11 +748,23 @@ def force_2_u(u, alpha, beta, gamma, u_cr):
     return 1.0
 
 
+def force(u, alpha, beta, gamma, u_cr):
+    """Whole dimensionless restoring force u + F_k(u), truncated.
+
+    Equation (3), (6). Domain: any u.
+    """
+    arguments = floats(u, alpha, beta, gamma, u_cr)
+    u, alpha, beta, gamma, u_cr = arguments
+    guards = (np.abs(u) <= u_cr,)
+    bodies = (force_1, force_2)
+    return number_by_regime(guards, bodies, arguments)
+
+
 def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
 
     Equation (33). Domain: roots with 0 < A <= u_cr.
-    Operations: 718 structured, 299 common subexpressions, 253 power chains.
+    Operations: 591 structured, 307 common subexpressions, 261 power chains.
     """
     m, zeta, alpha, beta, gamma, u_cr = floats(m, zeta, alpha, beta, gamma, u_cr)
     t0 = alpha * alpha
@@ -1368,74 +773,70 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     m2 = m * m
     m4 = m2 * m2
     t1 = m4 * zeta4
-    t2 = alpha * t1
+    t2 = alpha * gamma
     beta2 = beta * beta
-    t3 = beta * gamma
-    t4 = m2 * zeta4
-    t5 = t0 * t4
-    gamma2 = gamma * gamma
+    t3 = beta * t0
+    t4 = gamma * m2
+    t5 = m2 * zeta4
     beta3 = beta * beta2
-    t6 = beta3 * zeta4
-    t7 = alpha * m2
+    t6 = alpha * beta3
+    gamma2 = gamma * gamma
+    t7 = gamma2 * m2
     beta4 = beta2 * beta2
-    t8 = beta4 * zeta4
-    t9 = beta4 * zeta2
-    t10 = alpha * gamma
+    t8 = beta2 * zeta2
+    t9 = t0 * zeta2
+    t10 = 1600.0 * gamma2
+    t11 = m2 * zeta2
+    t12 = alpha * zeta2
+    t13 = beta * zeta2
     beta5 = beta * beta4
-    t11 = beta5 * zeta2
-    t12 = gamma * m2
-    t13 = alpha * gamma2
-    t14 = beta3 * zeta2
-    t15 = beta5 * zeta4
+    t14 = beta5 * zeta2
     gamma3 = gamma * gamma2
-    t16 = gamma3 * t4
-    t17 = beta2 * gamma2
-    t18 = t7 * zeta2
+    t15 = gamma3 * t11
+    t16 = gamma * zeta2
+    t17 = gamma2 * zeta2
     beta6 = beta3 * beta3
-    t19 = beta6 * zeta2
-    t20 = beta * gamma3
-    t21 = t0 * zeta4
     beta7 = beta * beta6
     gamma4 = gamma2 * gamma2
-    t22 = gamma4 * zeta4
-    t23 = gamma4 * zeta2
-    t24 = m2 * zeta2
-    t25 = beta2 * gamma3
-    gamma5 = gamma * gamma4
-    t26 = gamma5 * zeta2
-    gamma6 = gamma3 * gamma3
-    t27 = gamma6 * zeta2
-    gamma7 = gamma * gamma6
+    t18 = gamma * t14
+    t19 = gamma4 * t11
+    t20 = t17 * t6
+    t21 = gamma2 * zeta4
+    t22 = alpha * gamma3 * zeta4
+    t23 = beta2 * t16
     beta8 = beta4 * beta4
+    gamma5 = gamma * gamma4
+    gamma6 = gamma3 * gamma3
+    gamma7 = gamma * gamma6
     gamma8 = gamma4 * gamma4
     return stacked(
         (
             4096.0 * t0 * t1,
-            36864.0 * beta * t2,
-            34560.0 * beta2 * t1 + 76800.0 * gamma * t2,
-            294912.0 * beta2 * t5 + 107520.0 * t1 * t3,
-            72000.0 * gamma2 * t1 + 1474560.0 * t3 * t5 + 1658880.0 * t6 * t7,
-            11335680.0 * beta2 * t10 * t4 + 1843200.0 * gamma2 * t5 + 1430784.0 * m2 * t8 - 1710720.0 * t7 * t9,
-            25651200.0 * beta * t13 * t4 - 17038080.0 * gamma * t14 * t7 - 1819584.0 * m2 * t11 + 5308416.0 * t0 *
-            t8 + 11335680.0 * t12 * t6,
-            11943936.0 * alpha * t15 + 19200000.0 * alpha * t16 + 53084160.0 * gamma * t0 * t6 - 19692720.0 * t12 *
-            t9 - 63417600.0 * t17 * t18 + 32659200.0 * t17 * t4,
-            -1119744.0 * alpha * t19 + 40032000.0 * beta * t16 + 6718464.0 * beta6 * zeta4 - 83397600.0 * gamma2 *
-            m2 * t14 + 129392640.0 * t10 * t8 + 199065600.0 * t17 * t21 - 104544000.0 * t18 * t20,
-            -1259712.0 * beta7 * zeta2 + 78382080.0 * gamma * t15 + 17200000.0 * m2 * t22 - 14307840.0 * t10 * t11 +
-            550195200.0 * t13 * t6 + 331776000.0 * t20 * t21 - 64400000.0 * t23 * t7 - 171684000.0 * t24 * t25,
-            1140480000.0 * alpha * t25 * zeta4 - 170100000.0 * beta * gamma4 * t24 + 59049.0 * beta8 - 17146080.0 *
-            gamma * t19 + 371692800.0 * gamma2 * t8 + 207360000.0 * t0 * t22 - 75427200.0 * t13 * t9,
-            1140480000.0 * alpha * beta * gamma4 * zeta4 - 209952000.0 * alpha * gamma3 * t14 + 912384000.0 * beta3
-            * gamma3 * zeta4 + 918540.0 * beta7 * gamma - 98560800.0 * gamma2 * t11 - 63750000.0 * m2 * t26,
-            -325440000.0 * alpha * beta2 * t23 + 432000000.0 * alpha * gamma5 * zeta4 + 1215360000.0 * beta2 * t22 +
-            6196500.0 * beta6 * gamma2 - 309906000.0 * gamma3 * t9,
-            -266400000.0 * alpha * beta * t26 + 828000000.0 * beta * gamma5 * zeta4 + 23692500.0 * beta5 * gamma3 -
-            575100000.0 * gamma4 * t14,
-            -90000000.0 * alpha * t27 - 629100000.0 * beta2 * t26 + 56193750.0 * beta4 * gamma4 + 225000000.0 *
-            gamma6 * zeta4,
-            -375000000.0 * beta * t27 + 84712500.0 * beta3 * gamma5,
-            79312500.0 * beta2 * gamma6 - 93750000.0 * gamma7 * zeta2,
+            36864.0 * alpha * beta * t1,
+            3840.0 * t1 * (9.0 * beta2 + 20.0 * t2),
+            3072.0 * beta * t5 * (96.0 * t3 + 35.0 * t4),
+            2880.0 * t5 * (512.0 * gamma * t3 + 576.0 * t6 + 25.0 * t7),
+            1152.0 * t11 * (-1485.0 * alpha * beta4 + 1242.0 * beta4 * zeta2 + t10 * t9 + 9840.0 * t2 * t8),
+            -192.0 * t13 * (88740.0 * alpha * beta2 * gamma * m2 - 27648.0 * beta3 * t9 + 9477.0 * beta4 * m2 -
+            133600.0 * t12 * t7 - 59040.0 * t4 * t8),
+            -48.0 * zeta2 * (1321200.0 * alpha * beta2 * gamma2 * m2 - 248832.0 * alpha * t14 - 400000.0 * alpha *
+            t15 - 680400.0 * beta2 * t7 * zeta2 - 1105920.0 * beta3 * t0 * t16 + 410265.0 * beta4 * gamma * m2),
+            -288.0 * t13 * (3888.0 * alpha * beta5 + 363000.0 * alpha * gamma3 * m2 + 289575.0 * beta2 * gamma2 * m2
+            - 449280.0 * beta3 * t2 * zeta2 - 23328.0 * t14 - 139000.0 * t15 - 691200.0 * t17 * t3),
+            -32.0 * zeta2 * (447120.0 * alpha * beta5 * gamma + 2012500.0 * alpha * gamma4 * m2 + 5365125.0 * beta2
+            * gamma3 * m2 + 39366.0 * beta7 - 10368000.0 * gamma3 * t3 * zeta2 - 2449440.0 * t18 - 537500.0 * t19 -
+            17193600.0 * t20),
+            -81.0 * (931200.0 * alpha * beta4 * gamma2 * zeta2 + 2100000.0 * beta * gamma4 * m2 * zeta2 - 14080000.0
+            * beta2 * t22 - 4588800.0 * beta4 * t21 + 211680.0 * beta6 * gamma * zeta2 - 729.0 * beta8 - 2560000.0 *
+            gamma4 * t0 * zeta4),
+            -60.0 * gamma * (-19008000.0 * beta * t22 - 15206400.0 * beta3 * t21 - 15309.0 * beta7 + 1642680.0 * t18
+            + 1062500.0 * t19 + 3499200.0 * t20),
+            -4500.0 * gamma2 * (72320.0 * alpha * beta2 * gamma2 * zeta2 - 270080.0 * beta2 * t21 + 68868.0 * beta4
+            * gamma * zeta2 - 1377.0 * beta6 - 96000.0 * t22),
+            -22500.0 * beta * gamma3 * (-1053.0 * beta4 + 11840.0 * gamma2 * t12 - 36800.0 * t21 + 25560.0 * t23),
+            -56250.0 * gamma4 * (-999.0 * beta4 + t10 * t12 - 4000.0 * t21 + 11184.0 * t23),
+            37500.0 * beta * gamma5 * (2259.0 * beta2 - 10000.0 * t16),
+            187500.0 * gamma6 * (423.0 * beta2 - 500.0 * t16),
             42187500.0 * beta * gamma7,
             9765625.0 * gamma8,
         ),
@@ -1447,172 +848,207 @@ def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
 
     Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
-    Operations: 1405 structured, 504 common subexpressions, 460 power chains.
+    Operations: 1281 structured, 510 common subexpressions, 476 power chains.
     """
     F_0, m, zeta, alpha, beta, gamma, u_cr = floats(F_0, m, zeta, alpha, beta, gamma, u_cr)
-    F_0_2 = F_0 * F_0
+    t0 = F_0 + m
+    t1 = -F_0 + m
     m2 = m * m
-    m3 = m * m2
-    m6 = m3 * m3
-    F_0_4 = F_0_2 * F_0_2
-    m4 = m2 * m2
+    zeta2 = zeta * zeta
+    t2 = alpha * m2
+    F_0_2 = F_0 * F_0
+    t3 = F_0_2 * alpha
+    t4 = F_0_2 * zeta2
     F_0_3 = F_0 * F_0_2
     F_0_6 = F_0_3 * F_0_3
-    zeta2 = zeta * zeta
-    t0 = m6 * zeta2
-    t1 = 512.0 * alpha
-    zeta4 = zeta2 * zeta2
-    t2 = 1024.0 * zeta4
-    t3 = F_0_2 * m4
-    t4 = F_0_4 * m2
-    t5 = t4 * zeta2
-    t6 = F_0_6 * zeta2
-    t7 = alpha * alpha
-    t8 = t3 * zeta2
-    t9 = 1536.0 * beta
+    t5 = F_0_6 * beta
+    m3 = m * m2
+    m6 = m3 * m3
+    m4 = m2 * m2
+    t6 = F_0_2 * m4
+    t7 = beta * t6
+    F_0_4 = F_0_2 * F_0_2
+    t8 = alpha * alpha
+    t9 = m4 * zeta2
     beta2 = beta * beta
-    t10 = 288.0 * beta2
-    t11 = 1280.0 * gamma
-    t12 = m4 * zeta4
-    t13 = alpha * t12
-    t14 = 864.0 * beta2
-    t15 = F_0_2 * zeta4
-    t16 = m2 * t15
-    t17 = alpha * beta
-    t18 = beta * gamma
-    t19 = 960.0 * t18
-    t20 = 2880.0 * t18
-    t21 = beta2 * zeta4
-    t22 = F_0_4 * beta2
-    t23 = alpha * zeta2
-    t24 = beta2 * m4
-    t25 = alpha * gamma
-    t26 = m2 * zeta2
-    t27 = F_0_2 * t26
-    t28 = alpha * t27
+    t10 = 9.0 * beta2
+    t11 = 40.0 * gamma
+    t12 = gamma * zeta2
+    zeta4 = zeta2 * zeta2
+    t13 = m4 * zeta4
+    t14 = alpha * t13
+    t15 = 27.0 * beta2
+    t16 = F_0_4 * m2
+    t17 = gamma * m4
+    t18 = beta * zeta4
+    t19 = F_0_2 * t18
+    t20 = 15.0 * gamma
+    t21 = 45.0 * gamma
+    t22 = F_0_4 * zeta4
+    t23 = 36.0 * beta2
+    t24 = alpha * zeta2
+    t25 = alpha * t9
+    t26 = gamma * zeta4
+    t27 = t2 * t4
     gamma2 = gamma * gamma
-    t29 = 800.0 * gamma2
-    t30 = 7680.0 * t18
-    t31 = 2400.0 * gamma2
+    t28 = 25.0 * gamma2
+    t29 = beta * gamma
+    t30 = 240.0 * t29
+    t31 = 75.0 * gamma2
     beta3 = beta * beta2
     t32 = beta3 * zeta2
-    t33 = 3840.0 * t18
-    t34 = F_0_2 * m2
-    t35 = m2 * t7
+    t33 = alpha * t12
+    t34 = beta * t33
+    t35 = F_0_2 * m2
+    t36 = gamma * t35
+    t37 = beta3 * m2
+    t38 = m2 * zeta4
+    t39 = t38 * t8
     beta4 = beta2 * beta2
-    t36 = 324.0 * beta4
-    t37 = beta4 * m2
-    t38 = gamma2 * zeta4
-    t39 = 6912.0 * alpha
-    t40 = beta3 * t15
-    t41 = gamma2 * t23
-    t42 = F_0_4 * gamma
-    t43 = beta2 * zeta2
-    t44 = m2 * zeta4
-    t45 = beta3 * t44
-    t46 = gamma * m4
-    t47 = t7 * zeta4
-    t48 = 2160.0 * beta3
-    t49 = 5184.0 * beta4
-    t50 = 2592.0 * t37
-    t51 = F_0_2 * zeta2
-    t52 = beta4 * t51
-    t53 = beta3 * gamma
-    t54 = beta * gamma2
-    t55 = 9600.0 * t54 * zeta2
-    t56 = t21 * t25
+    t40 = 81.0 * beta4
+    t41 = 1600.0 * gamma2
+    t42 = beta3 * zeta4
+    t43 = 1728.0 * t42
+    t44 = 800.0 * gamma2
+    t45 = beta2 * gamma
+    t46 = m2 * t4
+    t47 = 135.0 * beta3
+    t48 = beta4 * zeta4
+    t49 = beta4 * zeta2
+    t50 = 162.0 * t49
+    t51 = beta * gamma2
+    t52 = 600.0 * t51
+    t53 = 2160.0 * t3
+    t54 = t2 * zeta4
     beta5 = beta * beta4
-    t57 = 1944.0 * beta5
-    t58 = 5400.0 * gamma2
+    t55 = 243.0 * beta5
+    t56 = beta2 * gamma2
+    t57 = 675.0 * t56
     gamma3 = gamma * gamma2
-    t59 = gamma3 * zeta2
-    t60 = 6000.0 * F_0_4
-    t61 = alpha * t38
-    t62 = beta * t61
-    t63 = F_0_2 * t32
-    t64 = 17280.0 * t25
-    t65 = m2 * t32
-    t66 = beta2 * gamma2
-    t67 = beta * gamma3
-    t68 = beta5 * zeta4
-    t69 = alpha * gamma3
-    t70 = 14580.0 * gamma
-    t71 = gamma2 * t21
-    t72 = 43200.0 * alpha * t66
+    t58 = F_0_4 * gamma3
+    t59 = t55 * zeta2
+    t60 = 500.0 * gamma3
+    t61 = gamma * t42
+    t62 = gamma * t32
+    t63 = gamma3 * m2
+    t64 = 1500.0 * beta
+    t65 = gamma3 * zeta4
+    t66 = beta * gamma3
+    t67 = 3645.0 * gamma
+    t68 = t56 * zeta4
+    t69 = 10800.0 * t56
+    t70 = t3 * zeta2
+    t71 = t2 * zeta2
     gamma4 = gamma2 * gamma2
-    t73 = 2500.0 * gamma4
-    t74 = 5000.0 * gamma4
-    t75 = F_0_2 * t59
-    t76 = 48000.0 * t17
-    t77 = m2 * t59
-    t78 = 43200.0 * gamma2
-    t79 = 20000.0 * gamma4
-    t80 = alpha * t79
-    t81 = 63000.0 * beta2
-    t82 = 45000.0 * beta * gamma4
-    gamma5 = gamma * gamma4
-    t83 = 12500.0 * gamma5
-    t84 = gamma5 * zeta4
-    m8 = m4 * m4
-    F_0_8 = F_0_4 * F_0_4
+    t72 = 625.0 * gamma4
+    t73 = alpha * gamma
+    t74 = 1250.0 * gamma4
+    t75 = 12000.0 * t66
+    t76 = 10800.0 * gamma2
+    t77 = t8 * zeta2
+    t78 = t0 * t0
+    t79 = t78 * t78
+    t80 = t1 * t1
+    t81 = t80 * t80
     beta6 = beta3 * beta3
+    gamma5 = gamma * gamma4
     gamma6 = gamma3 * gamma3
     return stacked(
         (
-            -256.0 * F_0_2 * m6 + 384.0 * F_0_4 * m4 - 256.0 * F_0_6 * m2 + 64.0 * F_0_8 + 64.0 * m8,
-            1024.0 * F_0_2 * alpha * m4 * zeta2 + 1024.0 * F_0_4 * m2 * zeta4 - t0 * t1 - t1 * t5 - t2 * t3,
-            -384.0 * beta * t0 - 1920.0 * beta * t5 + 768.0 * beta * t6 + m4 * t2 * t7 + t8 * t9,
-            -F_0_6 * t10 - 320.0 * gamma * t0 - 2880.0 * gamma * t5 + 1920.0 * gamma * t8 + m6 * t10 + t11 * t6 +
-            t13 * t9 - t14 * t3 + t14 * t4 + 3072.0 * t16 * t17,
-            2304.0 * F_0_4 * t21 - F_0_6 * t19 + 1152.0 * beta2 * t28 + 576.0 * m4 * t21 + m6 * t19 + t11 * t13 +
-            5120.0 * t16 * t25 - t20 * t3 + t20 * t4 + 1152.0 * t22 * t23 - 2304.0 * t23 * t24,
-            F_0_4 * t23 * t33 + F_0_4 * t30 * zeta4 - 864.0 * F_0_4 * t32 - F_0_6 * t29 - m4 * t23 * t30 - 1728.0 *
-            m4 * t32 + m6 * t29 + t12 * t19 - 1920.0 * t16 * t18 + 4608.0 * t21 * t35 + t28 * t33 - t3 * t31 + t31 *
-            t4 + 2592.0 * t32 * t34,
-            -648.0 * F_0_2 * t37 + F_0_4 * t36 + 6400.0 * F_0_4 * t38 + 3200.0 * F_0_4 * t41 + 12240.0 * beta2 *
-            gamma * t27 + 3200.0 * gamma2 * t28 + 15360.0 * m2 * t18 * t47 + m4 * t36 + 400.0 * m4 * t38 - 6400.0 *
-            m4 * t41 - 3200.0 * t34 * t38 + t39 * t40 + t39 * t45 - 5040.0 * t42 * t43 - 7200.0 * t43 * t46,
-            34560.0 * F_0_2 * t56 - F_0_4 * t55 - 2592.0 * alpha * t52 + 28800.0 * m2 * t56 - m4 * t55 + t15 * t49 -
-            t23 * t50 + 19200.0 * t27 * t54 - 4320.0 * t34 * t53 + 12800.0 * t35 * t38 + t42 * t48 + t46 * t48 + t50
-            * zeta4,
-            57600.0 * F_0_2 * t62 + 30240.0 * gamma * t40 + 12960.0 * gamma * t45 + 38400.0 * m2 * t62 - 4000.0 * m4
-            * t59 + t22 * t58 + t24 * t58 - t26 * t57 + 10000.0 * t34 * t59 - 10800.0 * t34 * t66 + t47 * t49 - t51
-            * t57 - t59 * t60 - t63 * t64 - t64 * t65,
-            64800.0 * F_0_2 * t71 + 7776.0 * alpha * t68 + 23400.0 * m2 * t71 + 6000.0 * m4 * t67 + 32000.0 * t15 *
-            t69 - t26 * t72 - 12000.0 * t34 * t67 - t37 * t70 * zeta2 + 16000.0 * t44 * t69 + 34560.0 * t47 * t53 -
-            t51 * t72 - t52 * t70 + t60 * t67,
-            F_0_4 * t73 + 58320.0 * alpha * beta4 * gamma * zeta4 + 2916.0 * beta6 * zeta4 + m4 * t73 + 60000.0 *
-            t15 * t67 - t34 * t74 + 18000.0 * t44 * t67 - t63 * t78 - t65 * t78 + 86400.0 * t7 * t71 - t75 * t76 -
-            t76 * t77,
-            172800.0 * beta3 * t61 + 24300.0 * gamma * t68 + t15 * t79 - t26 * t80 + t44 * t74 + 96000.0 * t47 * t67
-            - t51 * t80 - t75 * t81 - t77 * t81,
-            83025.0 * beta4 * t38 + 40000.0 * gamma4 * t47 + 252000.0 * t21 * t69 - t26 * t82 - t51 * t82,
-            180000.0 * alpha * beta * gamma4 * zeta4 + 148500.0 * beta3 * gamma3 * zeta4 - t26 * t83 - t51 * t83,
-            50000.0 * alpha * t84 + 146250.0 * gamma4 * t21,
-            75000.0 * beta * t84,
+            64.0 * t79 * t81,
+            -512.0 * m2 * t0 * t1 * zeta2 * (t2 - t3 + 2.0 * t4),
+            -128.0 * zeta2 * (15.0 * F_0_4 * beta * m2 + 3.0 * beta * m6 - 6.0 * t5 - 12.0 * t7 - 8.0 * t8 * t9),
+            32.0 * (-F_0_6 * t10 + F_0_6 * t11 * zeta2 + 48.0 * beta * t14 + m6 * t10 - 10.0 * m6 * t12 - 90.0 * t12
+            * t16 + t15 * t16 - t15 * t6 + 60.0 * t17 * t4 + 96.0 * t19 * t2),
+            64.0 * (80.0 * F_0_2 * t2 * t26 + 18.0 * F_0_4 * beta2 * t24 + beta * m6 * t20 + beta * t16 * t21 + 18.0
+            * beta2 * t27 + 20.0 * gamma * t14 + t10 * t13 - t20 * t5 - t21 * t7 + t22 * t23 - t23 * t25),
+            32.0 * (-27.0 * F_0_4 * t32 + 120.0 * F_0_4 * t34 - F_0_6 * t28 + 144.0 * beta2 * t39 - 54.0 * m4 * t32
+            + m6 * t28 + 30.0 * t13 * t29 + t16 * t31 - 60.0 * t18 * t36 + t22 * t30 - t25 * t30 + 120.0 * t27 * t29
+            - t31 * t6 + 81.0 * t37 * t4),
+            -4.0 * (162.0 * F_0_2 * beta4 * m2 + 800.0 * F_0_2 * gamma2 * m2 * zeta4 + 1260.0 * F_0_4 * beta2 *
+            gamma * zeta2 - F_0_4 * t24 * t44 - F_0_4 * t40 + 1600.0 * alpha * gamma2 * m4 * zeta2 + 1800.0 * beta2
+            * gamma * m4 * zeta2 - 3840.0 * gamma * m2 * t18 * t8 - 100.0 * gamma2 * t13 - m4 * t40 - t2 * t43 - t22
+            * t41 - t27 * t44 - t3 * t43 - 3060.0 * t45 * t46),
+            16.0 * (324.0 * F_0_2 * beta4 * zeta4 + F_0_4 * gamma * t47 - F_0_4 * t52 * zeta2 - 270.0 * beta3 * t36
+            + 162.0 * m2 * t48 + t17 * t47 - t2 * t50 - t3 * t50 + t39 * t44 + t45 * t53 * zeta4 + 1800.0 * t45 *
+            t54 + 1200.0 * t46 * t51 - t52 * t9),
+            8.0 * (3780.0 * F_0_2 * t61 + F_0_4 * t57 - m2 * t59 + m4 * t57 - 2160.0 * t2 * t62 + 1620.0 * t26 * t37
+            + 7200.0 * t3 * t51 * zeta4 - 1350.0 * t35 * t56 - t4 * t55 + 1250.0 * t4 * t63 + 648.0 * t48 * t8 +
+            4800.0 * t51 * t54 - t53 * t62 - 750.0 * t58 * zeta2 - t60 * t9),
+            4.0 * (16200.0 * F_0_2 * t68 + 1944.0 * alpha * beta5 * zeta4 - beta4 * t4 * t67 + gamma3 * m4 * t64 -
+            m2 * t49 * t67 + 4000.0 * t2 * t65 + 8000.0 * t3 * t65 - 3000.0 * t35 * t66 + 5850.0 * t38 * t56 + t58 *
+            t64 + 8640.0 * t61 * t8 - t69 * t70 - t69 * t71),
+            4.0 * (F_0_4 * t72 - beta3 * t4 * t76 + 729.0 * beta6 * zeta4 + 15000.0 * gamma3 * t19 - m2 * t32 * t76
+            + m4 * t72 + 4500.0 * t18 * t63 - t35 * t74 + 14580.0 * t48 * t73 + 21600.0 * t68 * t8 - t70 * t75 - t71
+            * t75),
+            -100.0 * t12 * (200.0 * F_0_2 * alpha * gamma3 + 630.0 * F_0_2 * beta2 * gamma2 + 200.0 * alpha * gamma3
+            * m2 + 630.0 * beta2 * gamma2 * m2 - 200.0 * gamma3 * t4 - 1728.0 * t32 * t73 - 960.0 * t51 * t77 - t59
+            - 50.0 * t63 * zeta2),
+            -t28 * zeta2 * (1800.0 * F_0_2 * beta * gamma2 + 1800.0 * beta * gamma2 * m2 - 10080.0 * beta2 * t33 -
+            t41 * t77 - 3321.0 * t49),
+            -t60 * zeta2 * (F_0_2 * t28 + m2 * t28 - 297.0 * t32 - 360.0 * t34),
+            t74 * zeta4 * (alpha * t11 + 117.0 * beta2),
+            75000.0 * gamma5 * t18,
             15625.0 * gamma6 * zeta4,
         ),
         (F_0, m, zeta, alpha, beta, gamma, u_cr),
     )
 
 
-def R(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
-    """Cosine balance, -F_0 cos phi at a fixed point.
+def h(A, alpha, beta, gamma, u_cr):
+    """The averaged restoring force h = H - A.
 
-    Equation (23). Domain: Omega > 0, A > 0.
+    Equation (20)-(22). Domain: A >= 0.
     """
-    average = h(A, alpha, beta, gamma, u_cr)
-    arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
-    return full(flow.R(Omega, A, average), arguments)
+    return averaged_2(A, alpha, beta, gamma, u_cr)[0]
 
 
-def I(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):  # noqa: E743
-    """Sine balance, -F_0 sin phi at a fixed point.
+def h_A(A, alpha, beta, gamma, u_cr):
+    """d/dA of the averaged restoring force h = H - A.
 
-    Equation (23). Domain: Omega > 0, A > 0.
+    Equation (31). Domain: A >= 0.
     """
-    arguments = (Omega, A, mu, zeta, alpha, beta, gamma, u_cr)
-    return full(flow.I(Omega, A, flow.friction(mu), zeta), arguments)
+    return averaged_2(A, alpha, beta, gamma, u_cr)[1]
+
+
+def h_AA(A, alpha, beta, gamma, u_cr):
+    """d2/dA2 of the averaged restoring force h = H - A.
+
+    Equation from (31). Domain: A >= 0.
+    """
+    return averaged(A, alpha, beta, gamma, u_cr)[2]
+
+
+def h_AAA(A, alpha, beta, gamma, u_cr):
+    """d3/dA3 of the averaged restoring force h = H - A.
+
+    Equation from (31). Domain: A >= 0.
+    """
+    return averaged(A, alpha, beta, gamma, u_cr)[3]
+
+
+def H(A, alpha, beta, gamma, u_cr):
+    """The averaged force H beside the vertical spring.
+
+    Equation (20)-(22). Domain: A >= 0.
+    """
+    return averaged_H(A, alpha, beta, gamma, u_cr)[0]
+
+
+def H_A(A, alpha, beta, gamma, u_cr):
+    """d/dA of the averaged force H beside the vertical spring.
+
+    Equation (31). Domain: A >= 0.
+    """
+    return averaged_H(A, alpha, beta, gamma, u_cr)[1]
+
+
+def H_AA(A, alpha, beta, gamma, u_cr):
+    """d2/dA2 of the averaged force H beside the vertical spring.
+
+    Equation from (31). Domain: A >= 0.
+    """
+    return averaged(A, alpha, beta, gamma, u_cr)[2]
 
 
 def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1620,7 +1056,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
 
     Equation (24). Domain: Omega > 0, A > 0.
     """
-    average = h(A, alpha, beta, gamma, u_cr)
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
@@ -1633,40 +1069,13 @@ def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def F_AA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
-    """d2F/dA2.
+def level(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
+    """The forcing F_0 for which (Omega, A) is a steady state.
 
-    Equation (24), (33). Domain: Omega > 0, A > 0.
+    Equation (24). Domain: Omega >= 0, A > 0.
     """
-    average, average_A, average_AA = averaged_3(A, alpha, beta, gamma, u_cr)
-    return flow.F_AA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA)
-
-
-def F_AAA(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
-    """d3F/dA3.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    """
-    average, average_A, average_AA, average_AAA = averaged(A, alpha, beta, gamma, u_cr)
-    return flow.F_AAA(Omega, A, flow.friction(mu), zeta, average, average_A, average_AA, average_AAA)
-
-
-def F_Omega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
-    """dF/dOmega.
-
-    Equation (24), (34). Domain: Omega > 0, A > 0.
-    """
-    average = h(A, alpha, beta, gamma, u_cr)
-    return flow.F_Omega(Omega, A, flow.friction(mu), zeta, average)
-
-
-def F_AOmega(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
-    """d2F/dA dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    """
-    average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
-    return flow.F_AOmega(Omega, A, flow.friction(mu), zeta, average, average_A)
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
+    return flow.level(Omega, A, flow.friction(mu), zeta, average)
 
 
 def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
@@ -1674,7 +1083,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
 
     Equation (25). Domain: Omega > 0, A > 0.
     """
-    average = h(A, alpha, beta, gamma, u_cr)
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
@@ -1701,7 +1110,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
     """
-    average = h(A, alpha, beta, gamma, u_cr)
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
@@ -1710,7 +1119,7 @@ def backbone(A, alpha, beta, gamma, u_cr):
 
     Equation (26). Domain: A > 0, h <= 0.
     """
-    average = h(A, alpha, beta, gamma, u_cr)
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.backbone(A, average)
 
 
@@ -1730,21 +1139,48 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-FORCE = ((force_1, force_1_u), (force_2, force_2_u))
+def response_quartic(A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
+    """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+
+    Equation (24). Domain: A > 0.
+    """
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
+    return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
+
+
+def fold_quartic(A, mu, zeta, alpha, beta, gamma, u_cr):
+    """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+
+    Equation (24), (30). Domain: A > 0.
+    """
+    average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
+    return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
+
+
+def peak_cubic(A, mu, zeta, alpha, beta, gamma, u_cr):
+    """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
+
+    Equation (34). Domain: A > 0.
+    """
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
+    return flow.peak_cubic(A, flow.friction(mu), zeta, average)
+
+
+def detachment(A, mu, zeta, alpha, beta, gamma, u_cr):
+    """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
+
+    Equation (34). Domain: A > 0.
+    """
+    average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
+    return flow.detachment(A, flow.friction(mu), zeta, average)
+
 
 if NATIVE is not None:
     (
         averaged,
-        averaged_3,
         averaged_2,
+        averaged_H,
         attached,
-        h,
-        h_A,
-        h_AA,
-        h_AAA,
-        H,
-        H_A,
-        H_AA,
         harmonics,
         coefficients,
         breakpoints,
@@ -1753,21 +1189,6 @@ if NATIVE is not None:
         force,
         saddle_node_onset,
         saddle_nodes,
-        R,
-        I,
-        F,
-        F_A,
-        F_AA,
-        F_AAA,
-        F_Omega,
-        F_AOmega,
-        phase,
-        jacobian,
-        stability,
-        transmissibility,
-        backbone,
-        limit_envelope,
-        equivalent_damping,
     ) = NATIVE.rod_spring()
     saddle_node_onset = coefficients_of(saddle_node_onset)
     saddle_nodes = coefficients_of(saddle_nodes)
@@ -1781,6 +1202,7 @@ def _load_untruncated():
     return rod_spring_untruncated.MECHANISM
 
 
+_PIECES = ((force_1, force_1_u), (force_2, force_2_u))
 _DESIGN = (
     Parameter("lam", "number of horizontal springs", "1", above=0.0),
     Parameter("r", "stiffness k_h of one of them", "k_v", above=0.0),
@@ -1798,7 +1220,7 @@ _ATTACHED = Mechanism(
     design=_DESIGN,
     parameters=_PARAMETERS,
     coefficients=coefficients,
-    pieces=FORCE[:1],
+    pieces=_PIECES[:1],
     breakpoints=nothing,
     jumps=nothing,
     hardening=hardening,
@@ -1817,7 +1239,7 @@ MECHANISM = Mechanism(
     design=_DESIGN,
     parameters=_PARAMETERS,
     coefficients=coefficients,
-    pieces=FORCE,
+    pieces=_PIECES,
     breakpoints=breakpoints,
     jumps=jumps,
     hardening=hardening,

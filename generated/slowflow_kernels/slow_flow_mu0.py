@@ -13,6 +13,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
+from slowflow_kernels.slow_flow import R, backbone, isola_Omega
 from slowflow_support.backend import NATIVE, coefficients_of
 from slowflow_support.broadcast import floats, full, stacked
 
@@ -21,56 +22,24 @@ __all__ = [
     "F_AA",
     "F_AAA",
     "F",
-    "F_AAOmega",
     "F_AOmega",
     "F_Omega",
     "F_OmegaOmega",
     "I",
     "R",
     "backbone",
-    "critical",
-    "cusp_F_AAOmega",
-    "cusps",
     "detachment",
     "equivalent_damping",
     "fold_quartic",
-    "friction",
     "isola",
     "isola_Omega",
-    "jacobian",
     "level",
     "limit_envelope",
-    "mean_stiffness",
-    "offset_stiffness",
     "peak_cubic",
-    "peak_p_A",
     "phase",
     "response_quartic",
-    "rest",
     "stability",
-    "transmissibility",
-    "turn_p_A",
 ]
-
-
-def friction(mu):
-    """Dry friction's share of I.
-
-    Equation (23). Domain: mu >= 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    """
-    (mu,) = floats(mu)
-    return full(0.0, (mu,))
-
-
-def R(Omega, A, h):
-    """Cosine balance, -F_0 cos phi at a fixed point.
-
-    Equation (23). Domain: Omega > 0, A > 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    """
-    Omega, A, h = floats(Omega, A, h)
-    return A * Omega * Omega + h
 
 
 def I(Omega, A, m, zeta):  # noqa: E743
@@ -173,17 +142,6 @@ def phase(Omega, A, m, zeta, h):
     return full(np.arctan2(-I, -R), (Omega, A, m, zeta, h))
 
 
-def backbone(A, h):
-    """Frequency on the backbone.
-
-    Equation (26). Domain: A > 0, h <= 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
-    """
-    A, h = floats(A, h)
-    square = -h / A
-    return np.sqrt(square)
-
-
 def limit_envelope(Omega, F_0, m, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
@@ -202,59 +160,6 @@ def equivalent_damping(Omega, A, m, zeta):
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return full(zeta, (Omega, A, m, zeta))
-
-
-def transmissibility(Omega, A, F_0, m, zeta, h):
-    """Fundamental harmonic of the force on the base over F_0, at a steady state.
-
-    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-    Operations: 8 structured, 8 common subexpressions, 8 power chains.
-    """
-    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
-    I = 2.0 * A * Omega * zeta
-    return full(np.sqrt(I * I + h * h) / F_0, (Omega, A, F_0, m, zeta, h))
-
-
-def jacobian(Omega, A, m, zeta, h, h_A):
-    """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-
-    Equation (28). Domain: Omega > 0, A > 0.
-    Operations: 10 structured, 8 common subexpressions, 8 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = -zeta
-    t1 = Omega * Omega
-    t2 = 0.5 / Omega
-    arguments = (Omega, A, m, zeta, h, h_A)
-    return (
-        full(t0, arguments),
-        full(t2 * (A * t1 + h), arguments),
-        full(t2 * (-h_A - t1) / A, arguments),
-        full(t0, arguments),
-    )
-
-
-def mean_stiffness(A, h, h_A):
-    """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
-
-    Equation beside (30). Domain: A > 0.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    """
-    A, h, h_A = floats(A, h, h_A)
-    return -0.5 * h_A - 0.5 * h / A
-
-
-def offset_stiffness(Omega, A, h, h_A):
-    """What carries a small mean offset back; where the mean stiffness is negative this decides.
-
-    Equation beside (30). Domain: Omega > 0, A > 0.
-    Operations: 14 structured, 14 common subexpressions, 14 power chains.
-    """
-    Omega, A, h, h_A = floats(Omega, A, h, h_A)
-    t0 = 1.0 / A
-    t1 = h * t0
-    t2 = h * t0 - h_A
-    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1)
 
 
 def stability(Omega, A, m, zeta, h, h_A):
@@ -323,33 +228,22 @@ def detachment(A, m, zeta, h):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0.
-    Operations: 28 structured, 18 common subexpressions, 15 power chains.
+    Operations: 22 structured, 16 common subexpressions, 14 power chains.
     """
     A, m, zeta, h = floats(A, m, zeta, h)
+    t0 = h * h
     zeta2 = zeta * zeta
-    t0 = 4.0 * A * zeta2
-    h2 = h * h
+    t1 = A * zeta2
+    t2 = 4.0 * t1
     zeta4 = zeta2 * zeta2
-    t1 = 4.0 * A * A * zeta4
-    h3 = h * h2
     return stacked(
         (
-            -h2 * t1 - h3 * t0,
-            h * t0 - h2 + t1,
+            -t0 * t2 * (h + t1),
+            4.0 * A * A * zeta4 + h * t2 - t0,
             1.0,
         ),
         (A, m, zeta, h),
     )
-
-
-def F_AAOmega(Omega, A, zeta, h_A, h_AA):
-    """d3F/dA2 dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 11 structured, 11 common subexpressions, 11 power chains.
-    """
-    Omega, A, zeta, h_A, h_AA = floats(Omega, A, zeta, h_A, h_AA)
-    return 4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A + 4.0 * zeta * zeta)
 
 
 def F_OmegaOmega(Omega, A, zeta, h):
@@ -376,33 +270,6 @@ def level(Omega, A, m, zeta, h):
     return full(np.sqrt(I * I + R * R), (Omega, A, m, zeta, h))
 
 
-def rest(F_0, m, h, h_A):
-    """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
-
-    Equation from (24). Domain: F_0 >= m.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    """
-    F_0, m, h, h_A = floats(F_0, m, h, h_A)
-    product = F_0 * F_0
-    c = np.sqrt(product)
-    arguments = (F_0, m, h, h_A)
-    return (
-        full(-c + h, arguments),
-        full(c + h, arguments),
-        full(h_A, arguments),
-    )
-
-
-def isola_Omega(h_A):
-    """Omega at an isola point.
-
-    Equation from (30), (34). Domain: h_A >= 0.
-    Operations: 1 structured, 1 common subexpressions, 1 power chains.
-    """
-    (h_A,) = floats(h_A)
-    return np.sqrt(h_A)
-
-
 def isola(A, m, zeta, h, h_A, h_AA):
     """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
 
@@ -420,79 +287,8 @@ def isola(A, m, zeta, h, h_A, h_AA):
     )
 
 
-def cusps(A, zeta, h, h_A, h_AA, h_AAA):
-    """F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.
-
-    Equation from (33). Domain: A > 0.
-    Operations: 36 structured, 30 common subexpressions, 30 power chains.
-    """
-    A, zeta, h, h_A, h_AA, h_AAA = floats(A, zeta, h, h_A, h_AA, h_AAA)
-    along = A * h_A - h
-    t0 = A * h_AA
-    t1 = 4.0 * zeta * zeta
-    e = t0 + t1
-    e_A = A * h_AAA + h_AA
-    t2 = 0.5 * e
-    arguments = (A, zeta, h, h_A, h_AA, h_AAA)
-    return (
-        full(-h_A - t2, arguments),
-        full(h * h_AA + h_A * h_A, arguments),
-        full(along * h_AA + 0.25 * e * e + h_A * t1, arguments),
-        full(h * h_AAA + 3.0 * h_A * h_AA, arguments),
-        along * h_AAA + e_A * t2 + h_AA * t0 + h_AA * t1,
-    )
-
-
-def cusp_F_AAOmega(Omega, root):
-    """d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).
-
-    Equation from (33). Domain: Omega > 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
-    """
-    Omega, root = floats(Omega, root)
-    return 8.0 * Omega * root
-
-
-def turn_p_A(A, zeta, h_A, h_AA):
-    """Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.
-
-    Equation from (30). Domain: A > 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
-    """
-    A, zeta, h_A, h_AA = floats(A, zeta, h_A, h_AA)
-    return 0.5 * A * h_AA + h_A + 2.0 * zeta * zeta
-
-
-def peak_p_A(zeta, h_A):
-    """Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.
-
-    Equation from (34). Domain: any h_A.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    """
-    zeta, h_A = floats(zeta, h_A)
-    return h_A + 2.0 * zeta * zeta
-
-
-def critical(A, p, q, p_A):
-    """Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.
-
-    Equation from (30), (34). Domain: A > 0, q >= 0.
-    Operations: 8 structured, 8 common subexpressions, 8 power chains.
-    """
-    A, p, q, p_A = floats(A, p, q, p_A)
-    cube = 6.75 * A * q * q
-    c = np.cbrt(cube)
-    arguments = (A, p, q, p_A)
-    return (
-        full(-c - p, arguments),
-        full(-p_A - 0.33333333333333331 * c / A, arguments),
-    )
-
-
 if NATIVE is not None:
     (
-        friction,
-        R,
         I,
         F,
         F_A,
@@ -501,28 +297,15 @@ if NATIVE is not None:
         F_Omega,
         F_AOmega,
         phase,
-        backbone,
         limit_envelope,
         equivalent_damping,
-        transmissibility,
-        jacobian,
-        mean_stiffness,
-        offset_stiffness,
         stability,
         response_quartic,
         fold_quartic,
         peak_cubic,
         detachment,
-        F_AAOmega,
         F_OmegaOmega,
         level,
-        rest,
-        isola_Omega,
         isola,
-        cusps,
-        cusp_F_AAOmega,
-        turn_p_A,
-        peak_p_A,
-        critical,
     ) = NATIVE.slow_flow_mu0()
     detachment = coefficients_of(detachment)

@@ -13,6 +13,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
+from slowflow_kernels.slow_flow import R, backbone
 from slowflow_support.backend import NATIVE, coefficients_of
 from slowflow_support.broadcast import floats, full, stacked
 
@@ -21,7 +22,6 @@ __all__ = [
     "F_AA",
     "F_AAA",
     "F",
-    "F_AAOmega",
     "F_AOmega",
     "F_Omega",
     "F_OmegaOmega",
@@ -31,41 +31,15 @@ __all__ = [
     "detachment",
     "equivalent_damping",
     "fold_quartic",
-    "friction",
-    "jacobian",
     "level",
     "limit_envelope",
-    "mean_stiffness",
-    "offset_stiffness",
     "peak_cubic",
     "phase",
     "response_quartic",
-    "rest",
     "stability",
-    "transmissibility",
     "undamped",
     "undamped_Omega",
 ]
-
-
-def friction(mu):
-    """Dry friction's share of I.
-
-    Equation (23). Domain: mu >= 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    """
-    (mu,) = floats(mu)
-    return full(0.0, (mu,))
-
-
-def R(Omega, A, h):
-    """Cosine balance, -F_0 cos phi at a fixed point.
-
-    Equation (23). Domain: Omega > 0, A > 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    """
-    Omega, A, h = floats(Omega, A, h)
-    return A * Omega * Omega + h
 
 
 def I(Omega, A, m, zeta):  # noqa: E743
@@ -161,17 +135,6 @@ def phase(Omega, A, m, zeta, h):
     return full(np.arctan2(-I, -R), (Omega, A, m, zeta, h))
 
 
-def backbone(A, h):
-    """Frequency on the backbone.
-
-    Equation (26). Domain: A > 0, h <= 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
-    """
-    A, h = floats(A, h)
-    square = -h / A
-    return np.sqrt(square)
-
-
 def limit_envelope(Omega, F_0, m, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
@@ -190,57 +153,6 @@ def equivalent_damping(Omega, A, m, zeta):
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return full(0.0, (Omega, A, m, zeta))
-
-
-def transmissibility(Omega, A, F_0, m, zeta, h):
-    """Fundamental harmonic of the force on the base over F_0, at a steady state.
-
-    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
-    """
-    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
-    return full(np.abs(h) / F_0, (Omega, A, F_0, m, zeta, h))
-
-
-def jacobian(Omega, A, m, zeta, h, h_A):
-    """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-
-    Equation (28). Domain: Omega > 0, A > 0.
-    Operations: 10 structured, 8 common subexpressions, 8 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    t1 = 0.5 / Omega
-    arguments = (Omega, A, m, zeta, h, h_A)
-    return (
-        full(0.0, arguments),
-        full(t1 * (A * t0 + h), arguments),
-        full(t1 * (-h_A - t0) / A, arguments),
-        full(0.0, arguments),
-    )
-
-
-def mean_stiffness(A, h, h_A):
-    """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
-
-    Equation beside (30). Domain: A > 0.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    """
-    A, h, h_A = floats(A, h, h_A)
-    return -0.5 * h_A - 0.5 * h / A
-
-
-def offset_stiffness(Omega, A, h, h_A):
-    """What carries a small mean offset back; where the mean stiffness is negative this decides.
-
-    Equation beside (30). Domain: Omega > 0, A > 0.
-    Operations: 14 structured, 14 common subexpressions, 14 power chains.
-    """
-    Omega, A, h, h_A = floats(Omega, A, h, h_A)
-    t0 = 1.0 / A
-    t1 = h * t0
-    t2 = h * t0 - h_A
-    return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1)
 
 
 def stability(Omega, A, m, zeta, h, h_A):
@@ -318,16 +230,6 @@ def detachment(A, m, zeta, h):
     )
 
 
-def F_AAOmega(Omega, A, zeta, h_A, h_AA):
-    """d3F/dA2 dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 8 structured, 8 common subexpressions, 8 power chains.
-    """
-    Omega, A, zeta, h_A, h_AA = floats(Omega, A, zeta, h_A, h_AA)
-    return full(4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A), (Omega, A, zeta, h_A, h_AA))
-
-
 def F_OmegaOmega(Omega, A, zeta, h):
     """d2F/dOmega2.
 
@@ -349,23 +251,6 @@ def level(Omega, A, m, zeta, h):
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
     return full(np.abs(R), (Omega, A, m, zeta, h))
-
-
-def rest(F_0, m, h, h_A):
-    """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
-
-    Equation from (24). Domain: F_0 >= m.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    """
-    F_0, m, h, h_A = floats(F_0, m, h, h_A)
-    product = F_0 * F_0
-    c = np.sqrt(product)
-    arguments = (F_0, m, h, h_A)
-    return (
-        full(-c + h, arguments),
-        full(c + h, arguments),
-        full(h_A, arguments),
-    )
 
 
 def undamped_Omega(h_A):
@@ -396,8 +281,6 @@ def undamped(A, h, h_A, h_AA, h_AAA):
 
 if NATIVE is not None:
     (
-        friction,
-        R,
         I,
         F,
         F_A,
@@ -406,22 +289,15 @@ if NATIVE is not None:
         F_Omega,
         F_AOmega,
         phase,
-        backbone,
         limit_envelope,
         equivalent_damping,
-        transmissibility,
-        jacobian,
-        mean_stiffness,
-        offset_stiffness,
         stability,
         response_quartic,
         fold_quartic,
         peak_cubic,
         detachment,
-        F_AAOmega,
         F_OmegaOmega,
         level,
-        rest,
         undamped_Omega,
         undamped,
     ) = NATIVE.slow_flow_mu0_zeta0()

@@ -16,7 +16,6 @@ ROOT = Path(__file__).parents[2]
 NATIVE, GENERATED = ROOT / "src" / "slowflow" / "native", ROOT / "generated"
 # as in setup.py, but for visibility
 FLAGS = ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
-SOURCES = [NATIVE / "kernels.c", *(GENERATED / "native" / f"{name}.c" for name in ("slow_flow", "rod_spring_attached"))]
 
 
 class Kernel(ctypes.Structure):
@@ -42,11 +41,9 @@ class Module(ctypes.Structure):
 def build(directory: Path, target: str, module: str = "rod_spring") -> Callable[[str, Sequence], tuple]:
     """Compile a module's loops for one target; the function returned takes a kernel's name and its arguments."""
     library = directory / f"{module}_{target}.so"
-    sources = [str(path) for path in {*SOURCES, GENERATED / "native" / f"{module}.c"}]
+    sources = [str(path) for path in (NATIVE / "kernels.c", GENERATED / "native" / f"{module}.c")]
     command = ["gcc", *FLAGS, "-DSF_NO_CLONES", f"-march={target}", f"-I{NATIVE}", f"-I{GENERATED / 'c'}", "-fPIC"]
-    done = subprocess.run(
-        [*command, "-shared", *sorted(sources), "-o", str(library), "-lm"], capture_output=True, text=True
-    )
+    done = subprocess.run([*command, "-shared", *sources, "-o", str(library), "-lm"], capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(done.stderr)
     loaded = ctypes.CDLL(str(library))

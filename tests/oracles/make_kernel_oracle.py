@@ -481,22 +481,10 @@ def saddle_nodes(leading, F_0, m, zeta, *coefficients):
 
 #: the scale of a resultant is a convention: its leading coefficient once its factors are primitive over the integers
 LEADING = {
-    ("rod_spring", "", "saddle_node_onset"): lambda zeta, a, b, c: 9765625 * c**8,
-    ("rod_spring", "_mu0", "saddle_node_onset"): lambda zeta, a, b, c: 3125 * c**4,
-    ("rod_spring", "_zeta0", "saddle_node_onset"): lambda zeta, a, b, c: 125 * c**2,
-    ("rod_spring", "_mu0_zeta0", "saddle_node_onset"): lambda zeta, a, b, c: 125 * c**2,
-    ("rod_spring", "", "saddle_nodes"): lambda zeta, a, b, c: 15625 * c**6 * zeta**4,
-    ("rod_spring", "_mu0", "saddle_nodes"): lambda zeta, a, b, c: 125 * c**3 * zeta**2,
-    ("rod_spring", "_zeta0", "saddle_nodes"): lambda zeta, a, b, c: 25 * c**2,
-    ("rod_spring", "_mu0_zeta0", "saddle_nodes"): lambda zeta, a, b, c: 25 * c**2,
-    ("duffing", "", "saddle_node_onset"): lambda zeta, a, b: 59049 * b**8,
-    ("duffing", "_mu0", "saddle_node_onset"): lambda zeta, a, b: 27 * b**2,
-    ("duffing", "_zeta0", "saddle_node_onset"): lambda zeta, a, b: fmpq(1),
-    ("duffing", "_mu0_zeta0", "saddle_node_onset"): lambda zeta, a, b: fmpq(1),
-    ("duffing", "", "saddle_nodes"): lambda zeta, a, b: 729 * b**6 * zeta**4,
-    ("duffing", "_mu0", "saddle_nodes"): lambda zeta, a, b: 27 * b**3 * zeta**2,
-    ("duffing", "_zeta0", "saddle_nodes"): lambda zeta, a, b: 9 * b**2,
-    ("duffing", "_mu0_zeta0", "saddle_nodes"): lambda zeta, a, b: 9 * b**2,
+    ("rod_spring", "saddle_node_onset"): lambda zeta, a, b, c: 9765625 * c**8,
+    ("rod_spring", "saddle_nodes"): lambda zeta, a, b, c: 15625 * c**6 * zeta**4,
+    ("duffing", "saddle_node_onset"): lambda zeta, a, b: 59049 * b**8,
+    ("duffing", "saddle_nodes"): lambda zeta, a, b: 729 * b**6 * zeta**4,
 }
 
 
@@ -1010,9 +998,19 @@ def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
     return lambda *x: f(*(value * 0 if k in gone else value for k, value in enumerate(x)))
 
 
+#: a scene takes these from the general module: nothing vanishes in them; or has them not
+SAME_IN_SCENES = {
+    *("friction", "R", "backbone", "transmissibility", "jacobian", "mean_stiffness", "offset_stiffness"),
+    *("F_AAOmega", "rest", "isola_Omega", "cusps", "cusp_F_AAOmega", "turn_p_A", "peak_p_A", "critical"),
+}
+
+
 def slow_flow_table(rng: random.Random, scene: str) -> dict:
     table = {}
+    left_out = SAME_IN_SCENES if scene else set()
     for name, (names, f) in SLOW_FLOW.items():
+        if name in left_out:
+            continue
         chosen = points(rng, names, 6)
         if {"Omega", "A", "h"} <= set(names.split()):  # next to the backbone: R is the small difference of two terms
             Omega, A, h = (names.split().index(x) for x in ("Omega", "A", "h"))
@@ -1024,6 +1022,8 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
         entry(zeroed(detachment, names.split(), scene), x, exact=True) for x in points(rng, names, 6)
     ]
     for name, (names, f, sign) in (LOCI | (UNDAMPED if "zeta" in SCENES[scene] else DAMPED)).items():
+        if name in left_out:
+            continue
         chosen = points(rng, names, 6)
         if sign:
             h_A = names.split().index("h_A")
@@ -1050,43 +1050,71 @@ def den_hartog_table(rng: random.Random) -> dict:
     return table
 
 
+#: several averages at once, by mechanism where not all have the kernel; and where they hold
+TOGETHER = {
+    "averaged": ("h", "h_A", "h_AA", "h_AAA"),
+    "averaged_2": ("h", "h_A"),
+    "averaged_H": ("H", "H_A"),
+    "averaged_all": ("h", "h_A", "h_AA", "h_AAA", "H", "H_A"),
+    "attached": ("h", "h_A", "h_AA", "h_AAA"),
+}
+NOT_OF = {"averaged_all": ("rod_spring", "duffing"), "attached": ("rod_spring_untruncated", "duffing")}
+
+
 def family_table(name: str, amplitudes: Amplitudes) -> dict:
     """h, H and their derivatives, singly and together."""
-    orders = ("", "_A", "_AA", "_AAA")
     table: dict[str, list] = {}
     for A, p in amplitudes:
         passed = passed_by(name, A, p)
-        for letter, top, vertical in (("h", 4, False), ("H", 3, True)):
+        values = {}
+        for letter, vertical in (("h", False), ("H", True)):
             row = entry(lambda *x, n=passed, v=vertical: family(name, n, v, *x), [A, *p])
-            for k in range(top):
-                one = {"at": row["at"], "is": [row["is"][k]], "scale": [row["scale"][k]]}
-                table.setdefault(letter + orders[k], []).append(one)
-            if letter == "h":
-                if name == "rod_spring" and not passed:
-                    table.setdefault("attached", []).append(row)
-                for together, count in (("averaged", 4), ("averaged_3", 3), ("averaged_2", 2)):
-                    some = {"at": row["at"], "is": row["is"][:count], "scale": row["scale"][:count]}
-                    table.setdefault(together, []).append(some)
+            for order, value, scale in zip(("", "_A", "_AA", "_AAA"), row["is"], row["scale"], strict=True):
+                values[letter + order] = value, scale
+        del values["H_AAA"]
+
+        def add(kernel: str, outputs: Sequence[str], values=values, at=row["at"]) -> None:
+            chosen = [values[output] for output in outputs]
+            one = {"at": at, "is": [value for value, _ in chosen], "scale": [scale for _, scale in chosen]}
+            table.setdefault(kernel, []).append(one)
+
+        for output in values:
+            add(output, (output,))
+        for kernel, outputs in TOGETHER.items():
+            if name not in NOT_OF.get(kernel, ()) and not (kernel == "attached" and passed):
+                add(kernel, outputs)
     return table
 
 
-#: what the slow flow alone has
-NOT_COMPOSED = {"friction", "mean_stiffness", "offset_stiffness", "response_quartic", "fold_quartic", "peak_cubic"}
+#: what every mechanism has of the slow flow, and those of it that are functions of less than Omega, A and damping
+COMPOSED = ("F", "F_A", "level", "phase", "jacobian", "stability", "transmissibility")
+BARE = (
+    *("backbone", "limit_envelope", "equivalent_damping"),
+    *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
+)
 
 
-def composed_table(rng: random.Random, name: str, scene: str, amplitudes: Amplitudes) -> dict:
+def rational(x) -> fmpq:
+    """The number as it is."""
+    mantissa, exponent = abs(x).man_exp
+    return int(mp.sign(x)) * fmpq(int(mantissa)) * fmpq(2) ** int(exponent)
+
+
+def detachment_of_reals(*x):
+    return [mpf(int(value.p)) / int(value.q) for value in detachment(*map(rational, x))]
+
+
+def composed_table(rng: random.Random, name: str, amplitudes: Amplitudes) -> dict:
     """The slow flow's functions with the mechanism put in."""
     table: dict[str, list] = {}
-    for kernel, (names, f) in SLOW_FLOW.items():
-        if kernel in NOT_COMPOSED:
-            continue
+    known = {**SLOW_FLOW, "level": LOCI["level"][:2], "detachment": ("A m zeta h", detachment_of_reals)}
+    for kernel in (*COMPOSED, *BARE):
+        names, f = known[kernel]
         inner = names.split()
         outer = [x for x in ("Omega", "A", "F_0", "mu", "zeta") if x != "F_0" or "F_0" in inner]
-        if kernel == "backbone":
-            outer = ["A"]
-        elif kernel in ("limit_envelope", "equivalent_damping"):
-            outer = ["mu" if x == "m" else x for x in inner]
-        of_mechanism = "h" in inner or kernel in ("R", "I")
+        if kernel in BARE:
+            outer = ["mu" if x == "m" else x for x in inner if x[0] != "h"]
+        of_mechanism = "h" in inner
         for A, p in amplitudes:
             passed = passed_by(name, A, p)
 
@@ -1101,12 +1129,11 @@ def composed_table(rng: random.Random, name: str, scene: str, amplitudes: Amplit
             x = [A if argument == "A" else rng.uniform(*RANGES[argument]) for argument in outer]
             if kernel == "backbone" and family(name, passed, False, mpf(A), *map(mpf, p))[0] > 0:
                 continue
-            full = zeroed(composed, [*outer, *["parameter"] * len(p)], scene)
-            table.setdefault(kernel, []).append(entry(full, [*x, *(p if of_mechanism else ())]))
+            table.setdefault(kernel, []).append(entry(composed, [*x, *(p if of_mechanism else ())]))
     return table
 
 
-def resultant_table(rng: random.Random, name: str, scene: str, parameters: list[tuple[float, ...]]) -> dict:
+def resultant_table(rng: random.Random, name: str, parameters: list[tuple[float, ...]]) -> dict:
     table: dict[str, list] = {}
     # the breakpoint does not enter
     count = 2 if name == "duffing" else 3
@@ -1115,14 +1142,13 @@ def resultant_table(rng: random.Random, name: str, scene: str, parameters: list[
         ("saddle_nodes", saddle_nodes, ["F_0", "m", "zeta"]),
     ):
 
-        def whole(*x, f=f, leading=LEADING[name, scene, kernel], last=len(own) - 1):  # noqa: B008
+        def whole(*x, f=f, leading=LEADING[name, kernel], last=len(own) - 1):  # noqa: B008
             used = x[: last + 1 + count]
             return f(leading(*used[last:]), *used)
 
         for p in parameters:
             x = points(rng, " ".join(own), 1)[0]
-            full = zeroed(whole, [*own, *["parameter"] * len(p)], scene)
-            table.setdefault(kernel, []).append(entry(full, [*x, *p], exact=True))
+            table.setdefault(kernel, []).append(entry(whole, [*x, *p], exact=True))
     return table
 
 
@@ -1214,29 +1240,23 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
 
 
 def mechanism_tables(name: str, designs, parameters, amplitudes: Amplitudes, some: Amplitudes) -> dict:
-    """The modules of a mechanism: its averages at all `amplitudes`, the composed functions at `some`."""
+    """The module of a mechanism: its averages at all `amplitudes`, the composed functions at `some`."""
 
-    def table(rng: random.Random, scene: str) -> dict:
-        own = composed_table(rng, name, scene, some)
+    def table(rng: random.Random) -> dict:
+        own = composed_table(rng, name, some)
         if name != "rod_spring_untruncated":  # its average is no polynomial: there is no resultant
-            own |= resultant_table(rng, name, scene, parameters)
-        if scene:
-            return own
+            own |= resultant_table(rng, name, parameters)
         own |= family_table(name, amplitudes) | data_table(name, designs, parameters)
         return own | {"harmonics": harmonics_table(name, amplitudes)}
 
-    def attached(rng: random.Random) -> dict:
-        below = [(A, p) for A, p in some if A <= p[-1]]
-        return composed_table(rng, name, "", below) | family_table(name, [(A, p) for A, p in amplitudes if A <= p[-1]])
-
-    made = {name + scene: functools.partial(table, scene=scene) for scene in SCENES}
-    return made if name == "duffing" else made | {f"{name}_attached": attached}
+    return {name: table}
 
 
 def main(only: list[str]) -> None:
     """Makes the table, or anew the modules named."""
-    table = json.loads(OUT.read_text()) if only else {}
-    for module, make in tables().items():
+    made = tables()
+    table = {module: rows for module, rows in json.loads(OUT.read_text()).items() if only and module in made}
+    for module, make in made.items():
         if not only or module in only:
             table[module] = make(random.Random(module))
     lines = []

@@ -1,7 +1,7 @@
 """The kernels of the slow flow: functions of Omega, A, damping and h that know no mechanism, one module for each scene.
 
 In:  `Results`.
-Out: `slow_flow_module`.
+Out: `slow_flow_modules`.
 """
 
 from __future__ import annotations
@@ -11,28 +11,49 @@ from functools import partial
 
 import sympy as sp
 
-from derivations.emit.form import Kernel, Module, by_even_power, in_words, plain, suffix
+from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
 from derivations.loci import Along, Damped, Undamped, p, p_A, q, root
 from derivations.offset import mean_stiffness, offset_stiffness
 from derivations.resultants import Elimination
 from derivations.results import Results
-from derivations.slow_flow import I, R, SlowFlow, m
+from derivations.slow_flow import SCENES, I, R, SlowFlow, m
 from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
 
 #: of a frequency
 square = sp.Symbol("square", real=True)
 
+#: what a scene has, its own or the general module's: what solvers call in it, and the polynomials, whose degree falls
+IN_SCENES = (
+    *("R", "I", "F", "F_A", "F_AA", "F_AAA", "F_Omega", "F_AOmega", "F_OmegaOmega", "level", "stability", "phase"),
+    *("backbone", "limit_envelope", "equivalent_damping"),
+    *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
+    *("isola_Omega", "isola", "undamped_Omega", "undamped"),
+)
 
-def slow_flow_module(results: Results, scene: str) -> Module:
-    """The mechanism-free functions in one scene."""
+
+def slow_flow_modules(results: Results) -> list[Module]:
+    """The mechanism-free functions, in general and in each scene."""
+    general = kernels_of(results, "")
+    modules = []
+    for scene in SCENES:
+        kernels = [kernel for kernel in kernels_of(results, scene) if not scene or kernel.name in IN_SCENES]
+        borrowed = tuple(kernel.name for kernel in kernels if scene and kernel in general)
+        modules.append(
+            Module(
+                name=GENERAL + suffix(scene),
+                title="Slow flow of any mechanism, in h = H - A and its derivatives" + in_words(scene),
+                inputs=("averaging.py", "slow_flow.py", "offset.py", "loci.py", "resultants.py"),
+                kernels=tuple(kernel for kernel in kernels if kernel.name not in borrowed),
+                borrowed=borrowed,
+            )
+        )
+    return modules
+
+
+def kernels_of(results: Results, scene: str) -> list[Kernel]:
+    """All of them, in one scene."""
     flow = results.flows[scene]
-    kernels = (*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene]))
-    return Module(
-        name="slow_flow" + suffix(scene),
-        title="Slow flow of any mechanism, in h = H - A and its derivatives" + in_words(scene),
-        inputs=("averaging.py", "slow_flow.py", "offset.py", "loci.py", "resultants.py"),
-        kernels=kernels,
-    )
+    return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene])]
 
 
 def of_R_and_I(

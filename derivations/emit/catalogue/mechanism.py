@@ -1,13 +1,13 @@
 """The kernels of a mechanism: its averages, its force, its resultants, and the slow flow with its own h put in.
 
-In:  `Results` and the slow flow's modules.
-Out: `mechanism_modules`.
+In:  `Results` and the slow flow's module.
+Out: `mechanism_module`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -21,136 +21,179 @@ from derivations.emit.form import (
     Let,
     Module,
     Record,
+    Selection,
     by_even_power,
-    in_words,
     plain,
-    suffix,
 )
 from derivations.mechanisms import Mechanism, Parameter
 from derivations.oscillator import Oscillator
 from derivations.restoring import Case, Restoring, forms
 from derivations.results import OfMechanism, Results
 from derivations.second_approximation import OF_HARMONIC
-from derivations.slow_flow import SCENES, m
-from derivations.symbols import F_0, A, Omega, h, mu, u, zeta
+from derivations.slow_flow import m
+from derivations.symbols import F_0, A, mu, u, zeta
 
-#: functions of the slow flow that every mechanism composes with its own h
+#: What is emitted for each mechanism, and for whom.
+#:
+#: For the solvers, by the record: `averaged`, `averaged_2`, `attached`, `harmonics`, `coefficients`, `breakpoints`,
+#: `jumps`, `hardening`, and the pieces of the force with their slopes.
+#: For users, who import them: `force`, the resultants `saddle_node_onset` (33) and `saddle_nodes`, and, thin because
+#: each only calls another:
+#:     h, H and derivatives     out of `averaged`, `averaged_2` and `averaged_H`
+#:     functions of the slow flow, polynomials in Omega and (34), with the mechanism's h put in
 COMPOSED = (
-    *("R", "I", "F", "F_A", "F_AA", "F_AAA", "F_Omega", "F_AOmega"),
-    *("phase", "jacobian", "stability", "transmissibility"),
+    *("F", "F_A", "level", "phase", "jacobian", "stability", "transmissibility"),
+    *("backbone", "limit_envelope", "equivalent_damping"),
+    *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
 )
-#: those whose arguments say all: no mechanism enters, or nothing but A and the mechanism
-BARE = ("backbone", "limit_envelope", "equivalent_damping")
 
 
-def mechanism_modules(results: Results, name: str, flows: dict[str, Module]) -> list[Module]:
-    """The modules of one mechanism: general, one for each damping scene, and attached-only for polynomials."""
+def mechanism_module(results: Results, name: str, flow: Module) -> Module:
+    """The module of one mechanism."""
     derived = results.mechanisms[name]
     mechanism = derived.oscillator.mechanism
-    title = mechanism.title[0].upper() + mechanism.title[1:]
-    inputs = (f"mechanisms/{name}.py",)
-    pieces, tables = piece_kernels(derived)
-    family = (*averaged_kernels(derived), harmonics_kernel(derived), *data_kernels(derived))
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
-    constants = {
-        "NAME": name,
-        "PARAMETERS": tuple(map(str, mechanism.parameters)),
-        "RATIOS": tuple(map(str, mechanism.ratios)),
-        "REACH": mechanism.reach,
-        "REACH_REASON": mechanism.reach_reason,
-        "HARMONICS_UP_TO": derived.harmonics.most,
-    }
-    modules = []
-    for scene in SCENES:
-        modules.append(
-            Module(
-                name=name + suffix(scene),
-                title=title + in_words(scene),
-                inputs=inputs,
-                kernels=(*(() if scene else (*family, *pieces)), *resultant_kernels(derived, scene)),
-                compositions=tuple(compositions(flows[scene], mechanism)),
-                flow=flows[scene].name,
-                family=name,
-                reexports=(name, (*constants, *(kernel.name for kernel in family))) if scene else ("", ()),
-                constants={} if scene else constants,
-                mechanism=mechanism,
-                pieces={} if scene else tables,
-                record=None if scene else record(results, derived),
-            )
-        )
-    if has_attached(derived):
-        data = tuple(kernel.name for kernel in data_kernels(derived))
-        modules.append(
-            Module(
-                name=f"{name}_attached",
-                title=f"{title}; amplitudes up to {mechanism.breakpoints[0]} only",
-                inputs=inputs,
-                kernels=tuple(averaged_kernels(derived, attached_only=True)),
-                compositions=tuple(compositions(flows[""], mechanism)),
-                flow=flows[""].name,
-                family=f"{name}_attached",
-                reexports=(name, (*constants, *data, "saddle_node_onset", "saddle_nodes")),
-                mechanism=mechanism,
-            )
-        )
-    return modules
+    pieces, table = piece_kernels(derived)
+    averages = together(derived) if is_spelled_out(derived) else one_by_one(derived)
+    return Module(
+        name=name,
+        title=mechanism.title[0].upper() + mechanism.title[1:],
+        inputs=(f"mechanisms/{name}.py",),
+        kernels=(
+            *averages.kernels,
+            *((attached_kernel(derived),) if has_attached(derived) else ()),
+            harmonics_kernel(derived),
+            *data_kernels(derived),
+            *pieces,
+            force_kernel(derived, pieces[::2]),
+            *resultant_kernels(derived),
+        ),
+        selections=(*averages.selections, *selections(averages)),
+        compositions=tuple(compositions(flow, mechanism, averages.pair)),
+        flow=flow.name,
+        record=record(results, derived, table),
+    )
 
 
-def regime_branches(restoring: Restoring, orders: Sequence[int], attached_only: bool) -> tuple[Branch, ...]:
-    """The regimes of an average as branches; at a breakpoint the lower regime holds."""
+@dataclass(frozen=True)
+class Averages:
+    """What gives h and three derivatives, h and h_A, H and H_A; with the kernels and selections these are."""
+
+    whole: Kernel | Selection
+    pair: Kernel | Selection
+    beside: Kernel | Selection
+
+    @property
+    def kernels(self) -> list[Kernel]:
+        named = (self.whole, self.pair, self.beside)
+        own = [one.source if isinstance(one, Selection) else one for one in named]
+        return list(dict.fromkeys(own))
+
+    @property
+    def selections(self) -> list[Selection]:
+        return [one for one in (self.whole, self.pair, self.beside) if isinstance(one, Selection)]
+
+
+def is_spelled_out(derived: OfMechanism) -> bool:
+    """Whether the average is an algorithm in many steps, of which fewer derivatives save little."""
+    return bool(derived.whole.cases)
+
+
+def regime_branches(restoring: Restoring, count: int) -> tuple[Branch, ...]:
+    """The regimes of an average and its first derivatives as branches; at a breakpoint the lower regime holds."""
     cases = restoring.cases or tuple(
-        Case(name, guards, restoring.far_regimes[count, far] if far else restoring.regimes[count])
-        for name, guards, count, far in forms(restoring.breakpoints)
+        Case(name, guards, restoring.far_regimes[passed, far] if far else restoring.regimes[passed])
+        for name, guards, passed, far in forms(restoring.breakpoints)
     )
-    if attached_only:
-        cases = (replace(cases[0], guards=()),)
+    return branches(cases, count)
+
+
+def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, ...]:
+    """The first outputs of each case; a single one needs no name."""
+    several = len(cases) > 1
     return tuple(
-        Branch(c.name, c.guards, c.regime.lets, tuple(c.regime.derivatives[order] for order in orders)) for c in cases
+        Branch(c.name if several else "", c.guards, c.regime.lets, tuple(c.regime.derivatives[:count])) for c in cases
     )
 
 
-def averaged_kernels(derived: OfMechanism, attached_only: bool = False) -> list[Kernel]:
-    """h, H and their derivatives, singly and together."""
+def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cases: tuple[Branch, ...]) -> Kernel:
+    """Some of h, H and their derivatives together."""
     parameters = derived.oscillator.mechanism.parameters
-    kernels = []
-    domain = "A >= 0"
-    if attached_only:
-        domain = f"0 <= A <= {derived.whole.breakpoints[0]}"
+    return Kernel(
+        name,
+        (A, *parameters),
+        cases,
+        f"{', '.join(outputs)} together.",
+        "(20)-(22), (31)",
+        "A >= 0",
+        parameters=len(parameters),
+        returns="tuple",
+    )
 
-    def kernel(name: str, restoring: Restoring, orders: Sequence[int], doc: str, equation: str) -> Kernel:
-        return Kernel(
-            name,
-            (A, *parameters),
-            regime_branches(restoring, orders, attached_only),
-            doc,
-            equation,
-            domain,
-            parameters=len(parameters),
-            returns="scalar" if len(orders) == 1 else "tuple",
-        )
 
-    for count in (4, 3, 2):
-        listed = ", ".join("h" + name for name in NAMES[:count])
-        name = "averaged" if count == 4 else f"averaged_{count}"
-        kernels.append(kernel(name, derived.whole, range(count), f"{listed} together.", "(20)-(22), (31)"))
-    if has_attached(derived) and not attached_only:
-        first = replace(regime_branches(derived.whole, range(4), True)[0], name="")
-        text = f"The first piece alone: {', '.join('h' + name for name in NAMES)} together."
-        domain = f"0 <= A <= {derived.whole.breakpoints[0]}"
-        kernels.append(
-            replace(kernels[0], name="attached", branches=(first,), doc=text, equation="(20), (21)", domain=domain)
+#: names of h and of H with its derivatives; the further ones of H are those of h
+OF_H, OF_BESIDE = tuple("h" + name for name in NAMES), ("H", "H_A")
+
+
+def one_by_one(derived: OfMechanism) -> Averages:
+    """A kernel for each: what is not asked for is not computed. H by itself, because h + A loses a small H's digits."""
+    return Averages(
+        *(
+            averaged_kernel(derived, name, outputs, regime_branches(restoring, len(outputs)))
+            for name, outputs, restoring in (
+                ("averaged", OF_H, derived.whole),
+                ("averaged_2", OF_H[:2], derived.whole),
+                ("averaged_H", OF_BESIDE, derived.beside_vertical),
+            )
         )
+    )
+
+
+def together(derived: OfMechanism) -> Averages:
+    """One kernel for all: h and H are ends of the same steps."""
+    whole, beside = (
+        regime_branches(restoring, count)
+        for restoring, count in ((derived.whole, len(OF_H)), (derived.beside_vertical, len(OF_BESIDE)))
+    )
+    if [branch.lets for branch in whole] != [branch.lets for branch in beside]:
+        raise ArithmeticError("h and H are no ends of the same steps")
+    cases = tuple(
+        replace(one, outputs=(*one.outputs, *other.outputs)) for one, other in zip(whole, beside, strict=True)
+    )
+    names = (*OF_H, *OF_BESIDE)
+    kernel = averaged_kernel(derived, "averaged_all", names, cases)
+
+    def some(name: str, outputs: Sequence[str]) -> Selection:
+        chosen = tuple(names.index(output) for output in outputs)
+        return Selection(name, kernel, chosen, f"{', '.join(outputs)} together.", kernel.equation)
+
+    return Averages(some("averaged", OF_H), some("averaged_2", OF_H[:2]), some("averaged_H", OF_BESIDE))
+
+
+def attached_kernel(derived: OfMechanism) -> Kernel:
+    """The average of the first piece, as if it held everywhere."""
+    first = replace(regime_branches(derived.whole, len(OF_H))[0], name="", guards=())
+    kernel = averaged_kernel(derived, "attached", OF_H, (first,))
+    domain = f"0 <= A <= {derived.whole.breakpoints[0]}"
+    return replace(kernel, doc=f"The first piece alone: {kernel.doc}", equation="(20), (21)", domain=domain)
+
+
+def selections(averages: Averages) -> list[Selection]:
+    """h and H with their derivatives, one by one."""
     slope = ("", "d/dA of ", "d2/dA2 of ", "d3/dA3 of ")
-    for letter, restoring, orders, what in (
-        ("h", derived.whole, range(4), "the averaged restoring force h = H - A"),
-        ("H", derived.beside_vertical, range(3), "the averaged force H beside the vertical spring"),
+    result = []
+    for letter, count, what in (
+        ("h", len(NAMES), "the averaged restoring force h = H - A"),
+        ("H", 3, "the averaged force H beside the vertical spring"),
     ):
-        for order in orders:
+        cheapest = averages.pair if letter == "h" else averages.beside
+        for order in range(count):
+            source = cheapest if order < cheapest.width else averages.whole
             text = slope[order] + what + "." if order else what[0].upper() + what[1:] + "."
             equation = "(20)-(22)" if order == 0 else "(31)" if order == 1 else "from (31)"
-            kernels.append(kernel(letter + NAMES[order], restoring, (order,), text, equation))
-    return kernels
+            result.append(Selection(letter + NAMES[order], source, (order,), text, equation))
+    return result
 
 
 def harmonics_kernel(derived: OfMechanism) -> Kernel:
@@ -160,7 +203,7 @@ def harmonics_kernel(derived: OfMechanism) -> Kernel:
     return Kernel(
         "harmonics",
         (A, *parameters),
-        tuple(Branch(c.name, c.guards, c.regime.lets, c.regime.derivatives) for c in derived.harmonics.cases),
+        branches(derived.harmonics.cases),
         f"Higher harmonics of the force, as h is its first: {listed}.",
         "beyond (20)",
         derived.harmonics.domain,
@@ -169,11 +212,25 @@ def harmonics_kernel(derived: OfMechanism) -> Kernel:
     )
 
 
-def force_branches(pieces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[Branch, ...]:
-    """A piecewise force; at a breakpoint the lower piece holds."""
-    guards = [*(((sp.Abs(u), end),) for end in ends), ()]
-    numbered = enumerate(zip(guards, pieces, strict=True), start=1)
-    return tuple(Branch(f"piece_{k}", guard, (), (piece,)) for k, (guard, piece) in numbered)
+def force_kernel(derived: OfMechanism, pieces: Sequence[Kernel]) -> Kernel:
+    """The piecewise force out of its pieces; at a breakpoint the lower piece holds."""
+    mechanism = derived.oscillator.mechanism
+    whole = derived.whole
+    guards = [*(((sp.Abs(u), end),) for end in whole.breakpoints), ()]
+    branches = tuple(
+        Branch(piece.name, guard, (), piece.branches[0].outputs, kernel=piece.name)
+        for guard, piece in zip(guards, pieces, strict=True)
+    )
+    stands_for = ", truncated" if is_truncated(derived) else ", untruncated" if is_spelled_out(derived) else ""
+    return Kernel(
+        "force",
+        (u, *mechanism.parameters),
+        branches,
+        f"Whole dimensionless restoring force u + F_k(u){stands_for}.",
+        "(3), (6)" if stands_for == ", truncated" else "(3), (5)",
+        f"|u| < {mechanism.reach}" if is_spelled_out(derived) else "any u",
+        parameters=len(mechanism.parameters),
+    )
 
 
 def force_slope(force: sp.Expr) -> tuple[list[Let], sp.Expr]:
@@ -216,7 +273,7 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             "jumps",
             whole.jumps,
             "What the force loses at each breakpoint: f below less f above.",
-            "(5)" if whole.cases else "(6)",
+            "(6)" if is_truncated(derived) else "(5)",
         ),
         (
             "hardening",
@@ -226,35 +283,25 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
         ),
     ):
         kernels.append(plain(name, parameters, values, doc, equation, "any parameters", parameters=count))
-    kernels.append(
-        Kernel(
-            "force",
-            (u, *parameters),
-            force_branches(
-                [evaluable(piece) if whole.cases else sp.horner(piece, u) for piece in whole.pieces], whole.breakpoints
-            ),
-            f"Whole dimensionless restoring force u + F_k(u), {'un' if whole.cases else ''}truncated.",
-            "(3), (5)" if whole.cases else "(3), (6)",
-            f"|u| < {mechanism.reach}" if whole.cases else "any u",
-            parameters=count,
-        )
-    )
     return kernels
 
 
-def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], dict[str, tuple[tuple[str, ...], ...]]]:
-    """The pieces of the force and their slopes, one by one, for the equation of motion; and their table."""
-    arguments = (u, *derived.oscillator.mechanism.parameters)
-    texts = ("(3), (5)" if derived.whole.cases else "(3), (6)", "where it holds")
+def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], tuple[tuple[str, str], ...]]:
+    """The pieces of the force and their slopes, one by one, for the equation of motion; and their names."""
+    parameters = derived.oscillator.mechanism.parameters
+    equation = "(3), (6)" if is_truncated(derived) else "(3), (5)"
     kernels, table = [], []
-    for k, stated in enumerate(derived.whole.pieces, start=1):
-        piece = evaluable(stated) if derived.whole.cases else sp.horner(stated, u)
-        name, what = f"force_{k}", f"iece {k} of the whole restoring force u + F_k(u)."
-        lets, slope = force_slope(piece)
-        kernels.append(plain(name, arguments, piece, "P" + what, *texts, generic=True))
-        kernels.append(plain(f"{name}_u", arguments, slope, "d/du of p" + what, *texts, lets=lets, generic=True))
-        table.append((name, f"{name}_u"))
-    return kernels, {"FORCE": tuple(table)}
+    for k, piece in enumerate(derived.whole.pieces, start=1):
+        printed = evaluable(piece) if is_spelled_out(derived) else sp.horner(piece, u)
+        name, name_of_slope = f"force_{k}", f"force_{k}_u"
+        what = f"iece {k} of the whole restoring force u + F_k(u)."
+        texts = (equation, "where it holds")
+        lets, slope = force_slope(printed)
+        arguments = (u, *parameters)
+        kernels.append(plain(name, arguments, printed, "P" + what, *texts, generic=True))
+        kernels.append(plain(name_of_slope, arguments, slope, "d/du of p" + what, *texts, lets=lets, generic=True))
+        table.append((name, name_of_slope))
+    return kernels, tuple(table)
 
 
 def hardening(whole: Restoring) -> tuple[sp.Expr, ...]:
@@ -290,15 +337,10 @@ def described(dimensionless: Oscillator) -> tuple[Parameter, ...]:
     return (*result, *ends)
 
 
-def record(results: Results, derived: OfMechanism) -> Record:
+def record(results: Results, derived: OfMechanism, pieces: tuple[tuple[str, str], ...]) -> Record:
     """What the record says that no kernel does."""
     mechanism = derived.oscillator.mechanism
-    whole_force = mechanism.order == sp.oo
-
-    def kept(force: sp.Expr) -> bool:
-        return force.is_polynomial(u) and sp.degree(force, u) <= mechanism.order
-
-    truncated = not whole_force and not all(kept(force) for force in derived.oscillator.exact)
+    truncated = is_truncated(derived)
     twins = [
         name
         for name, other in results.mechanisms.items()
@@ -309,6 +351,7 @@ def record(results: Results, derived: OfMechanism) -> Record:
     return Record(
         mechanism,
         described(derived.oscillator),
+        pieces,
         derived.harmonics.most,
         truncated,
         twins[0] if twins else "",
@@ -316,13 +359,20 @@ def record(results: Results, derived: OfMechanism) -> Record:
     )
 
 
+def is_truncated(derived: OfMechanism) -> bool:
+    """Whether a Taylor polynomial stands for the force."""
+    order = derived.oscillator.mechanism.order
+    forces = derived.oscillator.exact
+    return order != sp.oo and not all(force.is_polynomial(u) and sp.degree(force, u) <= order for force in forces)
+
+
 def has_attached(derived: OfMechanism) -> bool:
     """Whether the first piece alone is averaged. An untruncated force ends at the reach: there is no average beyond."""
     return bool(derived.whole.breakpoints) and not derived.whole.cases
 
 
-def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:
-    """Coefficients of the resultants of one scene, where there are any."""
+def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
+    """Coefficients of the resultants, where there are any."""
     if not derived.saddle_nodes:
         return []
     parameters = derived.oscillator.mechanism.parameters
@@ -333,7 +383,7 @@ def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:
         plain(
             "saddle_node_onset",
             (m, zeta, *parameters),
-            by_even_power(derived.saddle_node_onset[scene]),
+            by_even_power(derived.saddle_node_onset),
             "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.",
             "(33)",
             domain,
@@ -343,7 +393,7 @@ def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:
         plain(
             "saddle_nodes",
             (F_0, m, zeta, *parameters),
-            by_even_power(derived.saddle_nodes[scene]),
+            by_even_power(derived.saddle_nodes),
             "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.",
             "from (24), (30)",
             domain,
@@ -353,19 +403,16 @@ def resultant_kernels(derived: OfMechanism, scene: str) -> list[Kernel]:
     ]
 
 
-def compositions(flow: Module, mechanism: Mechanism) -> list[Composition]:
-    """The slow flow's functions of Omega, A, F_0, mu, zeta and the mechanism's parameters."""
+def compositions(flow: Module, mechanism: Mechanism, average: Kernel | Selection) -> list[Composition]:
+    """The slow flow's functions with the mechanism's h put in; m = 4 mu/pi."""
     by_name = {kernel.name: kernel for kernel in flow.kernels}
-    parameters = mechanism.parameters
     result = []
     for name in COMPOSED:
         inner = by_name[name]
-        forcing = (F_0,) if F_0 in inner.arguments else ()
-        arguments = (Omega, A, *forcing, mu, zeta, *parameters)
-        result.append(Composition(name, arguments, inner, inner.doc, len(parameters)))
-    for name in BARE:
-        inner = by_name[name]
         own = [mu if argument == m else argument for argument in inner.arguments if argument not in AVERAGED]
-        needs = parameters if h in inner.arguments else ()
-        result.append(Composition(name, (*own, *needs), inner, inner.doc, len(needs)))
+        averages = [argument for argument in inner.arguments if argument in AVERAGED]
+        if not set(averages) <= set(AVERAGED[: average.width]):
+            raise ArithmeticError(f"{name} needs more derivatives of h than {average.name} gives")
+        parameters = mechanism.parameters if averages else ()
+        result.append(Composition(name, (*own, *parameters), inner, average if averages else None, len(parameters)))
     return result

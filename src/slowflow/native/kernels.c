@@ -4,8 +4,6 @@
 #include <fenv.h>
 #include <math.h>
 
-enum { WIDEST = 8 }; /* numbers in a vector; divides the block */
-
 typedef double row[SF_BLOCK];
 
 /* Whether an output's memory meets an input's. NumPy then gives the same array twice; the loops expect two. */
@@ -40,7 +38,7 @@ static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const 
         }
         /* the last element again and again, until only whole vectors are left */
         ptrdiff_t padded = count;
-        while (padded % WIDEST != 0) {
+        while (padded % SF_WIDEST != 0) {
             where[padded] = where[count - 1];
             padded++;
         }
@@ -57,6 +55,34 @@ static void run_mixed(const sf_kernel *kernel, ptrdiff_t n, const double *const 
             for (ptrdiff_t i = 0; i < count; i++)
                 out[j][where[i]] = packed_out[j][i];
     }
+}
+
+/* A block of one regime: whole vectors where they are, and the rest filled up by its last element. */
+static void run_plain(const sf_kernel *kernel, sf_loop loop, ptrdiff_t n, const double *const *in, double *const *out,
+                      const ptrdiff_t *steps)
+{
+    const ptrdiff_t whole = SF_WHOLE(n), rest = n - whole;
+    double tails[SF_MOST_OPERANDS][SF_WIDEST];
+    const double *tail_in[SF_MOST_OPERANDS];
+    double *tail_out[SF_MOST_OPERANDS];
+    if (whole > 0)
+        loop(whole, in, out);
+    if (rest == 0)
+        return;
+    for (int j = 0; j < kernel->inputs; j++) {
+        tail_in[j] = in[j]; /* the same number everywhere */
+        if (steps[j] != 0) {
+            for (ptrdiff_t i = 0; i < SF_WIDEST; i++)
+                tails[j][i] = in[j][whole + (i < rest ? i : rest - 1)];
+            tail_in[j] = tails[j];
+        }
+    }
+    for (int j = 0; j < kernel->outputs; j++)
+        tail_out[j] = tails[kernel->inputs + j];
+    loop(SF_WIDEST, tail_in, tail_out);
+    for (int j = 0; j < kernel->outputs; j++)
+        for (ptrdiff_t i = 0; i < rest; i++)
+            out[j][whole + i] = tail_out[j][i];
 }
 
 /* Whether somewhere a NaN came out and none went in. */
@@ -96,7 +122,7 @@ void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps
                 in_place[j] = 0;
     for (int j = 0; j < inputs; j++)
         if (steps[j] == 0)
-            for (int i = 0; i < (n < SF_BLOCK - WIDEST ? n + WIDEST : SF_BLOCK); i++)
+            for (int i = 0; i < (n < SF_BLOCK - SF_WIDEST ? n + SF_WIDEST : SF_BLOCK); i++)
                 rows[j][i] = *(const double *)operands[j];
 
     for (ptrdiff_t start = 0; start < n; start += SF_BLOCK) {
@@ -112,7 +138,7 @@ void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps
             out[j - inputs] = in_place[j] ? (double *)(operands[j] + start * steps[j]) : rows[j];
 
         if (kernel->choose == NULL) {
-            kernel->loops[0](size, in, out);
+            run_plain(kernel, kernel->loops[0], size, in, out, steps);
         } else {
             int others = 0;
             kernel->choose(size, in, regime);
@@ -121,7 +147,7 @@ void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps
             if (others)
                 run_mixed(kernel, size, in, out, regime, steps);
             else
-                kernel->loops[regime[0]](size, in, out);
+                run_plain(kernel, kernel->loops[regime[0]], size, in, out, steps);
         }
 
         for (int j = inputs; j < all; j++)

@@ -2,8 +2,9 @@
  *
  * A kernel has one loop for each regime of the force and a function that says which regime holds where. NumPy's strides
  * are dealt with here, in blocks that stay in the cache: strided arguments are copied, constant ones (stride 0) spread
- * once, and where a block holds several regimes each one's elements are put side by side. So every loop sees contiguous
- * arrays that do not overlap, and vectorises.
+ * once, and where a block holds several regimes each one's elements are put side by side. What is left over of a block
+ * that is no multiple of a vector is filled up to one. So every loop sees contiguous arrays of whole vectors that do not
+ * overlap, and vectorises.
  */
 #ifndef SF_KERNELS_H
 #define SF_KERNELS_H
@@ -11,6 +12,16 @@
 #include <stddef.h>
 
 #include "clones.h"
+
+enum {
+    SF_MOST_OPERANDS = 32,
+    SF_BLOCK = 256, /* no loop is given more than a block */
+    SF_WIDEST = 8   /* numbers in a vector; a loop is given whole vectors */
+};
+
+/* The same number, with which a compiler sees that it is one of whole vectors: the code for what would be left over is
+ * as long as the loop itself, and loops are long. */
+#define SF_WHOLE(n) ((n) & ~(ptrdiff_t)(SF_WIDEST - 1))
 
 typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
 typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *regime);
@@ -28,8 +39,6 @@ typedef struct {
     const sf_kernel *kernels;
     int count;
 } sf_module;
-
-enum { SF_MOST_OPERANDS = 32, SF_BLOCK = 256 }; /* no loop is given more than a block */
 
 /* NumPy's inner loop for the sf_kernel that is its data: addresses, number of elements, strides in bytes. */
 void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);

@@ -34,6 +34,7 @@
 #include <math.h>
 
 #include "frequencies.h"
+#include "slow_flow.h"
 #include "slow_flow_zeta0.h"
 
 #if defined(__GNUC__)
@@ -364,7 +365,7 @@ SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zet
     if (!(A > 0 && m >= 0 && zeta >= 0 && A + fabs(h) + m + zeta < HUGE_VAL && fabs(h_A) < HUGE_VAL))
         return -1;
     if (zeta == 0) { /* two factors: the backbone, and one in h_A alone */
-        const double x = h < 0 ? slow_flow_zeta0_backbone(A, h) : 0;
+        const double x = h < 0 ? slow_flow_backbone(A, h) : 0;
         const double y = h_A < 0 ? slow_flow_zeta0_undamped_Omega(h_A) : 0;
         if (fmin(x, y) > 0)
             Omega[n++] = fmin(x, y);

@@ -24,6 +24,7 @@ from derivations.emit.views import (
     Language,
     composition_view,
     regimes,
+    selection_view,
     sources,
     templates,
     twofold_view,
@@ -46,10 +47,10 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             module=module,
             kernels=views,
             twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
+            selections=[selection_view(selection) for selection in module.selections],
             compositions=[composition_view(composition, calls) for composition in module.compositions],
             includes=includes(module, views),
             regimes=regimes(module),
-            constants=module.constants,
             numbers=numbers(module),
             tools=tools(),
             **sources(module),
@@ -63,13 +64,11 @@ def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
     """Headers of ours that a C header needs."""
     angles = "angles" if any(view.uses_angles for view in views) else ""
     twofold = "twofold" if module.twofolds else ""
-    return [name for name in (angles, twofold, module.flow, module.reexports[0]) if name]
+    return [name for name in (angles, twofold, module.flow) if name]
 
 
 def numbers(module: Module) -> dict[str, str]:
     """Numbers that every caller of a header needs; what a mechanism has of them stands in its record."""
-    if module.mechanism:
-        return {}
     return {name: literal(value) for name, value in module.constants.items() if isinstance(value, sp.Expr)}
 
 

@@ -14,24 +14,23 @@ from dataclasses import dataclass
 import jinja2
 import sympy as sp
 
-from derivations.emit.form import Module
+from derivations.emit.form import GENERAL, Module
 from derivations.emit.provenance import tools
 from derivations.emit.targets.c.printer import CPrinter
 from derivations.emit.targets.printing import literal
 from derivations.mechanisms import DAMPING, FORCING, Parameter
 
-#: the slow flow with all damping terms
-FLOW = "slow_flow"
 #: what `parameters_of` calls the numbers that it is given
 DESIGN, DAMPING_GIVEN = "design[{}]", "given[{}]"
 
 
 @dataclass(frozen=True)
-class Record:
+class Spring:
     """One record as the template needs it.
 
-    prefix      -- of the functions that average the force
-    whole       -- the module that holds the mechanism's data, the same unless this is the first piece alone
+    prefix      -- of the record, and its name
+    whole       -- the module that holds the mechanism's functions
+    averaged, averaged_2 -- what averages the force
     attached    -- prefix of the record of the first piece alone, or ""
     breakpoints -- how many
     domain      -- C condition: the design lies inside its domain
@@ -39,6 +38,8 @@ class Record:
 
     prefix: str
     whole: Module
+    averaged: str
+    averaged_2: str
     attached: str
     breakpoints: int
     domain: str
@@ -46,10 +47,10 @@ class Record:
 
 def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
     """The file."""
-    records = [record for module in modules if is_whole(module) for record in records_of(module, modules)]
+    records = [spring for module in modules if module.record for spring in springs_of(module)]
     return environment.get_template("records.h.jinja").render(
         records=records,
-        flow=FLOW,
+        flow=GENERAL,
         damping=[parameter.symbol for parameter in DAMPING],
         damping_domain=within(DAMPING, DAMPING_GIVEN),
         forcing_domain=within((FORCING,), FORCING.symbol.name),
@@ -59,18 +60,18 @@ def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
     )
 
 
-def is_whole(module: Module) -> bool:
-    """Whether it is the general module of a mechanism: no scene, every amplitude."""
-    return module.mechanism is not None and module.family == module.name and not module.reexports[0]
-
-
-def records_of(whole: Module, modules: Sequence[Module]) -> list[Record]:
+def springs_of(whole: Module) -> list[Spring]:
     """A mechanism's record, after that of its first piece alone where there is one."""
-    mechanism = whole.mechanism
-    first = [module.name for module in modules if module.family == module.name and module.reexports[0] == whole.name]
+    name, mechanism = whole.name, whole.record.mechanism
+    first = f"{name}_attached" if whole.record.attached else ""
     domain = within(mechanism.design, DESIGN)
-    attached = [Record(name, whole, "", 0, domain) for name in first]
-    return [*attached, Record(whole.name, whole, first[0] if first else "", len(mechanism.breakpoints), domain)]
+    functions = (f"{name}_averaged", f"{name}_averaged_2")
+    found = [Spring(name, whole, *functions, first, len(mechanism.breakpoints), domain)]
+    if first:
+        # the first regime's functions
+        regime = next(kernel for kernel in whole.kernels if kernel.name == "averaged").branches[0].name
+        found.insert(0, Spring(first, whole, *(f"{function}_{regime}" for function in functions), "", 0, domain))
+    return found
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

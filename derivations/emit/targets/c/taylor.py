@@ -1,6 +1,6 @@
 """Taylor recurrences: restoring forces as straight-line code for the coefficients of power series.
 
-In:  `Module`s, whose tables `pieces` name the kernels of each piece f(u) of a restoring force and of its slope.
+In:  `Module`s, whose records name the kernels of each piece f(u) of a restoring force and of its slope.
 Out: the text of `native/taylor.h`: for each piece one assignment for the coefficient n of each series on the way from u
      to f, and to df/du, and the table of all pieces.
 
@@ -55,7 +55,7 @@ def laws(modules: Sequence[Module]) -> Iterator[Law]:
     """Each piece of each force."""
     for module in modules:
         by_name = {kernel.name: kernel for kernel in module.kernels}
-        for name, name_of_slope in (pair for table in module.pieces.values() for pair in table):
+        for name, name_of_slope in module.record.pieces if module.record else ():
             force, slope = by_name[name], by_name[name_of_slope]
             yield Law(
                 name=f"{module.name}.{name}",

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import sympy as sp
 
-from derivations.emit.form import AVERAGED, Module
+from derivations.emit.form import AVERAGED, GENERAL, Module
 from derivations.emit.provenance import tools
 from derivations.emit.targets.numpy.printer import NumpyPrinter
 from derivations.emit.views import (
@@ -20,6 +20,7 @@ from derivations.emit.views import (
     Language,
     composition_view,
     regimes,
+    selection_view,
     sources,
     templates,
     twofold_view,
@@ -42,10 +43,12 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             module=module,
             kernels=[view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels],
             twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
+            selections=[selection_view(selection) for selection in module.selections],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
+            borrowed=sorted(module.borrowed, key=in_import),
+            general=GENERAL,
             regimes=regimes(module),
-            imported=sorted(module.reexports[1], key=in_import),
             constants={name: constant(value) for name, value in module.constants.items()},
             **compiled(module),
             tools=tools(),
@@ -60,12 +63,11 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 
 def compiled(module: Module) -> dict[str, list[str]]:
     """Names of the compiled kernels in the order in which the extension module gives them, and which need a wrapper."""
-    kernels = [(c.name, c.inner) for c in module.compositions]
-    kernels = [(kernel.name, kernel) for kernel in module.kernels if kernel.width and not kernel.generic] + kernels
-    stacks = [name for name, kernel in kernels if kernel.returns == "stack"]
-    singles = [name for name, kernel in kernels if kernel.returns == "tuple" and kernel.width == 1]
+    kernels = [kernel for kernel in module.kernels if kernel.compiled]
+    stacks = [kernel.name for kernel in kernels if kernel.returns == "stack"]
+    singles = [kernel.name for kernel in kernels if kernel.returns == "tuple" and kernel.width == 1]
     return {
-        "ufuncs": [name for name, _ in kernels],
+        "ufuncs": [kernel.name for kernel in kernels],
         "stacks": stacks,
         "singles": singles,
         "backend": ["NATIVE", *(["coefficients_of"] if stacks else []), *(["in_tuple"] if singles else [])],
@@ -76,12 +78,11 @@ def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [
         *module.constants,
-        *module.pieces,
-        *(kernel.name for kernel in module.kernels),
-        *(kernel.name for kernel in module.twofolds),
-        *(c.name for c in module.compositions),
+        *(one.name for one in (*module.kernels, *module.twofolds, *module.selections, *module.compositions)),
+        *module.borrowed,
+        *(["MECHANISM"] if module.record else []),
     ]
-    return sorted({*module.reexports[1], *own}, key=in_import)
+    return sorted(own, key=in_import)
 
 
 def in_import(name: str) -> tuple[bool, bool, str]:
