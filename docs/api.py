@@ -10,6 +10,7 @@ from __future__ import annotations
 import dataclasses
 import inspect
 from collections.abc import Iterator
+from enum import Enum
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
@@ -26,6 +27,7 @@ MODULES = (
     "slowflow.results",
     "slowflow.measured.validity",
     "slowflow.averaged.many",
+    "slowflow_kernels.conventions",
     "slowflow.averaged.plan",
     "slowflow.second",
     "slowflow.exact",
@@ -77,9 +79,11 @@ def members(kind: type) -> Iterator[tuple[str, str]]:
 
 
 def heading(name: str, value: Any) -> Iterator[str]:
-    """How a function or class is called, or which fields a record has; what it is a case of; what it says of itself."""
+    """How a function or class is called, or what a record or a table has; what it is a case of and says of itself."""
     if dataclasses.is_dataclass(value):
         yield f"{name}: " + ", ".join(f"`{field.name}`" for field in dataclasses.fields(value) if field.name[0] != "_")
+    elif inspect.isclass(value) and issubclass(value, Enum):
+        yield f"{name}: " + ", ".join(f"`{member.name}` {member.value}" for member in value)
     else:
         yield f"`{name}{signature(value, False)}`"
     bases = [base.__name__ for base in getattr(value, "__bases__", ()) if base.__module__.startswith("slowflow")]

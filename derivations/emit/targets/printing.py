@@ -37,6 +37,11 @@ def literal(number: sp.Expr) -> str:
     return text if any(mark in text for mark in ".e") else text + ".0"
 
 
+def stated(number: sp.Expr) -> str:
+    """The same, but an integer as one."""
+    return str(number) if number.is_Integer else literal(number)
+
+
 class Rules:
     """Mixed in before one of SymPy's printers; `functions` says what the language calls each function."""
 

@@ -5,7 +5,6 @@ Same names, arguments and answers as in `folds`, `response` and `locus`, which r
 
 from __future__ import annotations
 
-from enum import IntEnum
 from types import ModuleType
 
 import numpy as np
@@ -26,23 +25,7 @@ from slowflow.results import (
     SteadyStates,
     joined,
 )
-
-#: kinds of an onset by their number in native/model.h
-ONSET_KINDS = ("", "cusp", "isola", "corner")
-
-
-class Status(IntEnum):
-    """How a solver fared, as numbered in native/model.h."""
-
-    OK = 0
-    INVALID = 1
-    STICKS = 2
-    NONE = 3
-    UNBOUNDED = 4
-    NO_BOUND = 5
-    TOO_MANY = 6
-    UNRESOLVED = 7
-    NO_MEMORY = 8
+from slowflow_kernels.conventions import ONSET_KINDS, Status
 
 
 def _solver() -> ModuleType:

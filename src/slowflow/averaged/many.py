@@ -2,14 +2,8 @@
 
 Made by `Isolator.many(...)` and `Duffing.many(...)`. Nothing but the answers is allocated: inputs stay as they are,
 broadcast views included. `workers` threads share the designs (-1: one for each processor) and give the same digits; the
-NumPy solvers use one. Ctrl-C is heard within a second. A design that has no answer, or is none, gets NaN and a
-`status`; nothing is raised for it:
-
-    0  an answer                                     5  no amplitude was found that bounds the response
-    1  a parameter outside its domain                6  more folds than places
-    2  sticks: F_0 <= 4 mu/pi                        7  branches coincide within rounding
-    3  there is none (no fold, no breakpoint)        8  out of memory
-    4  no viscous damping: no end, no lowest forcing
+NumPy solvers use one. Ctrl-C is heard within a second. A design that has no answer, or is none, gets NaN and nothing is
+raised for it: `status` says why, by the numbers of `slowflow_kernels.conventions.Status`, 0 for an answer.
 """
 
 from __future__ import annotations
@@ -28,11 +22,11 @@ import numpy.typing as npt
 
 from slowflow import backend, validate
 from slowflow.averaged import remarks
-from slowflow.averaged.compiled import ONSET_KINDS, Status
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
 from slowflow.results import Remark
+from slowflow_kernels.conventions import ONSET_KINDS, Status
 
 Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
@@ -75,7 +69,7 @@ class Detachments(Batch):
 class Onsets(Batch):
     """The lowest forcing that has a fold, for each design (33).
 
-    kind -- 1 a cusp, 2 an isola's birth, 3 on a breakpoint, 0 none
+    kind -- a number of `slowflow_kernels.conventions.ONSET_KINDS`: 1 a cusp, 2 an isola's birth, 3 on a breakpoint
     """
 
     F_SN: Floats
@@ -148,7 +142,7 @@ class Designs:
         self.shape = validate.common_shape(self._values)
 
     def detachment(self, *, workers: int = 1) -> Detachments:
-        """F_cr, Omega_cr and u_cr of every design; status 3 for a mechanism without breakpoints."""
+        """F_cr, Omega_cr and u_cr of every design; `Status.NONE` for a mechanism without breakpoints."""
         return Detachments(*self._ask(DETACHMENT, workers), _designs=self)
 
     def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
@@ -156,7 +150,7 @@ class Designs:
         return Onsets(*self._ask(ONSET, workers), _designs=self)
 
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
-        """Every fold at F_0, which broadcasts with the designs; status 6 where there are more than `places`."""
+        """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`."""
         places = validate.count("places", places, least=1)
         return Folds(*self._ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0)
 

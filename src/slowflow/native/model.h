@@ -1,4 +1,4 @@
-/* What every solver file knows: the oscillator as numbers, the slow flow at a point, and the words for what went wrong.
+/* What every solver file knows: the oscillator as numbers, and the slow flow at a point.
  *
  * Everything is dimensionless. The derivatives of F are halved or quartered where a comment says so.
  */
@@ -10,26 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "conventions.h"
 #include "isolate.h"
 #include "mechanism.h"
 #include "slow_flow.h"
 #include "slow_flow_mu0.h"
 #include "slow_flow_zeta0.h"
-
-/* the words are in slowflow.averaged.many */
-typedef enum {
-    SF_OK = 0,
-    SF_INVALID = 1,    /* a parameter outside its domain */
-    SF_STICKS = 2,     /* F_0 <= 4 mu/pi */
-    SF_NONE = 3,       /* there is none */
-    SF_UNBOUNDED = 4,  /* no viscous damping: no end of the response, no lowest forcing */
-    SF_NO_BOUND = 5,   /* no amplitude was found that bounds the response */
-    SF_TOO_MANY = 6,   /* more of them than places */
-    SF_UNRESOLVED = 7, /* branches coincide within rounding */
-    SF_NO_MEMORY = 8
-} sf_status;
-
-typedef enum { SF_NO_KIND = 0, SF_CUSP_KIND = 1, SF_ISOLA_KIND = 2, SF_CORNER_KIND = 3 } sf_onset_kind;
 
 /* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; breaks: number of breakpoints b > 0,
  * by rising size; jump: force just below less force just above */

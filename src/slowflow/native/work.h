@@ -4,10 +4,7 @@
 
 #include "arcs.h"
 
-enum { SF_MOST_FOLDS = 48, SF_RAISES = 30, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS, SF_RUNGS = 42, SF_FINE_RUNGS = 16 };
-
-#define SF_SAME 0x1p-49 /* amplitudes closer than this, relatively, are one */
-#define SF_RAISE 4.0 /* the forcing is raised by this factor until the onset lies below it */
+enum { SF_MOST_FOLDS = 48, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS, SF_RUNGS = 42, SF_FINE_RUNGS = 16 };
 
 /* up: whether a sweep leaves the fold for a larger amplitude */
 typedef struct {

@@ -11,12 +11,13 @@ from pathlib import Path
 
 import sympy as sp
 
+from derivations.conventions import NUMBERS, ONSET_KINDS, STATUS
 from derivations.emit.arctangent import estrin, series
 from derivations.emit.form import Module
 from derivations.emit.provenance import tools
 from derivations.emit.targets.c import records, taylor
 from derivations.emit.targets.c.printer import CPrinter
-from derivations.emit.targets.printing import literal
+from derivations.emit.targets.printing import literal, stated
 from derivations.emit.views import (
     Calls,
     Code,
@@ -55,6 +56,9 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             tools=tools(),
             **sources(module),
         )
+    result["native/conventions.h"] = environment.get_template("conventions.h.jinja").render(
+        status=STATUS, onset_kinds=ONSET_KINDS, numbers=NUMBERS, show=stated
+    )
     result["native/records.h"] = records.text(modules, environment)
     result["native/taylor.h"] = taylor.text(modules, environment)
     return result

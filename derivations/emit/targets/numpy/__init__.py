@@ -11,9 +11,11 @@ from pathlib import Path
 
 import sympy as sp
 
+from derivations.conventions import NUMBERS, ONSET_KINDS, STATUS
 from derivations.emit.form import AVERAGED, GENERAL, Module
 from derivations.emit.provenance import tools
 from derivations.emit.targets.numpy.printer import NumpyPrinter
+from derivations.emit.targets.printing import stated
 from derivations.emit.views import (
     Calls,
     Code,
@@ -56,6 +58,13 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         )
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
         damping=DAMPING, forcing=FORCING
+    )
+    result["slowflow_kernels/conventions.py"] = environment.get_template("conventions.py.jinja").render(
+        status=STATUS,
+        onset_kinds=ONSET_KINDS,
+        numbers=NUMBERS,
+        width=max(len(word.name) for word in STATUS),
+        show=stated,
     )
     result["slowflow_kernels/__init__.py"] = environment.get_template("init.py.jinja").render(modules=modules)
     return result

@@ -1,0 +1,50 @@
+"""What the solvers have in common with those in C: how an answer fared, and where methods stop.
+
+Written by `make derive`; never edit.
+Input: derivations/conventions.py
+"""
+
+from enum import IntEnum
+
+
+class Status(IntEnum):
+    """How a solver fared.
+
+    0  OK          an answer
+    1  INVALID     a parameter outside its domain
+    2  STICKS      sticks: F_0 <= 4 mu/pi
+    3  NONE        there is none (no fold, no breakpoint)
+    4  UNBOUNDED   no viscous damping: no end of the response, no lowest forcing
+    5  NO_BOUND    no amplitude was found that bounds the response
+    6  TOO_MANY    more of them than places
+    7  UNRESOLVED  branches coincide within rounding
+    8  NO_MEMORY   out of memory
+    """
+
+    OK = 0
+    INVALID = 1
+    STICKS = 2
+    NONE = 3
+    UNBOUNDED = 4
+    NO_BOUND = 5
+    TOO_MANY = 6
+    UNRESOLVED = 7
+    NO_MEMORY = 8
+
+
+# of the lowest forcing with a fold, by number
+ONSET_KINDS = (
+    "no",  # there is no onset
+    "cusp",  # two folds meet: the response gets a vertical inflection
+    "isola",  # an isolated curve is born
+    "corner",  # at a breakpoint
+)
+
+# an undamped response without a reach is cut at this multiple of F_0
+STATIC_MULTIPLE = 100
+# the forcing is raised by this factor until the onset lies below it
+RAISE = 4
+# how often, at most
+RAISES = 30
+# amplitudes closer than this, relatively, are one
+SAME = 1.7763568394002505e-15
