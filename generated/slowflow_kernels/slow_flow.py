@@ -16,10 +16,13 @@ import numpy as np
 from slowflow_support.backend import NATIVE, coefficients_of
 from slowflow_support.broadcast import floats, full, stacked
 
+SCENE = "mu > 0, zeta > 0: F is a quartic in Omega"
+
 __all__ = [
     "F_A",
     "F_AA",
     "F_AAA",
+    "SCENE",
     "F",
     "F_AAOmega",
     "F_AOmega",

@@ -17,10 +17,13 @@ from slowflow_kernels.slow_flow import R, backbone
 from slowflow_support.backend import NATIVE, coefficients_of
 from slowflow_support.broadcast import floats, full, stacked
 
+SCENE = "zeta = 0: F is a quadratic in Omega^2, roots in closed form"
+
 __all__ = [
     "F_A",
     "F_AA",
     "F_AAA",
+    "SCENE",
     "F",
     "F_AOmega",
     "F_Omega",

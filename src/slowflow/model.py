@@ -1,6 +1,6 @@
 """One oscillator as numbers: in go a mechanism's record and parameters, out come the functions that solvers call.
 
-The scene (which damping terms vanish) is chosen here, once: a scene has slow-flow kernels of its own, derived with the
+Its scene (which damping terms vanish) is settled here, once: a scene has slow-flow kernels of its own, derived with the
 zeros put in.
 """
 
@@ -19,31 +19,9 @@ from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.scenes import flow_of
 
-__all__ = ["Floats", "Model", "check_names", "flow_of", "scene"]
-
-
-def scene(mu: float, zeta: float) -> str:
-    """Name of the damping scene: "", "mu0", "zeta0" or "mu0_zeta0"."""
-    return "_".join(name for name, value in (("mu0", mu), ("zeta0", zeta)) if value == 0)
-
-
-def flow_of(mu: float, zeta: float) -> ModuleType:
-    """The generated slow flow of a scene; loaded when it is first wanted, most need one."""
-    flow: ModuleType = general_flow
-    if mu == 0 and zeta == 0:
-        from slowflow_kernels import slow_flow_mu0_zeta0
-
-        flow = slow_flow_mu0_zeta0
-    elif mu == 0:
-        from slowflow_kernels import slow_flow_mu0
-
-        flow = slow_flow_mu0
-    elif zeta == 0:
-        from slowflow_kernels import slow_flow_zeta0
-
-        flow = slow_flow_zeta0
-    return flow
+__all__ = ["Floats", "Model", "check_names"]
 
 
 def check_names(mechanism: Mechanism, values: Mapping[str, Any]) -> list[str]:
@@ -65,7 +43,7 @@ class Model:
     mu, zeta   -- dry friction and viscous damping ratio
     attached   -- whether the first piece of the force stands for all of it, at every amplitude
     m          -- 4 mu/pi, friction's share of I (23)
-    flow       -- generated slow flow of the scene
+    flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
     native     -- the same as the compiled solvers take it, None where they have no record of the mechanism
     """

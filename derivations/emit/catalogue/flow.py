@@ -45,9 +45,19 @@ def slow_flow_modules(results: Results) -> list[Module]:
                 inputs=("averaging.py", "slow_flow.py", "offset.py", "loci.py", "resultants.py"),
                 kernels=tuple(kernel for kernel in kernels if kernel.name not in borrowed),
                 borrowed=borrowed,
+                constants={"SCENE": told(results.flows[scene], scene)},
             )
         )
     return modules
+
+
+def told(flow: SlowFlow, scene: str) -> str:
+    """A scene in words: which damping terms vanish, and what F is for it."""
+    vanishing = SCENES[scene]
+    damping = " = ".join([*(symbol.name for symbol in vanishing), "0"]) if vanishing else "mu > 0, zeta > 0"
+    if flow.response_quartic[1] == 0:
+        return f"{damping}: F is a quadratic in Omega^2, roots in closed form"
+    return f"{damping}: F is a quartic in Omega"
 
 
 def kernels_of(results: Results, scene: str) -> list[Kernel]:

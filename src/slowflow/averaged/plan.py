@@ -8,17 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from slowflow.model import Model, scene
+from slowflow.model import Model
 from slowflow.results import SaddleNodeOnset
 
 #: questions at one forcing
 QUESTIONS = ("frequency_response", "amplitudes", "saddle_nodes", "peak")
-FLOWS = {
-    "": "mu > 0, zeta > 0: F is a quartic in Omega",
-    "mu0": "mu = 0: F is a quadratic in Omega^2, roots in closed form",
-    "zeta0": "zeta = 0: F is a quadratic in Omega^2, roots in closed form",
-    "mu0_zeta0": "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form",
-}
 
 
 @dataclass(frozen=True)
@@ -96,7 +90,7 @@ def plan(
         model, force = attached, Step("force", True, f"attached only, no angles, no corner: F_0 < F_cr = {F_cr:g}")
     else:
         model, force = whole, Step("force", True, "all pieces")
-    flow = Step("slow flow", True, FLOWS[scene(whole.mu, whole.zeta)])
+    flow = Step("slow flow", True, whole.flow.SCENE)
     if question == "peak":
         return Plan(question, F_0, model, False, (force, flow, *PEAK))
     if question != "saddle_nodes":

@@ -12,7 +12,7 @@ from pathlib import Path
 import sympy as sp
 
 from derivations.conventions import NUMBERS, ONSET_KINDS, STATUS
-from derivations.emit.form import AVERAGED, GENERAL, Module
+from derivations.emit.form import AVERAGED, GENERAL, Module, suffix
 from derivations.emit.provenance import tools
 from derivations.emit.targets.numpy.printer import NumpyPrinter
 from derivations.emit.targets.printing import stated
@@ -29,6 +29,7 @@ from derivations.emit.views import (
     view,
 )
 from derivations.mechanisms import DAMPING, FORCING, Parameter
+from derivations.slow_flow import SCENES
 
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))
@@ -66,8 +67,17 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         width=max(len(word.name) for word in STATUS),
         show=stated,
     )
+    result["slowflow_kernels/scenes.py"] = environment.get_template("scenes.py.jinja").render(
+        scenes=[(GENERAL + suffix(scene), vanishing) for scene, vanishing in most_first(SCENES)], general=GENERAL
+    )
     result["slowflow_kernels/__init__.py"] = environment.get_template("init.py.jinja").render(modules=modules)
     return result
+
+
+def most_first(scenes: dict[str, dict[sp.Symbol, sp.Expr]]) -> list[tuple[str, list[str]]]:
+    """Scenes and the names of what vanishes in them, the most first: where all of it vanishes, so does each part."""
+    named = [(scene, [symbol.name for symbol in vanishing]) for scene, vanishing in scenes.items()]
+    return sorted(named, key=lambda one: -len(one[1]))
 
 
 def compiled(module: Module) -> dict[str, list[str]]:
