@@ -14,12 +14,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.loci import p, q
 from derivations.slow_flow import I, R, SlowFlow
 from derivations.symbols import A, Omega, h
 
 #: factor of the cubic in a quartic's derivative
 k = sp.Symbol("k", positive=True)
+#: its linear and its constant coefficient
+p, q = sp.symbols("p q", real=True)
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,11 @@ Out: `Along`: functions of A, h and its derivatives, with their slopes along A; 
 
 The eliminations, each proved on the way:
 
+    fold at F_0  F = F_A = 0         A F_A/2 - F = F_0^2 - k R - m I: in the plane of R and I the fold lies on a circle
+                                     and on a line, which meet once where I >= m; R, I and with them Omega follow from A
     isola point  F_A = F_Omega = 0   I from F_Omega leaves F_A = 2 R (h_A - Omega^2); so Omega^2 = h_A, in F_Omega/(4 A)
     cusp         F_A = F_AA = 0      F_AA/2 is a quadratic in X = Omega^2; its discriminant without what cancels
-    extremum of F or F_A over Omega  F_Omega/(4 A) and F_AOmega/8 are cubics A w^3 + p w + q; they have positive roots
-                                     below a critical p, where the discriminant vanishes
+    peak         F = F_Omega = 0     R from F_Omega, which leaves F_A = -2 R (Omega^2 - h_A)
     rest         F = Omega = 0       h^2 = c^2, one smooth function for each sign of h
     zeta = 0                         F_A has the factor R and another, on which F_AA is a product too
 """
@@ -20,43 +21,46 @@ from dataclasses import dataclass
 import sympy as sp
 
 from derivations.slow_flow import I, R, SlowFlow, slope
-from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, zeta
+from derivations.symbols import F_0, A, Omega, h, h_A, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 
-#: the linear and the constant coefficient of a depressed cubic with leading coefficient A, and the former's slope
-p, q, p_A = sp.symbols("p q p_A", real=True)
-#: X + c_1/2 at a root X = Omega^2 of F_AA/2 = X^2 + c_1 X + c_0, with its sign
-root = sp.Symbol("root", real=True)
+#: Omega^2 and dR/dA where F_AA = 0, and the root of the discriminant that gives them, with its sign
+X_ = sp.Symbol("X", nonnegative=True)
+T, root = sp.symbols("T root", real=True)
+#: h - A h_A, where the tangent of h meets A = 0, and its slope along A
+k, k_A = sp.symbols("k k_A", real=True)
 
 _w, _bracket, _bracket_A = sp.symbols("w bracket bracket_A", real=True)
-_e, _e_A, _along, _along_A = sp.symbols("e e_A along along_A", real=True)
-_product, _cube = sp.symbols("product cube", nonnegative=True)
+_product = sp.Symbol("product", nonnegative=True)
 _c, _X = sp.symbols("c X", real=True)
+_half_e, _R = sp.symbols("half_e R", real=True)
+_excess, _least, _share, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
 
 
 @dataclass(frozen=True)
 class Damped:
     """For zeta > 0; outputs beside lets are in these.
 
+    fold      -- at a forcing: (23) less the R of F = F_A = 0, its slope along A, and Omega
     isola_Omega -- Omega where F_A = F_Omega = 0
     isola     -- F_Omega/(4 A) there and its slope; for m = 0 without the factor Omega, which then is common
-    cusps     -- F_AA/2 = X^2 + c_1 X + c_0: -c_1/2, c_0, (c_1/2)^2 - c_0, and the slopes of the latter two
-    cusp_F_AAOmega -- F_AAOmega at a root of F_AA, in Omega and `root`
-    turn_p_A, peak_p_A -- slope of p in F_AOmega/8 and in F_Omega/(4 A)
-    critical  -- of a cubic in p, q: what is positive where it has two positive roots, and its slope
+    cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
+    cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
+    peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
     """
 
+    fold_lets: tuple[Let, ...]
+    fold: tuple[sp.Expr, ...]
     isola_Omega: sp.Expr
     isola_lets: tuple[Let, ...]
     isola: tuple[sp.Expr, ...]
     cusps_lets: tuple[Let, ...]
     cusps: tuple[sp.Expr, ...]
-    cusp_F_AAOmega: sp.Expr
-    turn_p_A: sp.Expr
-    peak_p_A: sp.Expr
-    critical_lets: tuple[Let, ...]
-    critical: tuple[sp.Expr, ...]
+    cusp_lets: tuple[Let, ...]
+    cusp: tuple[sp.Expr, ...]
+    peak_lets: tuple[Let, ...]
+    peak: tuple[sp.Expr, ...]
 
 
 @dataclass(frozen=True)
@@ -64,10 +68,13 @@ class Undamped:
     """For zeta = 0.
 
     Omega   -- where F_A = 0 off the backbone R = 0
+    fold    -- at a forcing: R^2 + I^2 - F_0^2 there, and its slope along A
     factors -- the two of F_AA/2 there, h_AA and R, each with its slope
     """
 
     Omega: sp.Expr
+    fold_lets: tuple[Let, ...]
+    fold: tuple[sp.Expr, ...]
     factors: tuple[sp.Expr, ...]
 
 
@@ -77,12 +84,14 @@ class Along:
 
     level -- (24): the forcing for which (Omega, A) is a steady state, in R and I
     rest  -- F at Omega = 0 by its two halves h - c and h + c, and the slope of both
+    intercept -- k = h - A h_A, where R meets A = 0 along its tangent, and its slope
     damped, undamped -- of its own: one of them
     """
 
     level: sp.Expr
     rest_lets: tuple[Let, ...]
     rest: tuple[sp.Expr, ...]
+    intercept: tuple[sp.Expr, ...]
     damped: Damped | None
     undamped: Undamped | None
 
@@ -108,28 +117,77 @@ def along(flow: SlowFlow) -> Along:
         level=level,
         rest_lets=((_product, product), (_c, sp.sqrt(_product))),
         rest=(*halves, slopes.pop()),
+        intercept=tuple(map(sp.expand, (of_tangent := _intercept(flow.R), slope(of_tangent)))),
         damped=_damped(flow) if has_zeta else None,
         undamped=None if has_zeta else _undamped(flow),
     )
 
 
 def _damped(flow: SlowFlow) -> Damped:
+    fold_lets, fold = _fold(flow)
     isola_lets, isola = _isola(flow)
-    cusps_lets, cusps, cusp_F_AAOmega = _cusps(flow)
-    critical_lets, critical = _critical()
-    whole = {R: flow.R, I: flow.I}
+    cusps_lets, cusps, cusp_lets, cusp = _cusps(flow)
+    peak_lets, peak = _peak(flow)
     return Damped(
+        fold_lets=fold_lets,
+        fold=fold,
         isola_Omega=_isola_Omega(flow),
         isola_lets=isola_lets,
         isola=isola,
         cusps_lets=cusps_lets,
         cusps=cusps,
-        cusp_F_AAOmega=cusp_F_AAOmega,
-        turn_p_A=_slope_of_p(sp.expand(flow.F_AOmega.subs(whole) / 8)),
-        peak_p_A=_slope_of_p(sp.expand(flow.F_Omega.subs(whole) / (4 * A))),
-        critical_lets=critical_lets,
-        critical=critical,
+        cusp_lets=cusp_lets,
+        cusp=cusp,
+        peak_lets=peak_lets,
+        peak=peak,
     )
+
+
+def _intercept(value: sp.Expr) -> sp.Expr:
+    """Where the tangent along A of a function of A and Omega meets A = 0."""
+    return sp.expand(value - A * slope(value))
+
+
+def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """The circle R^2 + I^2 = F_0^2 and the line k R + m I = F_0^2.
+
+    They meet where |k| >= e = sqrt(F_0^2 - m^2), once with I >= m. With share = sqrt(1 - (e/k)^2) that is where
+    I = m + share J and R = F_0 J/k, and J falls from e^2/F_0 at the least |k| to F_0 - m.
+    """
+    friction = _intercept(flow.I)
+    line = k * R + friction * I - F_0**2
+    of_flow = {R: flow.R, I: flow.I}
+    off_line = A * flow.F_A / 2 - flow.F + line
+    _vanishes(off_line.subs(k, _intercept(flow.R)).subs(of_flow), "A F_A/2 - F against the line")
+    excess = (F_0 - friction) * (F_0 + friction)
+    J = _excess / (F_0 + friction * _share)
+    at_fold = {R: F_0 * J / k, I: friction + _share * J}
+    _vanishes(line.subs(at_fold).subs(_excess, excess), "the line at a fold")
+    # 1 - share^2 is excess/k^2
+    on_circle = flow.F.subs(at_fold).subs(k, sp.sqrt(_excess / (1 - _share**2)))
+    _vanishes(on_circle.subs(_excess, excess), "the circle at a fold")
+    # I - m in the form that holds the share once
+    lag = _excess / (F_0 / _share + friction)
+    _vanishes(lag - _share * J, "I - m at a fold")
+    w = sp.solve(flow.I - friction - _lag, Omega)[0]
+    at_w = sp.expand(flow.R.subs(Omega, w))
+    value = at_w - F_0 * _J / k
+    spring = sp.cancel(sp.diff(at_w, _lag) / _lag)
+    by_k = F_0 * _J**2 / k**2 * (spring * _J / k + (F_0 + friction / _share) / _excess)
+    along = sp.diff(at_w, A) + h_A + by_k * k_A
+    # the slopes of share and J, and 1/k^2 by the share
+    share_A = _excess * k_A / (k**3 * _share)
+    whole = value.subs({_lag: lag, _J: J})
+    error = slope(whole, {k: k_A, _share: share_A}) - along.subs({_lag: lag, _J: J})
+    _vanishes(error.subs(_excess, k**2 * (1 - _share**2)), "the slope along A at a fold")
+    lets = (
+        (_excess, excess),
+        (_least, sp.sqrt(_excess)),
+        (_share, sp.sqrt((1 - _least / k) * (1 + _least / k))),
+        (_J, J),
+        (_lag, lag),
+    )
+    return lets, (value, along, w)
 
 
 def _isola_Omega(flow: SlowFlow) -> sp.Expr:
@@ -157,50 +215,57 @@ def _isola(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     return ((_w, w), *lets), (value, slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)}))
 
 
-def _cusps(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr]:
-    """F_AA/2 in X, with c_1/2 = h_A + e/2: then (h_A)^2, which cancels in the discriminant, never enters it."""
-    whole = {R: flow.R, I: flow.I}
-    half_F_AA = sp.Poly(sp.expand(flow.F_AA.subs(whole) / 2), Omega)
-    if half_F_AA.degree() != 4 or any(power % 2 for (power,) in half_F_AA.monoms()) or half_F_AA.LC() != 1:
-        raise ArithmeticError(f"F_AA/2 is not a monic quadratic in Omega^2: {half_F_AA}")
-    c_0, c_1 = (half_F_AA.coeff_monomial(Omega**k) for k in (0, 2))
-    e = c_1 - 2 * h_A
-    square = sp.expand((h_A + _e / 2) ** 2 - c_0)
-    if square.has(h_A**2):
-        raise ArithmeticError(f"the square of h_A is left in the discriminant of F_AA/2: {square}")
-    # e stays whole in its square; elsewhere its value is put in, and what multiplies h_AA is gathered
-    rest = sp.collect(sp.expand((square - square.coeff(_e, 2) * _e**2).subs(_e, e)), h_AA, evaluate=False)
-    square = square.coeff(_e, 2) * _e**2 + h_AA * _along + rest[sp.S.One]
-    values = {_along: rest[h_AA], _e: e}
-    _vanishes(square.subs(values) - (c_1**2 / 4 - c_0), "the discriminant of F_AA/2")
-    slopes = {_e: _e_A, _along: _along_A}
-    lets = (*values.items(), *((slopes[let], slope(value)) for let, value in values.items()))
-    outputs = (-h_A - _e / 2, c_0, square, slope(c_0), slope(square, slopes))
-    # X = -c_1/2 + root
-    at_cusp = sp.expand(flow.F_AAOmega.subs(whole).subs(h_A, sp.solve(Omega**2 + c_1 / 2 - root, h_A)[0]))
-    if at_cusp.free_symbols != {Omega, root}:
-        raise ArithmeticError(f"F_AAOmega at a root of F_AA is not a function of Omega and the root: {at_cusp}")
-    return lets, outputs, at_cusp
+def _cusps(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """F_AA/2 is a quadratic in X = Omega^2, and one in T = dR/dA, which is X + h_A; R is k + A T.
+
+    Both have the same discriminant. In T the square of h_A, which cancels there, never enters it. Where F_AA vanishes
+    F_A/2 may be taken less A F_AA/2, and its slope is -F_AOmega F_AAA/(2 F_AAOmega).
+    """
+    X = sp.solve(slope(flow.R).subs(Omega, sp.sqrt(X_)) - T, X_)[0]
+    of_T = {R: _R, h_A: T - _w**2, Omega: _w, I: flow.I.subs(Omega, _w)}
+    of_flow = {_R: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
+    half_F_AA, half_F_A, half_F_AAA = (sp.expand((f / 2).subs(of_T)) for f in (flow.F_AA, flow.F_A, flow.F_AAA))
+    by_Omega = sp.expand(flow.F_AOmega.subs(of_T) / (4 * _w))
+    _vanishes((_R - k - A * T).subs(of_flow), "R by k and T")
+
+    in_T, in_X = (
+        sp.Poly(sp.expand(half_F_AA.subs(_R, R_value).subs(_w, sp.sqrt(square)).subs(T, unknown)), variable)
+        for R_value, square, unknown, variable in ((k + A * T, X, T, T), (h + A * X_, X_, X_ + h_A, X_))
+    )
+    for quadratic in (in_T, in_X):
+        if quadratic.degree() != 2 or quadratic.LC() != 1:
+            raise ArithmeticError(f"F_AA/2 is not a monic quadratic: {quadratic}")
+    half_e, half_c_1 = (quadratic.coeff_monomial(quadratic.gen) / 2 for quadratic in (in_T, in_X))
+    discriminant = _half_e**2 - in_T.coeff_monomial(1)
+    other = half_c_1**2 - in_X.coeff_monomial(1)
+    _vanishes(discriminant.subs(_half_e, half_e).subs(k, _intercept(flow.R)) - other, "the discriminant of F_AA/2")
+    quadratics = (_half_e, in_T.coeff_monomial(1), h_A + _half_e, in_X.coeff_monomial(1), discriminant)
+    _vanishes(half_c_1 - h_A - half_e, "the linear coefficients of F_AA/2")
+
+    # F_AAOmega is 8 Omega times the root of the discriminant, with its sign
+    F_AAOmega = 8 * Omega * (slope(flow.R) + half_e)
+    _vanishes((flow.F_AAOmega - F_AAOmega).subs({R: flow.R, I: flow.I}), "F_AAOmega where F_AA = 0")
+    less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(_R, k + A * T)), T)
+    along = -by_Omega * half_F_AAA / (2 * root)
+    expected = -flow.F_AOmega * flow.F_AAA / (2 * F_AAOmega)
+    level = sp.sqrt(k * _R + sp.expand(_intercept(flow.I) * flow.I.subs(Omega, _w)))
+    for one, whole, words in (
+        (half_F_A, flow.F_A / 2, "F_A"),
+        (less, (flow.F_A - A * flow.F_AA) / 2, "F_A less A F_AA"),
+        (along.subs(root, T + half_e), expected, "the slope of F_A"),
+        (level**2, flow.F + F_0**2 - A * flow.F_A / 2, "the forcing at a cusp"),
+    ):
+        _vanishes((one.subs(of_flow) - whole).subs({R: flow.R, I: flow.I}), words)
+    lets = ((_w, sp.sqrt(X_)), (_R, k + A * T))
+    return ((_half_e, half_e),), quadratics, lets, (half_F_A.subs(_w**2, X_), less, along, level)
 
 
-def _slope_of_p(cubic: sp.Expr) -> sp.Expr:
-    """d/dA of the linear coefficient of A w^3 + p w + q, given in w = Omega."""
-    coefficients = sp.Poly(cubic, Omega)
-    if coefficients.coeff_monomial(Omega**3) != A or coefficients.coeff_monomial(Omega**2) != 0:
-        raise ArithmeticError(f"not a depressed cubic with leading coefficient A: {cubic}")
-    if slope(coefficients.coeff_monomial(1)) != 0:
-        raise ArithmeticError(f"the constant of the cubic varies with A: {cubic}")
-    return slope(coefficients.coeff_monomial(Omega))
-
-
-def _critical() -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
-    """-p - c: at p = -c the discriminant of A w^3 + p w + q vanishes, and two positive roots meet if q > 0."""
-    discriminant = sp.discriminant(A * Omega**3 + p * Omega + q, Omega)
-    cube = sp.solve(discriminant.subs(p**3, -_cube), _cube)[0]
-    _vanishes(discriminant.subs(p, -_c).subs(_c**3, cube), "the discriminant of the cubic where two roots meet")
-    # c^3 is the cube, and q does not vary with A
-    c_A = sp.cancel(_c * sp.diff(cube, A) / (3 * cube))
-    return ((_cube, cube), (_c, sp.cbrt(_cube))), (-p - _c, -p_A - c_A)
+def _peak(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """F, and F_A, which is -2 R (Omega^2 - h_A), with R from F_Omega = 0: R is negative."""
+    balanced = sp.expand(sp.solve(flow.F_Omega, R)[0].subs(I, flow.I))
+    along = -2 * R * (Omega**2 - h_A)
+    _vanishes((flow.F_A - along).subs(R, balanced).subs(I, flow.I), "F_A at an extremum of F over Omega")
+    return ((R, balanced), (I, flow.I)), (flow.F, along)
 
 
 def _undamped(flow: SlowFlow) -> Undamped:
@@ -215,4 +280,9 @@ def _undamped(flow: SlowFlow) -> Undamped:
     second = flow.R.subs(Omega**2, square)
     # the level is stationary along the locus just where F_AA vanishes
     _vanishes(slope(second**2 + flow.I**2) + 2 * A * first * second, "the level's slope along the undamped folds")
-    return Undamped(sp.sqrt(square), (first, slope(first), second, slope(second)))
+    value = (k - _least) * (k + _least)
+    lets = ((_excess, (F_0 - flow.I) * (F_0 + flow.I)), (_least, sp.sqrt(_excess)))
+    at_fold = flow.F.subs({R: second, I: flow.I})
+    _vanishes(value.subs(reversed(lets)).subs(k, second) - at_fold, "F on the undamped folds")
+    fold = (value, slope(value, {k: k_A}))
+    return Undamped(sp.sqrt(square), lets, fold, (first, slope(first), second, slope(second)))

@@ -58,6 +58,7 @@ class Kernel:
     domain     -- where it holds
     generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
                   floats, complex numbers, arrays, an integrator's symbols
+    enclosed   -- whether it is wanted on intervals too
     """
 
     name: str
@@ -69,6 +70,7 @@ class Kernel:
     parameters: int = 0
     returns: str = "scalar"
     generic: bool = False
+    enclosed: bool = False
 
     @property
     def width(self) -> int:

@@ -282,15 +282,6 @@ static inline void slow_flow_detachment(double A, double m, double zeta, double 
     out[3] = 1.0;
 }
 
-/* d3F/dA2 dOmega.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 11 structured, 11 common subexpressions, 11 power chains
- */
-static inline double slow_flow_F_AAOmega(double Omega, double A, double zeta, double h_A, double h_AA)
-{
-    return 4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A + 4.0 * zeta * zeta);
-}
-
 /* d2F/dOmega2.
    Equation (24). Domain: Omega > 0, A > 0.
    Operations: 13 structured, 11 common subexpressions, 11 power chains
@@ -326,6 +317,40 @@ static inline void slow_flow_rest(double F_0, double m, double h, double h_A, do
     out[2] = h_A;
 }
 
+/* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
+   Equation from (24), (30). Domain: A >= 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline void slow_flow_intercept(double A, double h, double h_A, double h_AA, double *out)
+{
+    out[0] = -A * h_A + h;
+    out[1] = -A * h_AA;
+}
+
+/* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
+   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
+   Operations: 51 structured, 48 common subexpressions, 48 power chains
+ */
+static inline void slow_flow_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
+{
+    const double excess = (F_0 - m) * (F_0 + m);
+    const double least = sqrt(excess);
+    const double t0 = 1.0 / k;
+    const double t1 = least * t0;
+    const double share = sqrt((1.0 - t1) * (t1 + 1.0));
+    const double J = excess / (F_0 + m * share);
+    const double t2 = 1.0 / share;
+    const double lag = excess / (F_0 * t2 + m);
+    const double t3 = J * t0;
+    const double t4 = 1.0 / (zeta * zeta);
+    const double t5 = 1.0 / A;
+    const double t6 = t4 * t5;
+    const double t7 = 0.25 * lag * lag;
+    out[0] = -F_0 * t3 + h + t6 * t7;
+    out[1] = F_0 * J * J * k_A * (0.5 * t3 * t6 + (F_0 + m * t2) / excess) / (k * k) + h_A - t4 * t7 / (A * A);
+    out[2] = 0.5 * lag * t5 / zeta;
+}
+
 /* Omega at an isola point.
    Equation from (30), (34). Domain: h_A >= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
@@ -349,62 +374,51 @@ static inline void slow_flow_isola(double A, double m, double zeta, double h, do
     out[1] = 0.5 * bracket * h_AA / w + bracket_A * w;
 }
 
-/* F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.
+/* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
    Equation from (33). Domain: A > 0.
-   Operations: 36 structured, 30 common subexpressions, 30 power chains
+   Operations: 21 structured, 15 common subexpressions, 15 power chains
  */
-static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double h_AAA, double *out)
+static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out)
 {
-    const double along = A * h_A - h;
-    const double t0 = A * h_AA;
-    const double t1 = 4.0 * zeta * zeta;
-    const double e = t0 + t1;
-    const double e_A = A * h_AAA + h_AA;
-    const double t2 = 0.5 * e;
-    out[0] = -h_A - t2;
-    out[1] = h * h_AA + h_A * h_A;
-    out[2] = along * h_AA + 0.25 * e * e + h_A * t1;
-    out[3] = h * h_AAA + 3.0 * h_A * h_AA;
-    out[4] = along * h_AAA + e_A * t2 + h_AA * t0 + h_AA * t1;
+    const double t0 = zeta * zeta;
+    const double half_e = 0.5 * A * h_AA + 2.0 * t0;
+    const double t1 = 4.0 * h_A * t0 - h_AA * k;
+    out[0] = half_e;
+    out[1] = -t1;
+    out[2] = h_A + half_e;
+    out[3] = h * h_AA + h_A * h_A;
+    out[4] = half_e * half_e + t1;
 }
 
-/* d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).
-   Equation from (33). Domain: Omega > 0.
-   Operations: 2 structured, 2 common subexpressions, 2 power chains
+/* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
+   Equation from (33). Domain: A > 0, X > 0.
+   Operations: 49 structured, 38 common subexpressions, 38 power chains
  */
-static inline double slow_flow_cusp_F_AAOmega(double Omega, double root)
+static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double root, double *out)
 {
-    return 8.0 * Omega * root;
+    const double w = sqrt(X);
+    const double t0 = A * T;
+    const double R = k + t0;
+    const double t1 = m * zeta;
+    const double t2 = 2.0 * t1 * w;
+    const double t3 = 4.0 * A * zeta * zeta;
+    out[0] = R * T + X * t3 + t2;
+    out[1] = -A * h_AA * k + T * (-A * A * h_AA + k) + t2;
+    out[2] = 0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-R - t0 - t1 / w - t3) / root;
+    out[3] = sqrt(A * t2 + R * k + m * m);
 }
 
-/* Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.
-   Equation from (30). Domain: A > 0.
-   Operations: 6 structured, 6 common subexpressions, 6 power chains
+/* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
+   Equation from (24), (34). Domain: Omega > 0, A > 0.
+   Operations: 19 structured, 18 common subexpressions, 18 power chains
  */
-static inline double slow_flow_turn_p_A(double A, double zeta, double h_A, double h_AA)
+static inline void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out)
 {
-    return 0.5 * A * h_AA + h_A + 2.0 * zeta * zeta;
-}
-
-/* Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.
-   Equation from (34). Domain: any h_A.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
- */
-static inline double slow_flow_peak_p_A(double zeta, double h_A)
-{
-    return h_A + 2.0 * zeta * zeta;
-}
-
-/* Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.
-   Equation from (30), (34). Domain: A > 0, q >= 0.
-   Operations: 8 structured, 8 common subexpressions, 8 power chains
- */
-static inline void slow_flow_critical(double A, double p, double q, double p_A, double *out)
-{
-    const double cube = 6.75 * A * q * q;
-    const double c = cbrt(cube);
-    out[0] = -c - p;
-    out[1] = -p_A - 0.33333333333333331 * c / A;
+    const double t0 = 2.0 * A;
+    const double R = -t0 * zeta * zeta - m * zeta / Omega;
+    const double I_ = Omega * t0 * zeta + m;
+    out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
+    out[1] = -2.0 * R * (Omega * Omega - h_A);
 }
 
 #endif

@@ -231,6 +231,30 @@ static inline double slow_flow_mu0_level(double Omega, double A, double m, doubl
     return sqrt(I_ * I_ + R * R);
 }
 
+/* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
+   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
+   Operations: 44 structured, 39 common subexpressions, 39 power chains
+ */
+static inline void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
+{
+    (void)(m);
+    const double excess = F_0 * F_0;
+    const double least = sqrt(excess);
+    const double t0 = 1.0 / k;
+    const double t1 = least * t0;
+    const double share = sqrt((1.0 - t1) * (t1 + 1.0));
+    const double t2 = excess / F_0;
+    const double lag = share * t2;
+    const double t3 = t0 * t2;
+    const double t4 = 1.0 / (zeta * zeta);
+    const double t5 = 1.0 / A;
+    const double t6 = t4 * t5;
+    const double t7 = 0.25 * lag * lag;
+    out[0] = -F_0 * t3 + h + t6 * t7;
+    out[1] = F_0 * k_A * t2 * t2 * (F_0 / excess + 0.5 * t3 * t6) / (k * k) + h_A - t4 * t7 / (A * A);
+    out[2] = 0.5 * lag * t5 / zeta;
+}
+
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
    Operations: 11 structured, 9 common subexpressions, 9 power chains

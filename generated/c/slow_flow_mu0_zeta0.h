@@ -244,6 +244,19 @@ static inline double slow_flow_mu0_zeta0_undamped_Omega(double h_A)
     return sqrt(-h_A);
 }
 
+/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
+   Equation from (24), (30). Domain: F_0 > m.
+   Operations: 7 structured, 7 common subexpressions, 7 power chains
+ */
+static inline void slow_flow_mu0_zeta0_fold(double F_0, double m, double k, double k_A, double *out)
+{
+    (void)(m);
+    const double excess = F_0 * F_0;
+    const double least = sqrt(excess);
+    out[0] = (k - least) * (k + least);
+    out[1] = 2.0 * k * k_A;
+}
+
 /* The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
    Equation from (30), (33). Domain: A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains

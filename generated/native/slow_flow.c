@@ -458,25 +458,6 @@ static const sf_loop slow_flow_detachment_loops[] = {
     slow_flow_detachment_loop,
 };
 
-static SF_WIDE void slow_flow_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h_A = in[3];
-    const double *restrict h_AA = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F_AAOmega(Omega[i], A[i], zeta[i], h_A[i], h_AA[i]);
-    }
-}
-
-static const sf_loop slow_flow_F_AAOmega_loops[] = {
-    slow_flow_F_AAOmega_loop,
-};
-
 static SF_WIDE void slow_flow_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
@@ -538,6 +519,56 @@ static const sf_loop slow_flow_rest_loops[] = {
     slow_flow_rest_loop,
 };
 
+static SF_WIDE void slow_flow_intercept_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict h = in[1];
+    const double *restrict h_A = in[2];
+    const double *restrict h_AA = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[2];
+        slow_flow_intercept(A[i], h[i], h_A[i], h_AA[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+    }
+}
+
+static const sf_loop slow_flow_intercept_loops[] = {
+    slow_flow_intercept_loop,
+};
+
+static SF_WIDE void slow_flow_fold_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict F_0 = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict k = in[6];
+    const double *restrict k_A = in[7];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[3];
+        slow_flow_fold(A[i], F_0[i], m[i], zeta[i], h[i], h_A[i], k[i], k_A[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+    }
+}
+
+static const sf_loop slow_flow_fold_loops[] = {
+    slow_flow_fold_loop,
+};
+
 static SF_WIDE void slow_flow_isola_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict h_A = in[0];
@@ -584,7 +615,7 @@ static SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, d
     const double *restrict h = in[2];
     const double *restrict h_A = in[3];
     const double *restrict h_AA = in[4];
-    const double *restrict h_AAA = in[5];
+    const double *restrict k = in[5];
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
@@ -594,7 +625,7 @@ static SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, d
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[5];
-        slow_flow_cusps(A[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i], values);
+        slow_flow_cusps(A[i], zeta[i], h[i], h_A[i], h_AA[i], k[i], values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -607,76 +638,59 @@ static const sf_loop slow_flow_cusps_loops[] = {
     slow_flow_cusps_loop,
 };
 
-static SF_WIDE void slow_flow_cusp_F_AAOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
+static SF_WIDE void slow_flow_cusp_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict m = in[1];
+    const double *restrict zeta = in[2];
+    const double *restrict h_AA = in[3];
+    const double *restrict h_AAA = in[4];
+    const double *restrict k = in[5];
+    const double *restrict X = in[6];
+    const double *restrict T = in[7];
+    const double *restrict root = in[8];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    double *restrict out_3 = out[3];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[4];
+        slow_flow_cusp(A[i], m[i], zeta[i], h_AA[i], h_AAA[i], k[i], X[i], T[i], root[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+        out_3[i] = values[3];
+    }
+}
+
+static const sf_loop slow_flow_cusp_loops[] = {
+    slow_flow_cusp_loop,
+};
+
+static SF_WIDE void slow_flow_peak_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
-    const double *restrict root = in[1];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_cusp_F_AAOmega(Omega[i], root[i]);
-    }
-}
-
-static const sf_loop slow_flow_cusp_F_AAOmega_loops[] = {
-    slow_flow_cusp_F_AAOmega_loop,
-};
-
-static SF_WIDE void slow_flow_turn_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict zeta = in[1];
-    const double *restrict h_A = in[2];
-    const double *restrict h_AA = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_turn_p_A(A[i], zeta[i], h_A[i], h_AA[i]);
-    }
-}
-
-static const sf_loop slow_flow_turn_p_A_loops[] = {
-    slow_flow_turn_p_A_loop,
-};
-
-static SF_WIDE void slow_flow_peak_p_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict zeta = in[0];
-    const double *restrict h_A = in[1];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_peak_p_A(zeta[i], h_A[i]);
-    }
-}
-
-static const sf_loop slow_flow_peak_p_A_loops[] = {
-    slow_flow_peak_p_A_loop,
-};
-
-static SF_WIDE void slow_flow_critical_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict p = in[1];
-    const double *restrict q = in[2];
-    const double *restrict p_A = in[3];
+    const double *restrict A = in[1];
+    const double *restrict F_0 = in[2];
+    const double *restrict m = in[3];
+    const double *restrict zeta = in[4];
+    const double *restrict h_A = in[5];
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[2];
-        slow_flow_critical(A[i], p[i], q[i], p_A[i], values);
+        slow_flow_peak(Omega[i], A[i], F_0[i], m[i], zeta[i], h_A[i], values);
         out_0[i] = values[0];
         out_1[i] = values[1];
     }
 }
 
-static const sf_loop slow_flow_critical_loops[] = {
-    slow_flow_critical_loop,
+static const sf_loop slow_flow_peak_loops[] = {
+    slow_flow_peak_loop,
 };
 
 static const sf_kernel kernels[] = {
@@ -754,9 +768,6 @@ static const sf_kernel kernels[] = {
      "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr. "
      "Equation (34). Domain: A > 0.",
      4, 4, 1, NULL, slow_flow_detachment_loops},
-    {"F_AAOmega",
-     "d3F/dA2 dOmega. Equation (24). Domain: Omega > 0, A > 0.",
-     5, 1, 1, NULL, slow_flow_F_AAOmega_loops},
     {"F_OmegaOmega",
      "d2F/dOmega2. Equation (24). Domain: Omega > 0, A > 0.",
      4, 1, 1, NULL, slow_flow_F_OmegaOmega_loops},
@@ -767,6 +778,14 @@ static const sf_kernel kernels[] = {
      "F at Omega = 0 as a product: h - c, h + c, and the slope of both along A. Equation from (24). Domain: F_0 >= "
      "m.",
      4, 3, 1, NULL, slow_flow_rest_loops},
+    {"intercept",
+     "k = h - A h_A, where the tangent of h meets A = 0, and its slope along A. Equation from (24), (30). Domain: A "
+     ">= 0.",
+     4, 2, 1, NULL, slow_flow_intercept_loops},
+    {"fold",
+     "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega. Equation from (24), "
+     "(30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.",
+     8, 3, 1, NULL, slow_flow_fold_loops},
     {"isola_Omega",
      "Omega at an isola point. Equation from (30), (34). Domain: h_A >= 0.",
      1, 1, 1, NULL, slow_flow_isola_Omega_loops},
@@ -775,23 +794,17 @@ static const sf_kernel kernels[] = {
      "Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.",
      6, 2, 1, NULL, slow_flow_isola_loops},
     {"cusps",
-     "F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A. "
+     "F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d. "
      "Equation from (33). Domain: A > 0.",
      6, 5, 1, NULL, slow_flow_cusps_loops},
-    {"cusp_F_AAOmega",
-     "d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`). Equation from "
-     "(33). Domain: Omega > 0.",
-     2, 1, 1, NULL, slow_flow_cusp_F_AAOmega_loops},
-    {"turn_p_A",
-     "Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q. Equation from (30). Domain: A > 0.",
-     4, 1, 1, NULL, slow_flow_turn_p_A_loops},
-    {"peak_p_A",
-     "Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q. Equation from (34). Domain: any h_A.",
-     2, 1, 1, NULL, slow_flow_peak_p_A_loops},
-    {"critical",
-     "Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A. Equation from (30), "
-     "(34). Domain: A > 0, q >= 0.",
-     4, 2, 1, NULL, slow_flow_critical_loops},
+    {"cusp",
+     "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0. "
+     "Equation from (33). Domain: A > 0, X > 0.",
+     9, 4, 1, NULL, slow_flow_cusp_loops},
+    {"peak",
+     "F where F_Omega = 0: an extremum of F over Omega, and its slope along A. Equation from (24), (34). Domain: "
+     "Omega > 0, A > 0.",
+     6, 2, 1, NULL, slow_flow_peak_loops},
 };
 
 const sf_module sf_module_slow_flow = {"slow_flow", kernels, sizeof kernels / sizeof kernels[0]};

@@ -362,6 +362,34 @@ static const sf_loop slow_flow_mu0_level_loops[] = {
     slow_flow_mu0_level_loop,
 };
 
+static SF_WIDE void slow_flow_mu0_fold_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict F_0 = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict k = in[6];
+    const double *restrict k_A = in[7];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    double *restrict out_2 = out[2];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[3];
+        slow_flow_mu0_fold(A[i], F_0[i], m[i], zeta[i], h[i], h_A[i], k[i], k_A[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+        out_2[i] = values[2];
+    }
+}
+
+static const sf_loop slow_flow_mu0_fold_loops[] = {
+    slow_flow_mu0_fold_loop,
+};
+
 static SF_WIDE void slow_flow_mu0_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -442,6 +470,10 @@ static const sf_kernel kernels[] = {
     {"level",
      "The forcing F_0 for which (Omega, A) is a steady state. Equation (24). Domain: Omega >= 0, A > 0.",
      5, 1, 1, NULL, slow_flow_mu0_level_loops},
+    {"fold",
+     "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega. Equation from (24), "
+     "(30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.",
+     8, 3, 1, NULL, slow_flow_mu0_fold_loops},
     {"isola",
      "Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A. "
      "Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.",

@@ -377,6 +377,28 @@ static const sf_loop slow_flow_zeta0_undamped_Omega_loops[] = {
     slow_flow_zeta0_undamped_Omega_loop,
 };
 
+static SF_WIDE void slow_flow_zeta0_fold_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict F_0 = in[0];
+    const double *restrict m = in[1];
+    const double *restrict k = in[2];
+    const double *restrict k_A = in[3];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[2];
+        slow_flow_zeta0_fold(F_0[i], m[i], k[i], k_A[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+    }
+}
+
+static const sf_loop slow_flow_zeta0_fold_loops[] = {
+    slow_flow_zeta0_fold_loop,
+};
+
 static SF_WIDE void slow_flow_zeta0_undamped_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -463,6 +485,10 @@ static const sf_kernel kernels[] = {
     {"undamped_Omega",
      "Omega of the folds. Equation from (30). Domain: h_A <= 0.",
      1, 1, 1, NULL, slow_flow_zeta0_undamped_Omega_loops},
+    {"fold",
+     "Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A. Equation "
+     "from (24), (30). Domain: F_0 > m.",
+     4, 2, 1, NULL, slow_flow_zeta0_fold_loops},
     {"undamped",
      "The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R. Equation from (30), (33). Domain: A "
      "> 0.",

@@ -24,20 +24,20 @@ __all__ = [
     "F_AAA",
     "SCENE",
     "F",
-    "F_AAOmega",
     "F_AOmega",
     "F_Omega",
     "F_OmegaOmega",
     "I",
     "R",
     "backbone",
-    "critical",
-    "cusp_F_AAOmega",
+    "cusp",
     "cusps",
     "detachment",
     "equivalent_damping",
+    "fold",
     "fold_quartic",
     "friction",
+    "intercept",
     "isola",
     "isola_Omega",
     "jacobian",
@@ -45,14 +45,13 @@ __all__ = [
     "limit_envelope",
     "mean_stiffness",
     "offset_stiffness",
+    "peak",
     "peak_cubic",
-    "peak_p_A",
     "phase",
     "response_quartic",
     "rest",
     "stability",
     "transmissibility",
-    "turn_p_A",
 ]
 
 
@@ -359,16 +358,6 @@ def detachment(A, m, zeta, h):
     )
 
 
-def F_AAOmega(Omega, A, zeta, h_A, h_AA):
-    """d3F/dA2 dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 11 structured, 11 common subexpressions, 11 power chains.
-    """
-    Omega, A, zeta, h_A, h_AA = floats(Omega, A, zeta, h_A, h_AA)
-    return 4.0 * Omega * (A * h_AA + 2.0 * Omega * Omega + 2.0 * h_A + 4.0 * zeta * zeta)
-
-
 def F_OmegaOmega(Omega, A, zeta, h):
     """d2F/dOmega2.
 
@@ -410,6 +399,48 @@ def rest(F_0, m, h, h_A):
     )
 
 
+def intercept(A, h, h_A, h_AA):
+    """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
+
+    Equation from (24), (30). Domain: A >= 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    A, h, h_A, h_AA = floats(A, h, h_A, h_AA)
+    arguments = (A, h, h_A, h_AA)
+    return (
+        full(-A * h_A + h, arguments),
+        full(-A * h_AA, arguments),
+    )
+
+
+def fold(A, F_0, m, zeta, h, h_A, k, k_A):
+    """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
+
+    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
+    Operations: 51 structured, 48 common subexpressions, 48 power chains.
+    """
+    A, F_0, m, zeta, h, h_A, k, k_A = floats(A, F_0, m, zeta, h, h_A, k, k_A)
+    excess = (F_0 - m) * (F_0 + m)
+    least = np.sqrt(excess)
+    t0 = 1.0 / k
+    t1 = least * t0
+    share = np.sqrt((1.0 - t1) * (t1 + 1.0))
+    J = excess / (F_0 + m * share)
+    t2 = 1.0 / share
+    lag = excess / (F_0 * t2 + m)
+    t3 = J * t0
+    t4 = 1.0 / (zeta * zeta)
+    t5 = 1.0 / A
+    t6 = t4 * t5
+    t7 = 0.25 * lag * lag
+    arguments = (A, F_0, m, zeta, h, h_A, k, k_A)
+    return (
+        full(-F_0 * t3 + h + t6 * t7, arguments),
+        full(F_0 * J * J * k_A * (0.5 * t3 * t6 + (F_0 + m * t2) / excess) / (k * k) + h_A - t4 * t7 / (A * A), arguments),
+        full(0.5 * lag * t5 / zeta, arguments),
+    )
+
+
 def isola_Omega(h_A):
     """Omega at an isola point.
 
@@ -438,72 +469,62 @@ def isola(A, m, zeta, h, h_A, h_AA):
     )
 
 
-def cusps(A, zeta, h, h_A, h_AA, h_AAA):
-    """F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.
+def cusps(A, zeta, h, h_A, h_AA, k):
+    """F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
 
     Equation from (33). Domain: A > 0.
-    Operations: 36 structured, 30 common subexpressions, 30 power chains.
+    Operations: 21 structured, 15 common subexpressions, 15 power chains.
     """
-    A, zeta, h, h_A, h_AA, h_AAA = floats(A, zeta, h, h_A, h_AA, h_AAA)
-    along = A * h_A - h
-    t0 = A * h_AA
-    t1 = 4.0 * zeta * zeta
-    e = t0 + t1
-    e_A = A * h_AAA + h_AA
-    t2 = 0.5 * e
-    arguments = (A, zeta, h, h_A, h_AA, h_AAA)
+    A, zeta, h, h_A, h_AA, k = floats(A, zeta, h, h_A, h_AA, k)
+    t0 = zeta * zeta
+    half_e = 0.5 * A * h_AA + 2.0 * t0
+    t1 = 4.0 * h_A * t0 - h_AA * k
+    arguments = (A, zeta, h, h_A, h_AA, k)
     return (
-        full(-h_A - t2, arguments),
+        full(half_e, arguments),
+        full(-t1, arguments),
+        full(h_A + half_e, arguments),
         full(h * h_AA + h_A * h_A, arguments),
-        full(along * h_AA + 0.25 * e * e + h_A * t1, arguments),
-        full(h * h_AAA + 3.0 * h_A * h_AA, arguments),
-        along * h_AAA + e_A * t2 + h_AA * t0 + h_AA * t1,
+        full(half_e * half_e + t1, arguments),
     )
 
 
-def cusp_F_AAOmega(Omega, root):
-    """d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).
+def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, root):
+    """Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
 
-    Equation from (33). Domain: Omega > 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Equation from (33). Domain: A > 0, X > 0.
+    Operations: 49 structured, 38 common subexpressions, 38 power chains.
     """
-    Omega, root = floats(Omega, root)
-    return 8.0 * Omega * root
-
-
-def turn_p_A(A, zeta, h_A, h_AA):
-    """Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.
-
-    Equation from (30). Domain: A > 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
-    """
-    A, zeta, h_A, h_AA = floats(A, zeta, h_A, h_AA)
-    return 0.5 * A * h_AA + h_A + 2.0 * zeta * zeta
-
-
-def peak_p_A(zeta, h_A):
-    """Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.
-
-    Equation from (34). Domain: any h_A.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    """
-    zeta, h_A = floats(zeta, h_A)
-    return h_A + 2.0 * zeta * zeta
-
-
-def critical(A, p, q, p_A):
-    """Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.
-
-    Equation from (30), (34). Domain: A > 0, q >= 0.
-    Operations: 8 structured, 8 common subexpressions, 8 power chains.
-    """
-    A, p, q, p_A = floats(A, p, q, p_A)
-    cube = 6.75 * A * q * q
-    c = np.cbrt(cube)
-    arguments = (A, p, q, p_A)
+    A, m, zeta, h_AA, h_AAA, k, X, T, root = floats(A, m, zeta, h_AA, h_AAA, k, X, T, root)
+    w = np.sqrt(X)
+    t0 = A * T
+    R = k + t0
+    t1 = m * zeta
+    t2 = 2.0 * t1 * w
+    t3 = 4.0 * A * zeta * zeta
+    arguments = (A, m, zeta, h_AA, h_AAA, k, X, T, root)
     return (
-        full(-c - p, arguments),
-        full(-p_A - 0.33333333333333331 * c / A, arguments),
+        full(R * T + X * t3 + t2, arguments),
+        full(-A * h_AA * k + T * (-A * A * h_AA + k) + t2, arguments),
+        0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-R - t0 - t1 / w - t3) / root,
+        full(np.sqrt(A * t2 + R * k + m * m), arguments),
+    )
+
+
+def peak(Omega, A, F_0, m, zeta, h_A):
+    """F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
+
+    Equation from (24), (34). Domain: Omega > 0, A > 0.
+    Operations: 19 structured, 18 common subexpressions, 18 power chains.
+    """
+    Omega, A, F_0, m, zeta, h_A = floats(Omega, A, F_0, m, zeta, h_A)
+    t0 = 2.0 * A
+    R = -t0 * zeta * zeta - m * zeta / Omega
+    I = Omega * t0 * zeta + m
+    arguments = (Omega, A, F_0, m, zeta, h_A)
+    return (
+        full(R * R + (-F_0 + I) * (F_0 + I), arguments),
+        full(-2.0 * R * (Omega * Omega - h_A), arguments),
     )
 
 
@@ -531,16 +552,15 @@ if NATIVE is not None:
         fold_quartic,
         peak_cubic,
         detachment,
-        F_AAOmega,
         F_OmegaOmega,
         level,
         rest,
+        intercept,
+        fold,
         isola_Omega,
         isola,
         cusps,
-        cusp_F_AAOmega,
-        turn_p_A,
-        peak_p_A,
-        critical,
+        cusp,
+        peak,
     ) = NATIVE.slow_flow()
     detachment = coefficients_of(detachment)

@@ -33,6 +33,7 @@ __all__ = [
     "backbone",
     "detachment",
     "equivalent_damping",
+    "fold",
     "fold_quartic",
     "isola",
     "isola_Omega",
@@ -273,6 +274,33 @@ def level(Omega, A, m, zeta, h):
     return full(np.sqrt(I * I + R * R), (Omega, A, m, zeta, h))
 
 
+def fold(A, F_0, m, zeta, h, h_A, k, k_A):
+    """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
+
+    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
+    Operations: 44 structured, 39 common subexpressions, 39 power chains.
+    """
+    A, F_0, m, zeta, h, h_A, k, k_A = floats(A, F_0, m, zeta, h, h_A, k, k_A)
+    excess = F_0 * F_0
+    least = np.sqrt(excess)
+    t0 = 1.0 / k
+    t1 = least * t0
+    share = np.sqrt((1.0 - t1) * (t1 + 1.0))
+    t2 = excess / F_0
+    lag = share * t2
+    t3 = t0 * t2
+    t4 = 1.0 / (zeta * zeta)
+    t5 = 1.0 / A
+    t6 = t4 * t5
+    t7 = 0.25 * lag * lag
+    arguments = (A, F_0, m, zeta, h, h_A, k, k_A)
+    return (
+        full(-F_0 * t3 + h + t6 * t7, arguments),
+        full(F_0 * k_A * t2 * t2 * (F_0 / excess + 0.5 * t3 * t6) / (k * k) + h_A - t4 * t7 / (A * A), arguments),
+        full(0.5 * lag * t5 / zeta, arguments),
+    )
+
+
 def isola(A, m, zeta, h, h_A, h_AA):
     """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
 
@@ -309,6 +337,7 @@ if NATIVE is not None:
         detachment,
         F_OmegaOmega,
         level,
+        fold,
         isola,
     ) = NATIVE.slow_flow_mu0()
     detachment = coefficients_of(detachment)

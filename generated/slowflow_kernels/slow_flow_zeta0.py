@@ -33,6 +33,7 @@ __all__ = [
     "backbone",
     "detachment",
     "equivalent_damping",
+    "fold",
     "fold_quartic",
     "level",
     "limit_envelope",
@@ -268,6 +269,22 @@ def undamped_Omega(h_A):
     return np.sqrt(-h_A)
 
 
+def fold(F_0, m, k, k_A):
+    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
+
+    Equation from (24), (30). Domain: F_0 > m.
+    Operations: 9 structured, 9 common subexpressions, 9 power chains.
+    """
+    F_0, m, k, k_A = floats(F_0, m, k, k_A)
+    excess = (F_0 - m) * (F_0 + m)
+    least = np.sqrt(excess)
+    arguments = (F_0, m, k, k_A)
+    return (
+        full((k - least) * (k + least), arguments),
+        full(2.0 * k * k_A, arguments),
+    )
+
+
 def undamped(A, h, h_A, h_AA, h_AAA):
     """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
 
@@ -304,6 +321,7 @@ if NATIVE is not None:
         F_OmegaOmega,
         level,
         undamped_Omega,
+        fold,
         undamped,
     ) = NATIVE.slow_flow_zeta0()
     detachment = coefficients_of(detachment)

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from tests.native.roots import FLAGS, HERE, WARNINGS
-from tests.native.solvers import INCLUDES
+from tests.native.roots import FLAGS, HEADERS, HERE, ROOT, WARNINGS
 
+INCLUDES = [f"-I{folder}" for folder in (HEADERS, ROOT / "generated" / "c", ROOT / "generated" / "native")]
 Doubles = ctypes.POINTER(ctypes.c_double)
 FromNumbers = ctypes.CFUNCTYPE(ctypes.c_int, Doubles, Doubles)
 Fill = ctypes.CFUNCTYPE(None, Doubles, Doubles)

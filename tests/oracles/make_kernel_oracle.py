@@ -277,41 +277,71 @@ def isola(A, m, zeta, *values):
     return [along(A), mp.diff(along, A)]
 
 
-def cusps(A, zeta, *values):
-    """F_AA/2 = X^2 + c_1 X + c_0 in X = Omega^2, from its values at X = 0 and 1."""
+def tangent(A, *values):
+    """Where the tangent of h meets A = 0, from h's Taylor series, and its slope."""
     h = near(A, values)
 
-    def half_F_AA(w, a):
-        return mp.diff(lambda s: response(w, s, 0, 0, zeta, h(s)), a, 2) / 2
+    def at_0(a):
+        value, slope = mp.taylor(h, a, 1)
+        return value - a * slope
 
-    def c_0(a):
-        return half_F_AA(0, a)
-
-    def c_1(a):
-        return half_F_AA(1, a) - c_0(a) - 1
-
-    def square(a):
-        return c_1(a) ** 2 / 4 - c_0(a)
-
-    return [-c_1(A) / 2, c_0(A), square(A), mp.diff(c_0, A), mp.diff(square, A)]
+    return [at_0(A), mp.diff(at_0, A)]
 
 
-def bend_at_cusp(Omega, root):
-    """d/dOmega of F_AA = 2 (X - X_1)(X - X_2) at X_1 = Omega^2, root = (X_1 - X_2)/2."""
-    X_1, X_2 = Omega**2, Omega**2 - 2 * root
-    return mp.diff(lambda w: 2 * (w**2 - X_1) * (w**2 - X_2), Omega)
+def fold(A, F_0, m, zeta, h, h_A, k, k_A):
+    """On the circle R^2 + I^2 = F_0^2 and the line k R + m I = F_0^2, by angles: R less A Omega^2 + h, reversed."""
+    of_h, of_k = near(A, (h, h_A)), near(A, (k, k_A))
+
+    def at(a):
+        normal, half = mp.atan2(m, of_k(a)), mp.acos(F_0 / mp.hypot(of_k(a), m))
+        I, R = max((F_0 * mp.sin(angle), F_0 * mp.cos(angle)) for angle in (normal + half, normal - half))
+        w = (I - m) / balances(1, a, 0, zeta, 0)[1]
+        return balances(w, a, 0, 0, of_h(a))[0] - R, w
+
+    return [at(A)[0], mp.diff(lambda a: at(a)[0], A), at(A)[1]]
 
 
-def critical(A, p, q, p_A):
-    """A w^3 + p w + q has positive roots where -p is above the least of A w^2 + q/w."""
+def quadratic(f):
+    """Half the linear and the constant coefficient of a monic quadratic, from its values at 0 and 1."""
+    return [(f(mpf(1)) - f(mpf(0)) - 1) / 2, f(mpf(0))]
 
-    def margin(a):
-        def steepness(w):
-            return a * w**2 + q / w
 
-        return -p - p_A * (a - A) - steepness(mp.findroot(lambda w: mp.diff(steepness, w), mp.cbrt(q / a)))
+def cusps(A, zeta, h, h_A, h_AA, k):
+    """F_AA/2 by T = Omega^2 + h_A, where R = k + A T, and by X = Omega^2, where R = A X + h."""
 
-    return [margin(A), mp.diff(margin, A)]
+    def half_F_AA(X, value):
+        local = near(A, (value, h_A, h_AA))
+        return mp.re(mp.diff(lambda a: response(mp.sqrt(X), a, 0, 0, zeta, local(a)), A, 2)) / 2
+
+    a, b = quadratic(lambda T: half_F_AA(T - h_A, k + A * T - A * (T - h_A)))
+    return [a, b, *quadratic(lambda X: half_F_AA(X, h)), a**2 - b]
+
+
+def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, root):
+    """By differentiating F along A and Omega; F_AA/2 = (X - X_1)(X - X_2), root = (X_1 - X_2)/2, at X = X_1."""
+    w, h_A = mp.sqrt(X), T - X
+    values = (k + A * T - A * X, h_A, h_AA, h_AAA)
+    half_F_A, half_F_AA, half_F_AAA = (slope_of_response(n, w, A, m, zeta, *values) / 2 for n in (1, 2, 3))
+    half_F_AAOmega = mp.diff(lambda v: (v**2 - X) * (v**2 - X + 2 * root), w)
+    along = -mixed_slope(w, A, m, zeta, *values[:2]) / 2 * half_F_AAA / half_F_AAOmega
+    R, I = balances(w, A, m, zeta, values[0])
+    return [half_F_A, half_F_A - A * half_F_AA, along, mp.sqrt(R**2 + I**2 - A * half_F_A)]
+
+
+def peak(Omega, A, F_0, m, zeta, h_A):
+    """F, and its slope along A, for the h that makes F stationary over Omega."""
+
+    def by_Omega(h):
+        return mp.diff(lambda w: response(w, A, 0, m, zeta, h), Omega)
+
+    h = mp.findroot(by_Omega, (-A * Omega**2, -A * Omega**2 - 1))
+    return [response(Omega, A, F_0, m, zeta, h), slope_of_response(1, Omega, A, m, zeta, h, h_A)]
+
+
+def undamped_fold(F_0, m, k, k_A):
+    """F of a state whose R is k, and its slope."""
+    F = lambda a: response(0, 1, F_0, m, 0, near(mpf(1), (k, k_A))(a))  # noqa: E731
+    return [F(mpf(1)), mp.diff(F, 1)]
 
 
 def undamped_frequency(h_A):
@@ -335,43 +365,23 @@ def undamped(A, *values):
 
 #: names, function, sign of h_A where a root of it is taken
 LOCI: dict[str, tuple[str, Function, int]] = {
-    "F_AAOmega": (
-        "Omega A zeta h_A h_AA",
-        lambda w, A, zeta, *x: [
-            mp.diff(lambda a, v: response(v, a, 0, 0, zeta, near(A, (0, *x))(a)), (A, w), (2, 1)),
-        ],
-        0,
-    ),
     "F_OmegaOmega": ("Omega A zeta h", lambda w, A, z, h: [mp.diff(lambda v: response(v, A, 0, 0, z, h), w, 2)], 0),
     "level": ("Omega A m zeta h", lambda *x: [level(*x)], 0),
     "rest": ("F_0 m h h_A", rest, 0),
+    "intercept": ("A h h_A h_AA", tangent, 0),
 }
 DAMPED: dict[str, tuple[str, Function, int]] = {
     "isola_Omega": ("h_A", lambda h_A: [isola_frequency(h_A)], 1),
     "isola": ("A m zeta h h_A h_AA", isola, 1),
-    "cusps": ("A zeta h h_A h_AA h_AAA", cusps, 0),
-    "cusp_F_AAOmega": ("Omega root", lambda *x: [bend_at_cusp(*x)], 0),
-    "turn_p_A": (
-        "A zeta h_A h_AA",
-        lambda A, zeta, *x: [
-            mp.diff(lambda a, w: response(w, a, 0, 0, zeta, near(A, (0, *x))(a)), (A, mpf(0)), (2, 2)) / 8,
-        ],
-        0,
-    ),
-    "peak_p_A": (
-        "zeta h_A",
-        lambda z, h_A: [
-            mp.diff(
-                lambda a: mp.diff(lambda w: response(w, a, 0, 0, z, near(1, (0, h_A))(a)), mpf(0), 2) / (4 * a), mpf(1)
-            )
-        ],
-        0,
-    ),
-    "critical": ("A p q p_A", critical, 0),
+    "fold": ("A F_0 m zeta h h_A intercept k_A", fold, 0),
+    "cusps": ("A zeta h h_A h_AA intercept", cusps, 0),
+    "cusp": ("A m zeta h_AA h_AAA intercept X T root", cusp, 0),
+    "peak": ("Omega A F_0 m zeta h_A", peak, 0),
 }
 UNDAMPED: dict[str, tuple[str, Function, int]] = {
     "undamped_Omega": ("h_A", lambda h_A: [undamped_frequency(h_A)], -1),
     "undamped": ("A h h_A h_AA h_AAA", undamped, -1),
+    "fold": ("F_0 m intercept k_A", undamped_fold, 0),
 }
 
 
@@ -930,7 +940,11 @@ RANGES = {
     "root": (-1.0, 1.0),
     "p": (-1.0, 0.1),
     "q": (0.0001, 0.003),
-    "p_A": (-3.0, 3.0),
+    # k = h - A h_A, in size above F_0 and A |T|
+    "intercept": (1.0, 3.0),
+    "k_A": (-3.0, 3.0),
+    "X": (0.1, 4.0),
+    "T": (-0.9, 0.9),
     **dict.fromkeys(("cosine", "sine", "slip"), (-0.99, 0.99)),
     **dict.fromkeys(("v", "f", "inner", "outer"), (-1.0, 1.0)),
     **dict.fromkeys(("f_u", "inner_u", "outer_u"), (-0.5, 2.0)),
@@ -1001,7 +1015,7 @@ def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
 #: a scene takes these from the general module: nothing vanishes in them; or has them not
 SAME_IN_SCENES = {
     *("friction", "R", "backbone", "transmissibility", "jacobian", "mean_stiffness", "offset_stiffness"),
-    *("F_AAOmega", "rest", "isola_Omega", "cusps", "cusp_F_AAOmega", "turn_p_A", "peak_p_A", "critical"),
+    *("rest", "intercept", "isola_Omega", "cusps", "cusp", "peak"),
 }
 
 
@@ -1029,6 +1043,10 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
             h_A = names.split().index("h_A")
             for x in chosen:
                 x[h_A] = sign * abs(x[h_A])
+        if "intercept" in names:
+            intercept = names.split().index("intercept")
+            for x in chosen[::2]:
+                x[intercept] *= -1
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
     return table
 

@@ -7,12 +7,13 @@ Out: `slow_flow_modules`.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 import sympy as sp
 
 from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
-from derivations.loci import Along, Damped, Undamped, p, p_A, q, root
+from derivations.loci import X_, Along, Damped, T, Undamped, k, k_A, root
 from derivations.offset import mean_stiffness, offset_stiffness
 from derivations.resultants import Elimination
 from derivations.results import Results
@@ -27,8 +28,15 @@ IN_SCENES = (
     *("R", "I", "F", "F_A", "F_AA", "F_AAA", "F_Omega", "F_AOmega", "F_OmegaOmega", "level", "stability", "phase"),
     *("backbone", "limit_envelope", "equivalent_damping"),
     *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
-    *("isola_Omega", "isola", "undamped_Omega", "undamped"),
+    *("isola_Omega", "isola", "undamped_Omega", "undamped", "fold"),
 )
+
+#: what the solvers ask on whole intervals of the amplitude, by scene: the general form where it holds for zeros too
+ENCLOSED = {
+    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp", "peak"),
+    "mu0": ("isola",),
+    "zeta0": ("fold",),
+}
 
 
 def slow_flow_modules(results: Results) -> list[Module]:
@@ -37,13 +45,18 @@ def slow_flow_modules(results: Results) -> list[Module]:
     modules = []
     for scene in SCENES:
         kernels = [kernel for kernel in kernels_of(results, scene) if not scene or kernel.name in IN_SCENES]
+        enclosed = ENCLOSED.get(scene, ())
         borrowed = tuple(kernel.name for kernel in kernels if scene and kernel in general)
         modules.append(
             Module(
                 name=GENERAL + suffix(scene),
                 title="Slow flow of any mechanism, in h = H - A and its derivatives" + in_words(scene),
                 inputs=("averaging.py", "slow_flow.py", "offset.py", "loci.py", "resultants.py"),
-                kernels=tuple(kernel for kernel in kernels if kernel.name not in borrowed),
+                kernels=tuple(
+                    replace(kernel, enclosed=kernel.name in enclosed)
+                    for kernel in kernels
+                    if kernel.name not in borrowed
+                ),
                 borrowed=borrowed,
                 constants={"SCENE": told(results.flows[scene], scene)},
             )
@@ -203,7 +216,6 @@ def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
     """What the solvers along the amplitude ask: second derivatives, and what vanishes where a curve changes."""
     of_flow = partial(of_R_and_I, flow)
     common = [
-        of_flow("F_AAOmega", (Omega, A, zeta, h_A, h_AA), flow.F_AAOmega, "d3F/dA2 dOmega.", "(24)"),
         of_flow("F_OmegaOmega", (Omega, A, zeta, h), flow.F_OmegaOmega, "d2F/dOmega2.", "(24)"),
         of_flow(
             "level",
@@ -222,6 +234,14 @@ def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
             "F_0 >= m",
             lets=loci.rest_lets,
         ),
+        plain(
+            "intercept",
+            (A, h, h_A, h_AA),
+            loci.intercept,
+            "k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.",
+            "from (24), (30)",
+            "A >= 0",
+        ),
     ]
     damped = damped_kernels(loci.damped) if loci.damped else []
     return [*common, *damped, *(undamped_kernels(loci.undamped) if loci.undamped else [])]
@@ -230,6 +250,15 @@ def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
 def damped_kernels(loci: Damped) -> list[Kernel]:
     """Cusps, isola points and extrema over Omega for zeta > 0."""
     return [
+        plain(
+            "fold",
+            (A, F_0, m, zeta, h, h_A, k, k_A),
+            loci.fold,
+            "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.",
+            "from (24), (30)",
+            "A > 0, F_0 > m, k^2 >= F_0^2 - m^2",
+            lets=loci.fold_lets,
+        ),
         plain("isola_Omega", (h_A,), loci.isola_Omega, "Omega at an isola point.", "from (30), (34)", "h_A >= 0"),
         plain(
             "isola",
@@ -242,45 +271,29 @@ def damped_kernels(loci: Damped) -> list[Kernel]:
         ),
         plain(
             "cusps",
-            (A, zeta, h, h_A, h_AA, h_AAA),
+            (A, zeta, h, h_A, h_AA, k),
             loci.cusps,
-            "F_AA/2 = X^2 + c_1 X + c_0, X = Omega^2: -c_1/2, c_0, (c_1/2)^2 - c_0, and the last two's slopes along A.",
+            "F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.",
             "from (33)",
             "A > 0",
             lets=loci.cusps_lets,
         ),
         plain(
-            "cusp_F_AAOmega",
-            (Omega, root),
-            loci.cusp_F_AAOmega,
-            "d3F/dA2 dOmega where F_AA = 0: Omega^2 is -c_1/2 + root, root^2 = (c_1/2)^2 - c_0 (see `cusps`).",
+            "cusp",
+            (A, m, zeta, h_AA, h_AAA, k, X_, T, root),
+            loci.cusp,
+            "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.",
             "from (33)",
-            "Omega > 0",
+            "A > 0, X > 0",
+            lets=loci.cusp_lets,
         ),
         plain(
-            "turn_p_A",
-            (A, zeta, h_A, h_AA),
-            loci.turn_p_A,
-            "Slope along A of p in F_AOmega/8 = A Omega^3 + p Omega + q.",
-            "from (30)",
-            "A > 0",
-        ),
-        plain(
-            "peak_p_A",
-            (zeta, h_A),
-            loci.peak_p_A,
-            "Slope along A of p in F_Omega/(4 A) = A Omega^3 + p Omega + q.",
-            "from (34)",
-            "any h_A",
-        ),
-        plain(
-            "critical",
-            (A, p, q, p_A),
-            loci.critical,
-            "Positive where A Omega^3 + p Omega + q has two positive roots, and its slope along A.",
-            "from (30), (34)",
-            "A > 0, q >= 0",
-            lets=loci.critical_lets,
+            "peak",
+            (Omega, A, F_0, m, zeta, h_A),
+            loci.peak,
+            "F where F_Omega = 0: an extremum of F over Omega, and its slope along A.",
+            "from (24), (34)",
+            lets=loci.peak_lets,
         ),
     ]
 
@@ -289,6 +302,15 @@ def undamped_kernels(loci: Undamped) -> list[Kernel]:
     """The fold locus for zeta = 0."""
     return [
         plain("undamped_Omega", (h_A,), loci.Omega, "Omega of the folds.", "from (30)", "h_A <= 0"),
+        plain(
+            "fold",
+            (F_0, m, k, k_A),
+            loci.fold,
+            "Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.",
+            "from (24), (30)",
+            "F_0 > m",
+            lets=loci.fold_lets,
+        ),
         plain(
             "undamped",
             (A, h, h_A, h_AA, h_AAA),

@@ -10,8 +10,7 @@ import sympy as sp
 
 from derivations.emit.compensated import magnitude
 from derivations.emit.form import Kernel, Let, Module, TwofoldKernel, plain
-from derivations.frequencies import Frequencies, Quartic, k
-from derivations.loci import p, q
+from derivations.frequencies import Frequencies, Quartic, k, p, q
 from derivations.results import Results
 from derivations.slow_flow import I, R, m
 from derivations.symbols import F_0, A, Omega, h, h_A, zeta

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from derivations.emit.form import Module
-from derivations.emit.targets import c, numpy, ufunc
+from derivations.emit.targets import c, interval, numpy, ufunc
 from derivations.emit.views import operations, programs
 
 
@@ -20,4 +20,6 @@ def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[st
         module.name: {kernel.name: operations(kernel, code[module.name][kernel.name]) for kernel in module.kernels}
         for module in modules
     }
-    return numpy.files(modules, code) | c.files(modules, code) | ufunc.files(modules), counts
+    languages = (numpy, c, interval)
+    files = {name: text for language in languages for name, text in language.files(modules, code).items()}
+    return files | ufunc.files(modules), counts

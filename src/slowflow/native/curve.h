@@ -27,7 +27,7 @@ static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
     return q.exist && q.w1 == 0;
 }
 
-/* Needs the charts of work. */
+/* Needs the pieces of work. */
 static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
     const sf_curve curve = {model, F_0};
     sf_graph *graph = &work->response;
@@ -35,16 +35,16 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
     int i, k;
     graph->events = 0, graph->status = SF_OK;
     sf_add_event(graph, 0, HUGE_VAL, SF_CUT, 0);
-    for (i = 0; i < work->charts; i++) {
-        zeros->n = 0, zeros->status = SF_OK;
-        sf_find_zeros(model, SF_PEAK, F_0, &work->chart[i], zeros);
-        sf_find_zeros(model, SF_REST, F_0, &work->chart[i], zeros);
+    for (i = 0; i < work->pieces.n; i++) {
+        sf_clear_zeros(zeros);
+        sf_ask_all(model, SF_PEAK, F_0, &work->pieces.at[i], zeros);
+        sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], zeros);
         sf_sort_zeros(zeros);
         for (k = 0; k < zeros->n; k++)
             sf_add_response_event(&zeros->at[k], sf_is_biquadratic(model, F_0, zeros->at[k].A), graph);
         if (zeros->status != SF_OK)
             graph->status = zeros->status;
-        if (i + 1 < work->charts)
+        if (i + 1 < work->pieces.n)
             sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
     }
     sf_add_event(graph, work->A_max, 0, SF_CUT, 0);

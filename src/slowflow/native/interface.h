@@ -12,7 +12,7 @@ typedef struct {
     sf_status (*detachment)(const sf_model *, double *F_cr, double *Omega_cr, double *u_cr);
     sf_status (*peak)(const sf_model *, double F_0, sf_work *, double *A, double *Omega);
     sf_status (*saddle_nodes)(const sf_model *, double F_0, sf_work *, sf_folds *);
-    sf_status (*fold_locus)(const sf_model *, double F_0, double A_max, sf_work *);
+    sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
     sf_status (*range)(const sf_model *, double F_0, double *A_max);
     sf_status (*skeleton)(const sf_model *, double F_0, sf_work *);
     long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *, double *total);

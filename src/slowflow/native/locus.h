@@ -25,32 +25,41 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
     return level < at_rest ? level : at_rest;
 }
 
-/* An amplitude above that of every steady state at F_0 or less, for zeta > 0. I <= F_0 limits A Omega, and with it the
- * restoring force that R <= F_0 leaves: |h| <= F_0 + (A Omega)^2/A. That has to fail on every rung of a ladder of
- * amplitudes from the bound on, and h has to keep its sign there: where it changes, |h| is small on the way. */
+/* Whether no amplitude from A on is that of a steady state at F_0 or less. I <= F_0 limits A Omega by c, and with it the
+ * restoring force that R <= F_0 leaves: |h| <= F_0 + c^2/A. Beyond the last breakpoint h is followed to where it has no
+ * bound in doubles: there |h| must rise. */
+static int sf_bounds(const sf_model *model, double F_0, double c, double A) {
+    sf_sample at, far;
+    sf_cell cell;
+    sf_sample_at(model, A, &at);
+    if (!(fabs(at.h) > F_0 + c * (c / A)))
+        return 0;
+    sf_sample_at(model, SF_ENDLESS * A, &far);
+    sf_make_cell(&at, &far, &cell);
+    return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
+}
+
+/* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow. */
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
     const double c = slow_flow_limit_envelope(1, F_0, model->m, model->zeta);
-    double A = fmax(1e-6, F_0), h[2];
-    int i, holds = 0, was_positive = 0;
-    for (i = 0; i < model->breaks; i++)
-        A = fmax(A, 2 * model->b[i]);
-    *A_max = A;
+    double A = F_0, step = 2;
+    int i;
+    if (model->breaks > 0)
+        A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (i = 0; i < SF_RUNGS; i++) {
-        const double next = A * (i < SF_FINE_RUNGS ? 2 : 16);
-        model->mechanism->averaged_2(1, &A, model->p, h);
-        if (i > 0 && (h[0] > 0) != was_positive)
+        if (sf_bounds(model, F_0, c, A)) {
             *A_max = A;
-        was_positive = h[0] > 0;
-        holds = !(fabs(h[0]) > 1.01 * F_0 + c * (c / A));
-        if (holds)
-            *A_max = next;
-        A = next;
+            return SF_OK;
+        }
+        A *= step;
+        if (i >= SF_FINE_RUNGS && step < 1e4)
+            step *= 2;
     }
-    return holds ? SF_NO_BOUND : SF_OK;
+    return SF_NO_BOUND;
 }
 
 /* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0. */
-static sf_status sf_range(const sf_model *model, double F_0, double *A_max) {
+static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     if (model->zeta > 0)
         return sf_amplitude_bound(model, F_0, A_max);
     *A_max = model->mechanism->reach;
@@ -211,27 +220,21 @@ static void sf_trace_arcs(const sf_curve *curve, sf_graph *graph) {
 
 /* ==== The fold locus =============================================================================================== */
 
-/* All samples up to A_max: one chart for each piece of the force; returns their number, or -1. */
-static int sf_charts(const sf_model *model, double F_0, double A_max, sf_nodes *chart, sf_status *status) {
-    int n = 0, i;
-    const double end = model->breaks > 0 && model->b[0] < A_max ? model->b[0] : A_max;
-    *status = sf_nodes_from_zero(model, F_0, end, &chart[n++]);
-    for (i = 0; i < model->breaks && model->b[i] < A_max && *status == SF_OK; i++) {
-        const double last = i + 1 < model->breaks && model->b[i + 1] < A_max ? model->b[i + 1] : A_max;
-        *status = sf_nodes_above(model, model->b[i], last, &chart[n++]);
-    }
-    return n;
+static void sf_ask_all(const sf_model *model, sf_question question, double F_0, const sf_stretch *piece,
+                       sf_zeros *found) {
+    const sf_asked asked = sf_asked_of(question, model, F_0);
+    sf_find_zeros(&asked, piece, found);
 }
 
-static void sf_locus_zeros(const sf_model *model, const sf_nodes *nodes, sf_zeros *found) {
-    found->n = 0, found->status = SF_OK;
-    sf_find_zeros(model, SF_STIFFNESS, 0, nodes, found);
+static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_zeros *found) {
+    sf_clear_zeros(found);
+    sf_ask_all(model, SF_STIFFNESS, 0, piece, found);
     if (model->zeta == 0) {
-        sf_find_zeros(model, SF_UNDAMPED, 0, nodes, found);
+        sf_ask_all(model, SF_UNDAMPED, 0, piece, found);
     } else {
-        sf_find_zeros(model, SF_ISOLA, 0, nodes, found);
-        sf_find_zeros(model, SF_CUSP, 0, nodes, found);
-        sf_find_zeros(model, SF_TURN, 0, nodes, found);
+        sf_ask_all(model, SF_ISOLA, 0, piece, found);
+        sf_ask_all(model, SF_CUSP, HUGE_VAL, piece, found);
+        sf_ask_all(model, SF_TURN, 0, piece, found);
     }
     sf_sort_zeros(found);
 }
@@ -252,30 +255,26 @@ static int sf_locus_gain(const sf_zero *zero) {
     return zero->rising == (zero->channel == 0) ? 2 : -2;
 }
 
-/* The locus up to A_max in work, with its cusps and isola points, on samples that also serve for the response at F_0,
- * or, with F_0 = 0, for none. */
-static sf_status sf_fold_locus(const sf_model *model, double F_0, double A_max, sf_work *work) {
+/* The locus up to A_max in work, with its cusps and isola points. */
+static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *work) {
     const sf_curve curve = {model, -1};
-    sf_status status;
     int i, k;
-    const int charts = sf_charts(model, F_0, A_max, work->chart, &status);
     sf_graph *graph = &work->locus;
     graph->events = 0, graph->status = SF_OK;
-    work->extrema.n = 0, work->extrema.status = SF_OK;
-    work->charts = charts;
-    if (status != SF_OK)
-        return status;
-    for (i = 0; i < charts; i++) {
-        const sf_nodes *nodes = &work->chart[i];
-        sf_locus_zeros(model, nodes, &work->zeros);
-        sf_add_event(graph, nodes->at[0].A, 0, SF_CUT, 0);
+    work->A_max = A_max;
+    sf_clear_zeros(&work->extrema);
+    sf_stretches_up_to(model, A_max, &work->pieces);
+    for (i = 0; i < work->pieces.n; i++) {
+        const sf_stretch *piece = &work->pieces.at[i];
+        sf_locus_zeros(model, piece, &work->zeros);
+        sf_add_event(graph, i == 0 ? 0 : nextafter(piece->first.A, HUGE_VAL), 0, SF_CUT, 0);
         for (k = 0; k < work->zeros.n; k++) {
             const sf_zero *zero = &work->zeros.at[k];
             sf_add_event(graph, zero->A, zero->Omega, sf_locus_event(zero), sf_locus_gain(zero));
             if (zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED)
-                sf_add_zero(&work->extrema, zero->A, zero->Omega, zero->question, zero->channel, zero->rising);
+                sf_add_zero(&work->extrema, *zero);
         }
-        sf_add_event(graph, nodes->at[nodes->n - 1].A, 0, SF_CUT, 0);
+        sf_add_event(graph, piece->last.A, 0, SF_CUT, 0);
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
     }
@@ -283,116 +282,6 @@ static sf_status sf_fold_locus(const sf_model *model, double F_0, double A_max, 
     if (graph->status == SF_OK)
         sf_trace_arcs(&curve, graph);
     return graph->status;
-}
-
-/* Newton on F = F_A = 0 with residuals in double-double; whether it came to rest inside the box. */
-static int sf_polish_fold(const sf_model *model, double F_0, const double A_range[2], const double w_range[2],
-                             double *w, double *A) {
-    double last = HUGE_VAL;
-    int i;
-    for (i = 0; i < 8; i++) {
-        sf_quartic s;
-        sf_sample at;
-        double F, F_A, F_AA, F_Omega, F_AOmega, determinant, step_A, step_w, moved;
-        sf_sample_at(model, *A, &at);
-        s.A = *A, s.h = at.h, s.h_A = at.h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
-        s.kind = SF_RESPONSE;
-        F = sf_value_fine(&s, *w);
-        s.kind = SF_FOLD;
-        F_A = 2 * sf_value_fine(&s, *w);
-        F_AA = 2 * sf_half_F_AA(model, &at, *w);
-        F_Omega = sf_F_Omega(model, &at, *w);
-        F_AOmega = 4 * sf_quarter_F_AOmega(model, &at, *w);
-        determinant = F_A * F_AOmega - F_Omega * F_AA;
-        step_A = (F_Omega * F_A - F_AOmega * F) / determinant;
-        step_w = (F_AA * F - F_A * F_A) / determinant;
-        moved = fabs(step_A) / *A + fabs(step_w) / *w;
-        if (!(moved < 0.1) || (moved > 0.5 * last && last > 1e-13))
-            return 0;
-        if (moved > 0.5 * last) /* only rounding is left */
-            return 1;
-        *A += step_A, *w += step_w;
-        if (!(*A >= A_range[0] && *A <= A_range[1] && *w >= w_range[0] * (1 - 0x1p-48) &&
-              *w <= w_range[1] * (1 + 0x1p-48)))
-            return 0;
-        if (moved <= 0x1p-52)
-            return 1;
-        last = moved;
-    }
-    return last <= 1e-13;
-}
-
-static void sf_order(double range[2], double a, double b) {
-    range[0] = fmin(a, b);
-    range[1] = fmax(a, b);
-}
-
-/* Omega from F = 0: at a fold it does not depend on A to first order. The locus's Omega does, and next to a breakpoint so
- * steeply that an A known to its last place leaves it open. w_range says where to look. */
-static sf_point sf_settled_fold(const sf_model *model, double F_0, const double w_range[2], sf_point found) {
-    double w[3], nearest = HUGE_VAL;
-    sf_sample at;
-    int i, n, place = 0;
-    sf_sample_at(model, found.A, &at);
-    n = sf_response_roots(at.A, at.h, model->m, model->zeta, F_0, w);
-    if (n == 0) /* beyond the tip of the curve by rounding: Omega from F_A = 0 after all */
-        n = sf_fold_roots(at.A, at.h, at.h_A, model->m, model->zeta, w);
-    for (i = 0; i < n; i++) {
-        const double off = fmax(w_range[0] - w[i], fmax(w[i] - w_range[1], 0));
-        if (off < nearest)
-            nearest = off, place = i;
-    }
-    if (n > 0)
-        found.Omega = w[place];
-    return found;
-}
-
-/* The fold at F_0 on an arc of the locus whose ends lie on both sides of it. */
-static sf_point sf_crossing(const sf_model *model, double F_0, const sf_arc *arc, const double level[2]) {
-    const int rising = level[0] < F_0;
-    double lo = arc->A[0], hi = arc->A[1], w_lo = arc->Omega[0], w_hi = arc->Omega[1], last = hi - lo;
-    double A = lo + (hi - lo) * ((F_0 - level[0]) / (level[1] - level[0]));
-    double w_range[2];
-    sf_point found;
-    int i;
-    found.A = lo, found.Omega = w_lo;
-    for (i = 0; i < 200; i++) {
-        sf_sample at;
-        double w, y, slope, next, moved;
-        if (!(A > lo && A < hi)) {
-            A = 0.5 * (lo + hi);
-            if (!(A > lo && A < hi))
-                break;
-        }
-        sf_sample_at(model, A, &at);
-        w = sf_fold_branch(model, &at, arc->count, arc->index);
-        y = sf_level(model, &at, w) - F_0;
-        found.A = A, found.Omega = w;
-        if ((y < 0) == rising)
-            lo = A, w_lo = w;
-        else
-            hi = A, w_hi = w;
-        slope = -sf_F_Omega(model, &at, w) * sf_half_F_AA(model, &at, w) /
-                (4 * sf_quarter_F_AOmega(model, &at, w) * (y + F_0));
-        next = A - y / slope;
-        moved = fabs(next - A);
-        if (moved < 0.01 * A || hi - lo < 1e-3 * A) {
-            sf_point try = found;
-            double A_range[2];
-            A_range[0] = lo, A_range[1] = hi;
-            sf_order(w_range, w_lo, w_hi);
-            if (sf_polish_fold(model, F_0, A_range, w_range, &try.Omega, &try.A)) {
-                w_range[0] = w_range[1] = try.Omega;
-                return sf_settled_fold(model, F_0, w_range, try);
-            }
-        }
-        if (moved > 0.6 * last)
-            next = 0.5 * (lo + hi);
-        last = fabs(next - A);
-        A = next;
-    }
-    sf_order(w_range, w_lo, w_hi);
-    return sf_settled_fold(model, F_0, w_range, found);
 }
 
 /* ==== Folds at a forcing =========================================================================================== */
@@ -408,81 +297,87 @@ static void sf_add_fold(sf_folds *folds, double Omega, double A, int up, int cor
     folds->at[i].Omega = Omega, folds->at[i].A = A, folds->at[i].up = up, folds->at[i].corner = corner;
 }
 
-/* Folds on a breakpoint where the force jumps: F_A changes its sign between b and the next amplitude, without a zero. */
+/* Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I. */
+static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sample *at, double Omega) {
+    double w[3], nearest = HUGE_VAL;
+    int i, n, place = 0;
+    n = sf_response_roots(at->A, at->h, model->m, model->zeta, F_0, w);
+    if (n == 0) /* beyond the tip of the curve by rounding: Omega from F_A = 0 after all */
+        n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
+    for (i = 0; i < n; i++)
+        if (fabs(w[i] - Omega) < nearest)
+            nearest = fabs(w[i] - Omega), place = i;
+    return n > 0 ? w[place] : Omega;
+}
+
+/* Whether the side below breakpoint b is stable at the state (b, w): F_A > 0. Where the state is, to rounding, the end of
+ * the fold locus below, the sign of SF_FOLD_AT there decides, which decided whether that has a zero next to b. With y it,
+ * F = 2 R y and F_A = (2/A) (2 R - k) y to first order, and F_A at the state is less by F_AOmega F/F_Omega; without viscous
+ * damping F = y and F_A = 0. */
+static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
+    const sf_asked asked = sf_asked_of(SF_FOLD_AT, model, F_0);
+    sf_answer fold;
+    sf_ask(&asked, at, &fold);
+    if (fold.exists[0] && fabs(fold.Omega[0] - w) < SF_NEAR_END * w) {
+        const double R = slow_flow_R(w, at->A, at->h);
+        const double F = model->zeta > 0 ? 2 * R : 1, F_A = model->zeta > 0 ? 2 * (2 * R - at->k) / at->A : 0;
+        const double turn = 4 * sf_quarter_F_AOmega(model, at, w) / sf_F_Omega(model, at, w);
+        return fold.y[0] * (F_A - turn * F) > 0;
+    }
+    return sf_half_F_A(model, at, w) > 0;
+}
+
+/* Folds on a breakpoint where the force jumps by J: next to it F_A = 2 R h_A + ... has the sign of R J. */
 static void sf_corner_folds(const sf_model *model, double F_0, double A_max, sf_folds *folds) {
     int k, i, n;
     for (k = 0; k < model->breaks; k++) {
-        sf_sample at, above;
+        sf_sample at;
         double w[3];
         if (model->jump[k] == 0 || !(model->b[k] < A_max))
             continue;
         sf_sample_at(model, model->b[k], &at);
-        sf_sample_at(model, nextafter(model->b[k], HUGE_VAL), &above);
         n = sf_response_roots(at.A, at.h, model->m, model->zeta, F_0, w);
         for (i = 0; i < n; i++) {
-            const int stable_below = sf_half_F_A(model, &at, w[i]) > 0;
-            if (stable_below != (sf_half_F_A(model, &above, w[i]) > 0))
+            const double R = slow_flow_R(w[i], at.A, at.h);
+            const int stable_below = sf_is_stable_below(model, F_0, &at, w[i]), stable_above = R * model->jump[k] > 0;
+            if (stable_below != stable_above)
                 sf_add_fold(folds, w[i], at.A, stable_below, 1);
         }
     }
 }
 
-/* Every fold at F_0 > m, by rising Omega, from a locus that reaches A_max. */
-static void sf_folds_at(const sf_model *model, double F_0, double A_max, const sf_graph *locus, sf_folds *folds) {
-    int i, end;
-    folds->n = 0, folds->status = SF_OK;
-    for (i = 0; i < locus->arcs; i++) {
-        const sf_arc *arc = &locus->arc[i];
-        double level[2];
-        for (end = 0; end < 2; end++) {
-            sf_sample at;
-            sf_sample_at(model, arc->A[end], &at);
-            level[end] = sf_level(model, &at, arc->Omega[end]);
-        }
-        if (sf_opposite(level[0] - F_0, level[1] - F_0)) {
-            /* leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it */
-            const sf_point at = sf_crossing(model, F_0, arc, level);
-            sf_sample sample;
-            sf_sample_at(model, at.A, &sample);
-            sf_add_fold(folds, at.Omega, at.A, sf_half_F_AA(model, &sample, at.Omega) < 0, 0);
-        }
-    }
-    sf_corner_folds(model, F_0, A_max, folds);
-}
-
+/* Every fold at F_0 > m, by rising Omega; the pieces up to the largest amplitude stay in work. */
 static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
+    sf_zeros *found = &work->zeros;
     sf_status status;
-    folds->n = 0;
+    int i, k;
+    folds->n = 0, folds->status = SF_OK;
     if (sf_sticks(model, F_0))
         return SF_STICKS;
-    status = sf_range(model, F_0, &work->A_max);
-    if (status == SF_OK)
-        status = sf_fold_locus(model, F_0, work->A_max, work);
+    status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK)
         return status;
-    sf_folds_at(model, F_0, work->A_max, &work->locus, folds);
+    sf_stretches_up_to(model, work->A_max, &work->pieces);
+    for (i = 0; i < work->pieces.n; i++) {
+        sf_clear_zeros(found);
+        sf_ask_all(model, SF_FOLD_AT, F_0, &work->pieces.at[i], found);
+        if (found->status != SF_OK)
+            return found->status;
+        for (k = 0; k < found->n; k++) {
+            const double A = found->at[k].A;
+            double Omega;
+            sf_sample at;
+            sf_sample_at(model, A, &at);
+            Omega = sf_settled_Omega(model, F_0, &at, found->at[k].Omega);
+            /* leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it */
+            sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
+        }
+    }
+    sf_corner_folds(model, F_0, work->A_max, folds);
     return folds->status;
 }
 
 /* ==== The locus itself ============================================================================================= */
-
-/* One Newton step on F_A = F_AA = 0, with the residual of F_A in double-double. */
-static void sf_polish_cusp(const sf_model *model, double *w, sf_sample *at) {
-    sf_quartic s;
-    double f, g, a, b, c, d, determinant, step_w, step_A;
-    s.kind = SF_FOLD;
-    s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = 0;
-    f = sf_value_fine(&s, *w), g = sf_half_F_AA(model, at, *w);
-    a = 2 * sf_quarter_F_AOmega(model, at, *w), b = g;
-    c = sf_half_F_AAOmega(model, at, *w), d = sf_half_F_AAA(at, *w);
-    determinant = a * d - b * c;
-    step_w = (g * b - f * d) / determinant;
-    step_A = (f * c - g * a) / determinant;
-    if (!(fabs(step_w) < 1e-6 * *w && fabs(step_A) < 1e-6 * at->A))
-        return;
-    *w += step_w;
-    sf_sample_at(model, at->A + step_A, at);
-}
 
 /* A positive multiple of F_AA F_OmegaOmega - F_AOmega^2. */
 static double sf_hessian(const sf_model *model, const sf_sample *at, double w) {
@@ -497,15 +392,25 @@ static int sf_is_minimum(const sf_model *model, sf_question question, const sf_s
     return sf_half_F_AA(model, at, w) * sf_hessian(model, at, w) > 0;
 }
 
+/* The forcing at an extremum: at a cusp in the form that loses no digits where damping is small. */
+static double sf_extremum_level(const sf_model *model, const sf_zero *zero, const sf_sample *at) {
+    sf_answer answer;
+    if (zero->question != SF_CUSP)
+        return sf_level(model, at, zero->Omega);
+    memset(&answer, 0, sizeof answer);
+    sf_ask_cusp(model, at, &answer);
+    /* by what the record's excitation differs from a force */
+    return answer.level[zero->channel] *
+           (sf_level(model, at, zero->Omega) / slow_flow_level(zero->Omega, at->A, model->m, model->zeta, at->h));
+}
+
 static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     sf_extremum out;
     sf_sample at;
-    out.Omega = zero->Omega;
     sf_sample_at(model, zero->A, &at);
-    if (zero->question == SF_CUSP)
-        sf_polish_cusp(model, &out.Omega, &at);
-    out.A = at.A;
-    out.F_0 = sf_level(model, &at, out.Omega);
+    out.Omega = zero->Omega;
+    out.A = zero->A;
+    out.F_0 = sf_extremum_level(model, zero, &at);
     out.minimum = sf_is_minimum(model, zero->question, &at, out.Omega);
     out.saddle = zero->question == SF_ISOLA && sf_hessian(model, &at, out.Omega) < 0;
     out.isola = zero->question == SF_ISOLA;

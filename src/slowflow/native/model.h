@@ -32,12 +32,13 @@ typedef struct {
     int breaks;
 } sf_model;
 
+/* k = h - A h_A */
 typedef struct {
     double A;
     union {
-        double averages[4];
+        double averages[5];
         struct {
-            double h, h_A, h_AA, h_AAA;
+            double h, h_A, h_AA, h_AAA, k;
         };
     };
 } sf_sample;
@@ -75,9 +76,6 @@ static inline double sf_half_F_AAA(const sf_sample *at, double w) {
 }
 static inline double sf_quarter_F_AOmega(const sf_model *model, const sf_sample *at, double w) {
     return 0.25 * slow_flow_F_AOmega(w, at->A, model->m, model->zeta, at->h, at->h_A);
-}
-static inline double sf_half_F_AAOmega(const sf_model *model, const sf_sample *at, double w) {
-    return 0.5 * slow_flow_F_AAOmega(w, at->A, model->zeta, at->h_A, at->h_AA);
 }
 static inline double sf_F_Omega(const sf_model *model, const sf_sample *at, double w) {
     return slow_flow_F_Omega(w, at->A, model->m, model->zeta, at->h);

@@ -1,8 +1,10 @@
-/* What is asked along the amplitude: in goes one sample of the averaged force, out come functions of A whose zeros count.
+/* What is asked along the amplitude: in goes one sample of the averaged force, or a cell of amplitudes, out come functions
+ * of A whose zeros count, or what these functions and their slopes are on all of the cell.
  *
  * Everything that can change along a locus changes at a zero of a function that is explicit in A:
  *
  *   SF_STIFFNESS  h and h_A                      the static state and its fold at Omega = 0
+ *   SF_FOLD_AT    F = F_A = 0                    R, I and so Omega from both, put into R = A Omega^2 + h
  *   SF_ISOLA      F_A = F_Omega = 0              Omega from both, put into F_Omega
  *   SF_CUSP       F_A = F_AA = 0                 F_AA is biquadratic in Omega: both roots in closed form, put into F_A
  *   SF_TURN       F_A = F_AOmega = 0             F_A at its two critical points in Omega
@@ -10,119 +12,176 @@
  *   SF_PEAK       F = F_Omega = 0                F at its two critical points in Omega
  *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
  *
- * The functions are generated: derivations/loci.py eliminates Omega. With the slopes beside them, two zeros between neighbouring samples are not missed.
+ * The functions are generated, for numbers and for intervals: derivations/loci.py eliminates Omega.
  */
 #ifndef SF_QUESTIONS_H
 #define SF_QUESTIONS_H
 
-#include "model.h"
+#include "cells.h"
+#include "slow_flow_intervals.h"
+#include "slow_flow_mu0_intervals.h"
+#include "slow_flow_zeta0_intervals.h"
 
-typedef enum { SF_STIFFNESS, SF_ISOLA, SF_CUSP, SF_TURN, SF_UNDAMPED, SF_PEAK, SF_REST } sf_question;
+typedef enum {
+    SF_STIFFNESS,
+    SF_FOLD_AT,
+    SF_ISOLA,
+    SF_CUSP,
+    SF_TURN,
+    SF_UNDAMPED,
+    SF_PEAK,
+    SF_REST
+} sf_question;
 
-/* Up to two functions (channels) of A. exists: whether each is defined here; Omega: what its zero has for Omega;
- * edge: positive where they are defined, with its slope; floor: where its sign changes one of them ends at Omega = 0, with
- * its slope; merge: the value where a channel ends, if `edge` does not say */
+/* Up to two functions (channels) of A. exists: whether each is defined here; Omega: what its zero has for Omega; level:
+ * of a cusp, its forcing */
 typedef struct {
     int exists[2];
-    double y[2], dy[2], Omega[2];
-    double edge, d_edge, floor, d_floor, merge;
+    double y[2], dy[2], Omega[2], level[2];
 } sf_answer;
 
+typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
+
+/* One of these functions on a cell: where it is defined, and what holds it and its slope there. edge: its sign at the
+ * end of where it is defined, if there is one such end in the cell and the sign is known; else 0 */
+typedef struct {
+    sf_where where;
+    sf_interval y, dy;
+    int edge;
+} sf_range;
+
+/* A question with what it needs. F_0: of cusps, those at a higher forcing may be left out */
+typedef struct {
+    sf_question question;
+    const sf_model *model;
+    double F_0;
+    double least; /* of |k| at a fold: sqrt(F_0^2 - m^2) */
+} sf_asked;
+
+static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
+    sf_asked asked;
+    asked.question = question, asked.model = model, asked.F_0 = F_0;
+    asked.least = question == SF_FOLD_AT ? sqrt(F_0 - model->m) * sqrt(F_0 + model->m) : 0;
+    return asked;
+}
+
+/* ==== At a sample ================================================================================================== */
+
+/* h over A at A = 0 */
 static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
     out->exists[0] = out->exists[1] = 1;
-    out->y[0] = at->h, out->dy[0] = at->h_A;
+    out->y[0] = at->A > 0 ? at->h : at->h_A, out->dy[0] = at->h_A;
     out->y[1] = at->h_A, out->dy[1] = at->h_AA;
+}
+
+static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = asked->model;
+    double fold[3], tangent[2];
+    if (model->zeta == 0 ? !(at->h_A < 0) : !(fabs(at->k) >= asked->least))
+        return;
+    slow_flow_intercept(at->A, at->h, at->h_A, at->h_AA, tangent);
+    if (model->zeta == 0) {
+        slow_flow_zeta0_fold(asked->F_0, model->m, at->k, tangent[1], fold);
+        out->Omega[0] = slow_flow_zeta0_undamped_Omega(at->h_A);
+    } else {
+        if (model->m == 0)
+            slow_flow_mu0_fold(at->A, asked->F_0, 0, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
+        else
+            slow_flow_fold(at->A, asked->F_0, model->m, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
+        out->Omega[0] = fold[2];
+    }
+    out->exists[0] = 1;
+    out->y[0] = fold[0], out->dy[0] = fold[1];
 }
 
 static inline void sf_ask_isola(const sf_model *model, const sf_sample *at, sf_answer *out) {
     double isola[2];
-    out->Omega[0] = slow_flow_isola_Omega(fmax(at->h_A, 0));
-    out->edge = at->h_A, out->d_edge = at->h_AA;
-    if (model->m == 0) { /* without the factor Omega there is a zero with h_A <= 0, which is dropped later */
-        slow_flow_mu0_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
-    } else if (at->h_A > 0) {
-        slow_flow_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
-    } else {
+    if (!(at->h_A > 0))
         return;
-    }
+    if (model->m == 0) /* without the factor Omega */
+        slow_flow_mu0_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
+    else
+        slow_flow_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
     out->exists[0] = 1;
+    out->Omega[0] = slow_flow_isola_Omega(at->h_A);
     out->y[0] = isola[0], out->dy[0] = isola[1];
 }
 
-/* Omega^2 solves X^2 + c_1 X + c_0 = 0; channel 0 is the larger root. A channel ends at Omega = 0 with F_A/2 there. */
+/* A root of x^2 + 2 a x + b: the larger or the smaller one, root^2 = a^2 - b. */
+static inline double sf_quadratic_root(double a, double b, double root, int larger) {
+    if (larger ? a > 0 : a < 0)
+        return larger ? -b / (a + root) : b / (root - a);
+    return larger ? root - a : -a - root;
+}
+
+/* Channel 0 is the larger root Omega^2 of F_AA. */
 static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_answer *out) {
-    double cusps[5], at_end[4], minus_half_c_1, c_0, square, root, X[2];
+    double q[5];
     int i;
-    slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->h_AAA, cusps);
-    minus_half_c_1 = cusps[0], c_0 = cusps[1], square = cusps[2]; /* the last is (c_1/2)^2 - c_0 */
-    out->edge = square, out->d_edge = cusps[4];
-    out->floor = c_0, out->d_floor = cusps[3];
-    slow_flow_fold_quartic(at->A, model->m, model->zeta, at->h, at->h_A, at_end);
-    out->merge = at_end[0];
-    if (!(square >= 0) || (minus_half_c_1 <= 0 && c_0 >= 0))
-        return;
-    root = sqrt(square);
-    if (minus_half_c_1 > 0) {
-        X[0] = minus_half_c_1 + root;
-        X[1] = c_0 / X[0];
-    } else {
-        X[1] = minus_half_c_1 - root;
-        X[0] = c_0 / X[1];
-    }
-    for (i = 0; i < 2; i++) {
-        double w, slope;
-        if (!(X[i] > 0))
+    slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->k, q);
+    for (i = 0; i < 2 && q[4] >= 0; i++) {
+        const double root = sqrt(q[4]), X = sf_quadratic_root(q[2], q[3], root, i == 0);
+        double cusp[4];
+        if (!(X > 0))
             continue;
-        w = sqrt(X[i]);
-        slope = 0.5 * slow_flow_cusp_F_AAOmega(w, i == 0 ? root : -root);
+        slow_flow_cusp(at->A, model->m, model->zeta, at->h_AA, at->h_AAA, at->k, X,
+                       sf_quadratic_root(q[0], q[1], root, i == 0), i == 0 ? root : -root, cusp);
         out->exists[i] = 1;
-        out->Omega[i] = w;
-        out->y[i] = sf_half_F_A(model, at, w);
-        out->dy[i] = -2 * sf_quarter_F_AOmega(model, at, w) * sf_half_F_AAA(at, w) / slope;
+        out->Omega[i] = sqrt(X);
+        out->y[i] = cusp[0], out->dy[i] = cusp[2];
+        out->level[i] = cusp[3];
     }
 }
 
 /* Critical values of a quartic. With q = 0 the lower one lies at Omega = 0 and belongs to other questions. */
-static inline void sf_ask_critical(const sf_isolated *q, double p_A, sf_answer *out) {
+static inline void sf_ask_critical(const sf_isolated *q, sf_answer *out) {
     out->exists[0] = q->exist && q->w1 > 0;
     out->exists[1] = q->exist;
     out->y[0] = q->f1, out->y[1] = q->f2;
     out->Omega[0] = q->w1, out->Omega[1] = q->w2;
-    out->merge = q->f0;
-    if (!q->exist) {
-        double critical[2];
-        slow_flow_critical(q->s.A, q->s.p, q->s.q, p_A, critical);
-        out->edge = critical[0], out->d_edge = critical[1];
-    }
 }
 
 static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_answer *out) {
     sf_isolated q;
+    if (!(at->A > 0))
+        return;
     sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
-    sf_ask_critical(&q, slow_flow_turn_p_A(at->A, model->zeta, at->h_A, at->h_AA), out);
+    sf_ask_critical(&q, out);
     if (q.exist) {
         out->dy[0] = sf_half_F_AA(model, at, q.w1);
         out->dy[1] = sf_half_F_AA(model, at, q.w2);
     }
 }
 
+/* Channel 1 is the minimum over Omega; without friction it is the only one. */
 static inline void sf_ask_peak(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
-    sf_isolated q;
-    sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
-    sf_ask_critical(&q, slow_flow_peak_p_A(model->zeta, at->h_A), out);
-    if (q.exist) {
-        out->dy[0] = 2 * sf_half_F_A(model, at, q.w1);
-        out->dy[1] = 2 * sf_half_F_A(model, at, q.w2);
+    double w[2];
+    int i, n;
+    if (!(at->A > 0 && model->zeta > 0))
+        return;
+    n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
+    for (i = 0; i < n; i++) {
+        const int channel = i + 2 - n;
+        double peak[2];
+        slow_flow_peak(w[i], at->A, F_0, model->m, model->zeta, at->h_A, peak);
+        out->exists[channel] = 1;
+        out->Omega[channel] = w[i];
+        out->y[channel] = peak[0], out->dy[channel] = peak[1];
     }
 }
 
+/* h_AA over A and R over A^3/3 at A = 0 */
 static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
     double factors[4];
+    if (!(at->h_A < 0))
+        return;
     slow_flow_zeta0_undamped(at->A, at->h, at->h_A, at->h_AA, at->h_AAA, factors);
     out->exists[0] = out->exists[1] = 1;
     out->y[0] = factors[0], out->dy[0] = factors[1];
     out->y[1] = factors[2], out->dy[1] = factors[3];
-    out->Omega[0] = out->Omega[1] = slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
+    if (at->A == 0)
+        out->y[0] = at->h_AAA, out->y[1] = -at->h_AAA;
+    out->Omega[0] = out->Omega[1] = slow_flow_zeta0_undamped_Omega(at->h_A);
 }
 
 /* h^2 + m^2 = F_0^2 has two smooth halves */
@@ -134,13 +193,15 @@ static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sampl
     out->dy[0] = out->dy[1] = halves[2];
 }
 
-static inline void sf_ask(sf_question question, const sf_model *model, double F_0, const sf_sample *at,
-                          sf_answer *out) {
-    static const sf_answer nothing = {{0, 0}, {0, 0}, {0, 0}, {0, 0}, 1, 0, 1, 0, 0};
-    *out = nothing;
-    switch (question) {
+static inline void sf_ask(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = asked->model;
+    memset(out, 0, sizeof *out);
+    switch (asked->question) {
     case SF_STIFFNESS:
         sf_ask_stiffness(at, out);
+        break;
+    case SF_FOLD_AT:
+        sf_ask_fold(asked, at, out);
         break;
     case SF_ISOLA:
         sf_ask_isola(model, at, out);
@@ -155,73 +216,239 @@ static inline void sf_ask(sf_question question, const sf_model *model, double F_
         sf_ask_undamped(at, out);
         break;
     case SF_PEAK:
-        sf_ask_peak(model, F_0, at, out);
+        sf_ask_peak(model, asked->F_0, at, out);
         break;
     case SF_REST:
-        sf_ask_rest(model, F_0, at, out);
+        sf_ask_rest(model, asked->F_0, at, out);
         break;
     }
 }
 
-static inline int sf_channels(sf_question question) { return question == SF_ISOLA ? 1 : 2; }
+static inline int sf_channels(sf_question question) { return question == SF_ISOLA || question == SF_FOLD_AT ? 1 : 2; }
 
-/* Whether a zero really belongs: where a channel is defined more widely than its meaning. */
-static inline int sf_belongs(sf_question question, const sf_sample *at) {
-    if (question == SF_ISOLA)
-        return at->h_A > 0;
-    if (question == SF_UNDAMPED)
-        return at->h_A < 0;
-    return 1;
+/* ==== On a cell ==================================================================================================== */
+
+static inline sf_where sf_where_positive(sf_interval x) {
+    return x.lo > 0 ? SF_THROUGHOUT : x.hi > 0 ? SF_PARTLY : SF_NOWHERE;
 }
 
-/* Whether a channel that ends between `inside` and `outside`, `width` apart (signed), has no zero before its end: it is
- * close to the value that it ends with, on the same side of zero, and its slope does not lead across. Where it ends by
- * merging with the other channel their slopes may be infinite there, but not their mean. */
-static inline int sf_settled(sf_question question, int channel, const sf_answer *inside, const sf_answer *outside,
-                             double width) {
-    const int merges = question == SF_CUSP ? outside->edge < 0 : inside->exists[0];
-    double y = inside->y[channel], slope = inside->dy[channel], last = inside->merge;
-    if (question == SF_ISOLA)
-        return y > 0;
-    if (merges) {
-        if (!inside->exists[1 - channel])
-            return 0;
-        last = inside->y[1 - channel];
-        slope = 0.5 * (inside->dy[0] + inside->dy[1]);
+static inline void sf_range_simple(sf_interval y, sf_interval dy, sf_where where, sf_range *out) {
+    out->where = where, out->y = y, out->dy = dy, out->edge = 0;
+}
+
+/* With viscous damping the channel ends at Omega = 0, where |k| is the least; F_A there has the sign of h_A. */
+static inline void sf_range_fold(const sf_asked *asked, const sf_cell *cell, sf_range *out) {
+    const sf_model *model = asked->model;
+    const sf_interval F_0 = sfi_point(asked->F_0), m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    const double least = asked->least;
+    sf_interval k = cell->k, fold[3];
+    out->edge = 0;
+    if (model->zeta == 0) {
+        slow_flow_zeta0_intervals_fold(F_0, m, k, cell->k_A, fold);
+        out->where = sf_where_positive(sfi_neg(cell->h_A)), out->y = fold[0], out->dy = fold[1];
+        return;
     }
-    return !sf_opposite(y, last) && fabs(y - last) <= 0.5 * fabs(y) && !sf_opposite(y, y + 2 * slope * width);
+    if (k.hi < least && k.lo > -least) {
+        out->where = SF_NOWHERE;
+        return;
+    }
+    out->where = SF_PARTLY;
+    if (!(k.hi < least || k.lo > -least)) { /* on both sides */
+        out->y = out->dy = sfi_of(-HUGE_VAL, HUGE_VAL);
+        return;
+    }
+    if (k.lo >= least || k.hi <= -least) {
+        out->where = SF_THROUGHOUT;
+    } else {
+        k = k.hi >= least ? sfi_of(least, k.hi) : sfi_of(k.lo, -least);
+        if (sfi_has_sign(cell->k_A) && sfi_has_sign(cell->h_A))
+            out->edge = cell->h_A.lo > 0 ? 1 : -1;
+    }
+    slow_flow_intervals_fold(cell->A, F_0, m, zeta, cell->h, cell->h_A, k, cell->k_A, fold);
+    out->y = fold[0], out->dy = fold[1];
 }
 
-/* Whether a function with these values and slopes at both ends of a width may come down to zero between: values on one
- * side of zero, slopes towards it and away again, and near zero where the tangents meet (the lowest that a convex
- * function can be) or on the cubic with these values and slopes. */
-static inline int sf_may_touch(double y_0, double dy_0, double y_1, double dy_1, double width) {
-    const double sign = y_0 < 0 ? -1 : 1;
-    double t, lowest;
+static inline void sf_range_isola(const sf_model *model, const sf_cell *cell, sf_range *out) {
+    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    sf_interval isola[2];
+    out->where = sf_where_positive(cell->h_A);
+    if (out->where == SF_NOWHERE)
+        return;
+    if (model->m == 0)
+        slow_flow_mu0_intervals_isola(cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, isola);
+    else
+        slow_flow_intervals_isola(cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, isola);
+    sf_range_simple(isola[0], isola[1], out->where, out);
+}
+
+/* The same as of numbers; both forms hold the root. */
+static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, sf_interval root, int larger) {
+    const sf_interval direct = larger ? sfi_sub(root, a) : sfi_sub(sfi_neg(a), root);
+    if (larger ? a.lo >= 0 : a.hi <= 0)
+        return sfi_both(direct, larger ? sfi_neg(sfi_div(b, sfi_add(a, root))) : sfi_div(b, sfi_sub(root, a)));
+    return direct;
+}
+
+/* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
+ * other one. */
+static inline void sf_range_cusp(const sf_model *model, double most, const sf_cell *cell, sf_range out[2]) {
+    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    const int alike = (cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0);
+    sf_interval q[5], root;
     int i;
-    y_0 *= sign, dy_0 *= sign, y_1 *= sign, dy_1 *= sign;
-    if (!(dy_0 < 0 && dy_1 > 0))
-        return 0;
-    t = (y_1 - y_0 - dy_1 * width) / (dy_0 - dy_1);
-    lowest = y_0 + dy_0 * t;
-    for (i = 1; i < 8; i++) {
-        const double x = 0.125 * i, z = 1 - x;
-        lowest = fmin(lowest, z * z * ((1 + 2 * x) * y_0 + x * width * dy_0) +
-                                  x * x * ((1 + 2 * z) * y_1 - z * width * dy_1));
+    out[0].where = out[1].where = SF_NOWHERE;
+    if (alike)
+        return;
+    slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, q);
+    if (q[4].hi < 0)
+        return;
+    root = sfi_sqrt(q[4]);
+    for (i = 0; i < 2; i++) {
+        const sf_interval X = sf_quadratic_root_range(q[2], q[3], root, i == 0);
+        const sf_interval T = sf_quadratic_root_range(q[0], q[1], root, i == 0);
+        const sf_where where = sf_where_positive(X);
+        sf_interval cusp[4];
+        if (where == SF_NOWHERE)
+            continue;
+        slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, sfi_of(sfi_most(X.lo, 0), X.hi), T,
+                                 i == 0 ? root : sfi_neg(root), cusp);
+        if (cusp[3].lo > most)
+            continue;
+        sf_range_simple(sfi_both(cusp[0], cusp[1]), cusp[2], q[4].lo > 0 ? where : SF_PARTLY, &out[i]);
     }
-    return !(lowest >= 0.3 * fmin(y_0, y_1));
 }
 
-/* Whether a channel that is defined at neither end of an interval may be inside: it comes from Omega = 0 to merge with the
- * other one, or there is a window. */
-static inline int sf_may_exist(int channel, const sf_answer *a, const sf_answer *b, double width) {
-    const int other = 1 - channel;
-    if ((a->exists[other] && b->edge < 0) || (b->exists[other] && a->edge < 0))
-        return 1;
-    if (a->edge < 0 && b->edge < 0)
-        return sf_may_touch(a->edge, a->d_edge, b->edge, b->d_edge, width);
-    return !(a->edge < 0) && !(b->edge < 0) && !sf_opposite(a->floor, b->floor) &&
-           sf_may_touch(a->floor, a->d_floor, b->floor, b->d_floor, width);
+/* Next to A = 0 a function that vanishes there has the sign of its slope, if that has one. */
+static inline void sf_range_stiffness(const sf_cell *cell, sf_range out[2]) {
+    sf_range_simple(cell->A.lo > 0 ? cell->h : cell->h_A, cell->A.lo > 0 ? cell->h_A : cell->h_AA, SF_THROUGHOUT,
+                    &out[0]);
+    sf_range_simple(cell->h_A, cell->h_AA, SF_THROUGHOUT, &out[1]);
+}
+
+static inline void sf_range_undamped(const sf_cell *cell, sf_range out[2]) {
+    const sf_where where = sf_where_positive(sfi_neg(cell->h_A));
+    const sf_interval unknown = sfi_of(-HUGE_VAL, HUGE_VAL);
+    sf_range_simple(cell->A.lo > 0 ? cell->h_AA : cell->h_AAA, cell->A.lo > 0 ? cell->h_AAA : unknown, where, &out[0]);
+    sf_range_simple(cell->A.lo > 0 ? cell->k : sfi_neg(cell->h_AAA), cell->A.lo > 0 ? cell->k_A : unknown, where,
+                    &out[1]);
+}
+
+/* Positive roots w1 < w2 of A w^3 + p w + q for q > 0: both exist where p is low enough. As A and p rise w1 rises and w2
+ * falls, so the corners of the box (A, p) hold them. */
+typedef struct {
+    sf_where where;
+    sf_interval w1, w2;
+} sf_critical_box;
+
+static inline int sf_critical_at(double A, double p, double q, double *w1, double *w2) {
+    sf_quartic s;
+    s.A = A, s.p = p, s.p_low = 0, s.q = q, s.q_low = 0;
+    return sf_critical_points(&s, w1, w2);
+}
+
+/* p: on the cell; next to A = 0, where p vanishes too, p/A is that of the slopes of h. */
+static inline void sf_critical_of(const sf_model *model, const sf_cell *cell, sf_interval p, double q,
+                                  sf_critical_box *out) {
+    const sf_interval A = cell->A;
+    double low[2], high[2];
+    out->where = SF_NOWHERE;
+    out->w1 = out->w2 = sfi_point(0);
+    if (A.lo == 0) {
+        const double square = -cell->h_A.lo - 2 * model->zeta * model->zeta;
+        /* p >= -square A: with friction there is none for small A */
+        if (square > 0 && sf_critical_at(A.hi, -square * (1 + SF_DOUBT) * A.hi, q, &low[0], &low[1])) {
+            out->where = SF_PARTLY;
+            out->w1 = out->w2 = sfi_of(0, sqrt(square) * (1 + SF_DOUBT));
+        }
+        return;
+    }
+    if (!sf_critical_at(A.lo, p.lo, q, &low[0], &low[1]))
+        return;
+    out->where = sf_critical_at(A.hi, p.hi, q, &high[0], &high[1]) ? SF_THROUGHOUT : SF_PARTLY;
+    if (out->where == SF_PARTLY) /* they meet in between, or at 0 */
+        high[0] = q > 0 ? low[1] : 0, high[1] = low[0];
+    out->w1 = sfi_of(low[0] * (1 - SF_DOUBT), high[0] * (1 + SF_DOUBT));
+    out->w2 = sfi_of(high[1] * (1 - SF_DOUBT), low[1] * (1 + SF_DOUBT));
+}
+
+static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, sf_range out[2]) {
+    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    sf_interval quartic[4];
+    sf_critical_box box;
+    int i;
+    slow_flow_intervals_fold_quartic(cell->A, m, zeta, cell->h, cell->h_A, quartic);
+    sf_critical_of(model, cell, sfi_of(0.5 * quartic[2].lo, 0.5 * quartic[2].hi), 0.25 * quartic[1].lo, &box);
+    for (i = 0; i < 2; i++) {
+        const sf_interval w = i == 0 ? box.w1 : box.w2;
+        out[i].where = i == 0 && model->m == 0 ? SF_NOWHERE : box.where;
+        if (out[i].where == SF_NOWHERE)
+            continue;
+        if (cell->A.lo == 0) { /* F_A over A, where h/A is a slope of h */
+            const sf_interval per_A = sfi_div(m, cell->A), one = sfi_point(1);
+            sf_range_simple(slow_flow_intervals_F_A(w, one, per_A, zeta, cell->h_A, cell->h_A),
+                            sfi_of(-HUGE_VAL, HUGE_VAL), box.where, &out[i]);
+            continue;
+        }
+        sf_range_simple(slow_flow_intervals_F_A(w, cell->A, m, zeta, cell->h, cell->h_A),
+                        slow_flow_intervals_F_AA(w, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA), box.where, &out[i]);
+        out[i].y.lo *= 0.5, out[i].y.hi *= 0.5, out[i].dy.lo *= 0.5, out[i].dy.hi *= 0.5;
+    }
+}
+
+/* The critical values rise with A where Omega^2 > h_A, and fall where it is less. */
+static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
+    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    sf_interval cubic[3], peak[2];
+    sf_critical_box box;
+    int i;
+    slow_flow_intervals_peak_cubic(cell->A, m, zeta, cell->h, cubic);
+    sf_critical_of(model, cell, cubic[1], model->zeta * model->m, &box);
+    for (i = 0; i < 2; i++) {
+        const sf_interval w = i == 0 ? box.w1 : box.w2;
+        out[i].where = model->zeta == 0 || (i == 0 && model->m == 0) ? SF_NOWHERE : box.where;
+        if (out[i].where == SF_NOWHERE)
+            continue;
+        slow_flow_intervals_peak(w, cell->A, sfi_point(F_0), m, zeta, cell->h_A, peak);
+        sf_range_simple(peak[0], peak[1], box.where, &out[i]);
+    }
+}
+
+/* F at Omega = 0 */
+static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
+    double halves[3];
+    slow_flow_rest(F_0, model->m, 0, 0, halves); /* -c, c */
+    sf_range_simple(sfi_add(cell->h, sfi_around(halves[0])), cell->h_A, SF_THROUGHOUT, &out[0]);
+    sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);
+}
+
+static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
+    const sf_model *model = asked->model;
+    switch (asked->question) {
+    case SF_STIFFNESS:
+        sf_range_stiffness(cell, out);
+        break;
+    case SF_FOLD_AT:
+        sf_range_fold(asked, cell, out);
+        break;
+    case SF_ISOLA:
+        sf_range_isola(model, cell, out);
+        break;
+    case SF_CUSP:
+        sf_range_cusp(model, asked->F_0, cell, out);
+        break;
+    case SF_TURN:
+        sf_range_turn(model, cell, out);
+        break;
+    case SF_UNDAMPED:
+        sf_range_undamped(cell, out);
+        break;
+    case SF_PEAK:
+        sf_range_peak(model, asked->F_0, cell, out);
+        break;
+    case SF_REST:
+        sf_range_rest(model, asked->F_0, cell, out);
+        break;
+    }
 }
 
 #endif

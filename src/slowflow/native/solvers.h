@@ -11,7 +11,7 @@ const sf_solvers SF_SOLVERS = {
     sf_peak,
     sf_saddle_nodes,
     sf_fold_locus,
-    sf_range,
+    sf_range_at,
     sf_make_skeleton,
     sf_show,
     sf_draw,

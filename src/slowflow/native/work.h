@@ -4,7 +4,10 @@
 
 #include "arcs.h"
 
-enum { SF_MOST_FOLDS = 48, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS, SF_RUNGS = 42, SF_FINE_RUNGS = 16 };
+enum { SF_MOST_FOLDS = 48, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS, SF_RUNGS = 100, SF_FINE_RUNGS = 12 };
+
+#define SF_ENDLESS 0x1p60   /* an amplitude so many times larger stands for infinity */
+#define SF_NEAR_END 0x1p-40 /* frequencies closer than this, relatively, are one where a curve ends */
 
 /* up: whether a sweep leaves the fold for a larger amplitude */
 typedef struct {
@@ -47,8 +50,7 @@ typedef struct {
 /* extrema: cusps and isola points of the locus */
 typedef struct {
     double A_max;
-    int charts;
-    sf_nodes chart[SF_MOST_BREAKS + 1];
+    sf_stretches pieces;
     sf_zeros zeros, extrema;
     sf_graph locus, response;
     sf_tour tour;

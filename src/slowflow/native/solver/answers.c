@@ -179,9 +179,8 @@ static PyObject *fold_locus(PyObject *self, PyObject *args)
     const sf_model *model = sf_model_in(given);
     if (model == NULL || (work = new_work()) == NULL)
         return NULL;
-    work->A_max = A_max;
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->fold_locus(model, 0, A_max, work);
+    status = sf_here()->fold_locus(model, A_max, work);
     if (status == SF_OK && samples > 0)
         n = sf_here()->draw_locus(model, samples, work, NULL, NULL, NULL, NULL);
     Py_END_ALLOW_THREADS

@@ -1,0 +1,135 @@
+/* Slow flow of any mechanism, in h = H - A and its derivatives: on whole intervals.
+
+   Written by `make derive`; never edit.
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/loci.py, derivations/resultants.py
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+
+#ifndef SLOW_FLOW_INTERVALS_H
+#define SLOW_FLOW_INTERVALS_H
+
+#include "interval.h"
+
+/* dF/dA; positive where stable.
+   Equation (24), (30). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A)
+{
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval R = sfi_add(sfi_mul(A, t0), h);
+    const sf_interval t1 = sfi_times(2.0, sfi_mul(Omega, zeta));
+    const sf_interval I_ = sfi_add(sfi_mul(A, t1), m);
+    return sfi_times(2.0, sfi_add(sfi_mul(I_, t1), sfi_mul(R, sfi_add(h_A, t0))));
+}
+
+/* d2F/dA2.
+   Equation (24), (33). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
+{
+    (void)(m);
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval R = sfi_add(sfi_mul(A, t0), h);
+    const sf_interval t1 = sfi_add(h_A, t0);
+    return sfi_times(2.0, sfi_add(sfi_add(sfi_mul(R, h_AA), sfi_times(4.0, sfi_mul(t0, sfi_square(zeta)))),
+        sfi_square(t1)));
+}
+
+/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
+   Equation (24), (30). Domain: A > 0. */
+static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval *out)
+{
+    out[0] = sfi_mul(h, h_A);
+    out[1] = sfi_times(2.0, sfi_mul(m, zeta));
+    out[2] = sfi_add(sfi_mul(A, sfi_add(h_A, sfi_times(4.0, sfi_square(zeta)))), h);
+    out[3] = A;
+}
+
+/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
+   Equation (34). Domain: A > 0. */
+static inline void slow_flow_intervals_peak_cubic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
+{
+    out[0] = sfi_mul(m, zeta);
+    out[1] = sfi_add(sfi_times(2.0, sfi_mul(A, sfi_square(zeta))), h);
+    out[2] = A;
+}
+
+/* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
+   Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. */
+static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval k, sf_interval k_A, sf_interval *out)
+{
+    const sf_interval excess = sfi_mul(sfi_sub(F_0, m), sfi_add(F_0, m));
+    const sf_interval least = sfi_sqrt(excess);
+    const sf_interval t0 = sfi_inverse(k);
+    const sf_interval t1 = sfi_mul(least, t0);
+    const sf_interval share = sfi_sqrt(sfi_mul(sfi_sub(sfi_point(1.0), t1), sfi_add(t1, sfi_point(1.0))));
+    const sf_interval J = sfi_div(excess, sfi_add(F_0, sfi_mul(m, share)));
+    const sf_interval t2 = sfi_inverse(share);
+    const sf_interval lag = sfi_div(excess, sfi_add(sfi_mul(F_0, t2), m));
+    const sf_interval t3 = sfi_mul(J, t0);
+    const sf_interval t4 = sfi_inverse(sfi_square(zeta));
+    const sf_interval t5 = sfi_inverse(A);
+    const sf_interval t6 = sfi_mul(t4, t5);
+    const sf_interval t7 = sfi_times(0.25, sfi_square(lag));
+    out[0] = sfi_add(sfi_add(sfi_neg(sfi_mul(F_0, t3)), h), sfi_mul(t6, t7));
+    out[1] = sfi_sub(sfi_add(sfi_div(sfi_mul(sfi_mul(sfi_mul(F_0, sfi_square(J)), k_A), sfi_add(sfi_times(0.5,
+        sfi_mul(t3, t6)), sfi_div(sfi_add(F_0, sfi_mul(m, t2)), excess))), sfi_square(k)), h_A), sfi_div(sfi_mul(t4,
+        t7), sfi_square(A)));
+    out[2] = sfi_div(sfi_times(0.5, sfi_mul(lag, t5)), zeta);
+}
+
+/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
+   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. */
+static inline void slow_flow_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
+{
+    const sf_interval w = sfi_sqrt(h_A);
+    const sf_interval t0 = sfi_times(2.0, sfi_square(zeta));
+    const sf_interval bracket = sfi_add(sfi_mul(A, sfi_add(h_A, t0)), h);
+    const sf_interval bracket_A = sfi_add(sfi_add(sfi_mul(A, h_AA), sfi_times(2.0, h_A)), t0);
+    out[0] = sfi_add(sfi_mul(bracket, w), sfi_mul(m, zeta));
+    out[1] = sfi_add(sfi_div(sfi_times(0.5, sfi_mul(bracket, h_AA)), w), sfi_mul(bracket_A, w));
+}
+
+/* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
+   Equation from (33). Domain: A > 0. */
+static inline void slow_flow_intervals_cusps(sf_interval A, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval k, sf_interval *out)
+{
+    const sf_interval t0 = sfi_square(zeta);
+    const sf_interval half_e = sfi_add(sfi_times(0.5, sfi_mul(A, h_AA)), sfi_times(2.0, t0));
+    const sf_interval t1 = sfi_sub(sfi_times(4.0, sfi_mul(h_A, t0)), sfi_mul(h_AA, k));
+    out[0] = half_e;
+    out[1] = sfi_neg(t1);
+    out[2] = sfi_add(h_A, half_e);
+    out[3] = sfi_add(sfi_mul(h, h_AA), sfi_square(h_A));
+    out[4] = sfi_add(sfi_square(half_e), t1);
+}
+
+/* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
+   Equation from (33). Domain: A > 0, X > 0. */
+static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval X, sf_interval T, sf_interval root, sf_interval *out)
+{
+    const sf_interval w = sfi_sqrt(X);
+    const sf_interval t0 = sfi_mul(A, T);
+    const sf_interval R = sfi_add(k, t0);
+    const sf_interval t1 = sfi_mul(m, zeta);
+    const sf_interval t2 = sfi_times(2.0, sfi_mul(t1, w));
+    const sf_interval t3 = sfi_times(4.0, sfi_mul(A, sfi_square(zeta)));
+    out[0] = sfi_add(sfi_add(sfi_mul(R, T), sfi_mul(X, t3)), t2);
+    out[1] = sfi_add(sfi_add(sfi_neg(sfi_mul(sfi_mul(A, h_AA), k)), sfi_mul(T,
+        sfi_add(sfi_neg(sfi_mul(sfi_square(A), h_AA)), k))), t2);
+    out[2] = sfi_div(sfi_times(0.5, sfi_mul(sfi_add(sfi_mul(R, h_AAA), sfi_times(3.0, sfi_mul(T, h_AA))),
+        sfi_sub(sfi_sub(sfi_sub(sfi_neg(R), t0), sfi_div(t1, w)), t3))), root);
+    out[3] = sfi_sqrt(sfi_add(sfi_add(sfi_mul(A, t2), sfi_mul(R, k)), sfi_square(m)));
+}
+
+/* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
+   Equation from (24), (34). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval *out)
+{
+    const sf_interval t0 = sfi_times(2.0, A);
+    const sf_interval R = sfi_sub(sfi_neg(sfi_mul(t0, sfi_square(zeta))), sfi_div(sfi_mul(m, zeta), Omega));
+    const sf_interval I_ = sfi_add(sfi_mul(sfi_mul(Omega, t0), zeta), m);
+    out[0] = sfi_add(sfi_square(R), sfi_mul(sfi_add(sfi_neg(F_0), I_), sfi_add(F_0, I_)));
+    out[1] = sfi_neg(sfi_times(2.0, sfi_mul(R, sfi_sub(sfi_square(Omega), h_A))));
+}
+
+#endif

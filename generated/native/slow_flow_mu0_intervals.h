@@ -1,0 +1,26 @@
+/* Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0: on whole intervals.
+
+   Written by `make derive`; never edit.
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/loci.py, derivations/resultants.py
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+
+#ifndef SLOW_FLOW_MU0_INTERVALS_H
+#define SLOW_FLOW_MU0_INTERVALS_H
+
+#include "interval.h"
+
+/* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
+   Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. */
+static inline void slow_flow_mu0_intervals_isola(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
+{
+    (void)(m);
+    const sf_interval t0 = sfi_times(2.0, sfi_square(zeta));
+    const sf_interval bracket = sfi_add(sfi_mul(A, sfi_add(h_A, t0)), h);
+    const sf_interval bracket_A = sfi_add(sfi_add(sfi_mul(A, h_AA), sfi_times(2.0, h_A)), t0);
+    out[0] = bracket;
+    out[1] = bracket_A;
+}
+
+#endif

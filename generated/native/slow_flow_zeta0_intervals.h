@@ -1,0 +1,24 @@
+/* Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0: on whole intervals.
+
+   Written by `make derive`; never edit.
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/loci.py, derivations/resultants.py
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+
+#ifndef SLOW_FLOW_ZETA0_INTERVALS_H
+#define SLOW_FLOW_ZETA0_INTERVALS_H
+
+#include "interval.h"
+
+/* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
+   Equation from (24), (30). Domain: F_0 > m. */
+static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out)
+{
+    const sf_interval excess = sfi_mul(sfi_sub(F_0, m), sfi_add(F_0, m));
+    const sf_interval least = sfi_sqrt(excess);
+    out[0] = sfi_mul(sfi_sub(k, least), sfi_add(k, least));
+    out[1] = sfi_times(2.0, sfi_mul(k, k_A));
+}
+
+#endif

@@ -1,0 +1,136 @@
+"""No fold, no onset and no peak is missed along the amplitude: against dense samples, and for a case once missed."""
+
+import itertools
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, backend
+from slowflow.averaged.reference import bounds
+from slowflow.averaged.reference.roots import fold_roots, response_roots
+from tests.test_solver_paths import random_designs
+
+pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers: NumPy samples the amplitude")
+
+
+def dense(model, A_max):
+    """Samples of the fold locus on each piece of the force up to A_max: A, level (n, 3) by rising Omega, counts."""
+    near, *beyond = (b for b in (*model.breakpoints, A_max) if b <= A_max)
+    yield samples(model, near * np.geomspace(1e-9, 1, 1500))
+    for low, high in itertools.pairwise((near, *beyond)):
+        yield samples(model, low * np.cosh(np.geomspace(2e-6, math.acosh(high / low), 1500)))
+
+
+def samples(model, A):
+    h, h_A, _, _ = model.averaged(A)
+    Omega, count = fold_roots(A, h, h_A, model.m, model.zeta)
+    return A, model.flow.level(Omega, A[:, np.newaxis], model.m, model.zeta, h[:, np.newaxis]), count
+
+
+def oscillators(rows):
+    for lam, r, delta_h, mu, zeta, F_0 in rows:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta), F_0
+
+
+def assert_folds_of_samples(oscillator, F_0):
+    """Between samples with as many branches the folds are as many as the branches that cross F_0, or more by two."""
+    found = oscillator.saddle_nodes(F_0)
+    # next to u_cr a fold may be nearer than a rounding: it follows from the one on the corner
+    smooth = np.sort(found.A[~np.isin(found.A, oscillator.model.breakpoints)])
+    for A, level, count in dense(oscillator.model, bounds.amplitude_bound(oscillator.model, F_0)[0]):
+        same = count[1:] == count[:-1]
+        off = level - F_0
+        crossed = ((off[1:] < 0) != (off[:-1] < 0)).sum(axis=-1, where=~np.isnan(off[1:]) & ~np.isnan(off[:-1]))
+        folds_there = np.diff(np.searchsorted(smooth, A, side="right"))
+        surplus = (folds_there - crossed)[same]
+        assert (surplus >= 0).all() and (surplus % 2 == 0).all(), (oscillator, F_0)
+
+
+def test_no_fold_is_missed_that_dense_samples_show():
+    for oscillator, F_0 in oscillators(random_designs(2, 1000)):
+        assert_folds_of_samples(oscillator, F_0)
+
+
+def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_are_born_there():
+    for oscillator, _ in oscillators(random_designs(1, 1000)):
+        onset = oscillator.saddle_node_onset()
+        lowest = math.inf if onset.F_SN is None else onset.F_SN
+        top = max(10 * oscillator.sticking_forcing, 1.0) if onset.F_SN is None else 2 * onset.F_SN
+        for _, level, count in dense(oscillator.model, bounds.amplitude_bound(oscillator.model, top)[0]):
+            same = (count[2:] == count[1:-1]) & (count[1:-1] == count[:-2])
+            minimum = (level[1:-1] < level[2:]) & (level[1:-1] < level[:-2]) & same[:, np.newaxis]
+            assert (level[1:-1][minimum] >= lowest * (1 - 1e-12)).all(), oscillator
+        if onset.F_SN is not None:
+            before, after = (len(oscillator.saddle_nodes(onset.F_SN * share)) for share in (1 - 1e-6, 1 + 1e-6))
+            assert after == before + 2, oscillator
+
+
+def test_above_the_peak_dense_samples_show_no_other():
+    """Every peak begins two branches, as A falls; a static state begins one, without which there is none."""
+    rows = random_designs(2, 1000)
+    for oscillator, F_0 in oscillators(rows[rows[:, 0] * rows[:, 1] * rows[:, 2] < 1]):
+        model, peak = oscillator.model, oscillator.peak(F_0)
+        A = np.linspace(peak.A * (1 + 1e-9), max(2 * peak.A, bounds.amplitude_bound(model, F_0)[0]), 2000)
+        _, count = response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
+        assert (count <= 1).all() and (np.diff(count) <= 0).all(), (oscillator, F_0)
+        beside = np.array([peak.A * (1 - 1e-9)])
+        _, below = response_roots(beside, model.averaged(beside)[0], model.m, model.zeta, F_0)
+        assert below == count[0] + (1 if peak.Omega == 0 else 2), (oscillator, F_0)
+
+
+# ---- a pair of isola points between two samples ----------------------------------------------------------------------
+
+SOFTENING = (3.0, -0.7317705776395018, 0.029025484740650885, 0.8847453384171343)
+F_0 = 2.6904551098096063
+
+
+def test_two_isola_points_close_to_each_other_are_both_found():
+    """By hand: Omega^2 = h_A, and F_Omega/(4 A) = Omega R + zeta I = 0 there, scanned with 10^6 amplitudes."""
+    alpha, beta, mu, zeta = SOFTENING
+    A = np.linspace(1e-3, 10, 1_000_001)
+    h, h_A = -alpha * A - 0.75 * beta * A**3, -alpha - 2.25 * beta * A**2
+    A, h, h_A = A[h_A > 0], h[h_A > 0], h_A[h_A > 0]
+    Omega = np.sqrt(h_A)
+    value = Omega * (A * Omega**2 + h) + zeta * (2 * zeta * A * Omega + 4 * mu / math.pi)
+    at = np.flatnonzero((value[1:] < 0) != (value[:-1] < 0))
+    assert at.size == 2
+    for A_max in (2, 6, 6.3, 7, 8, 1e3, 1e6):
+        found = Duffing(*SOFTENING).isola_points(A_max=A_max)
+        assert found.A.tolist() == pytest.approx(A[at].tolist(), abs=2e-5)
+
+
+def test_folds_states_and_stability_next_to_them_are_all_there():
+    """The states by the roots of F = 0 as a polynomial in A, cubed out by hand: R^2 + I^2 = F_0^2."""
+    oscillator = Duffing(*SOFTENING)
+    Omega = 0.7203394583836413
+    alpha, beta, mu, zeta = SOFTENING
+    A = np.polynomial.Polynomial([0, 1])
+    R = A * (Omega**2 - alpha) - 0.75 * beta * A**3
+    F = R**2 + (2 * zeta * Omega * A + 4 * mu / math.pi) ** 2 - F_0**2
+    roots = F.roots()
+    states = np.sort(roots[(abs(roots.imag) < 1e-9) & (roots.real > 0)].real)
+    found = oscillator.amplitudes(Omega=Omega, F_0=F_0)
+    assert found.A.tolist() == pytest.approx(states.tolist(), rel=1e-9)
+    slopes = F.deriv()(states)
+    assert len(oscillator.saddle_nodes(F_0)) == 3
+    curve = oscillator.frequency_response(F_0)
+    h, h_A, _, _ = oscillator.model.averaged(curve.A)
+    F_A = oscillator.model.flow.F_A(curve.Omega, curve.A, oscillator.model.m, zeta, h, h_A)
+    clear = np.abs(F_A) > 1e-6
+    attracts = np.asarray(curve.stable)
+    assert (attracts[clear] <= (F_A[clear] > 0)).all() and len(slopes) == 3
+
+
+def test_no_fold_of_a_softening_spring_is_missed():
+    rng = np.random.default_rng(5)
+    for _ in range(1000):
+        alpha, beta = rng.uniform(-1, 3), rng.uniform(-1, 1)
+        mu, zeta = rng.choice([0.0, 10 ** rng.uniform(-4, -1)]), 10 ** rng.uniform(-2, 0.2)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            oscillator = Duffing(alpha, beta, mu, zeta)
+        assert_folds_of_samples(oscillator, oscillator.sticking_forcing + 10 ** rng.uniform(-2, 0.5))
