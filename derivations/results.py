@@ -17,6 +17,7 @@ from derivations.frequencies import Frequencies, frequencies
 from derivations.harmonics import Harmonics, harmonics
 from derivations.loci import Along, along
 from derivations.mechanisms import Mechanism, all_mechanisms
+from derivations.monotone import prove_monotone
 from derivations.motion import Motion, Smoothed, motion, smoothed
 from derivations.oscillator import Oscillator, oscillator
 from derivations.restoring import Restoring, restoring
@@ -80,6 +81,7 @@ class Results:
 def of_mechanism(mechanism: Mechanism, flow: SlowFlow) -> OfMechanism:
     """Steps that need the mechanism."""
     dimensionless = oscillator(mechanism)
+    prove_monotone(dimensionless)
     polynomial = all(piece.is_polynomial(u) for piece in dimensionless.polynomials)
     average = restoring if polynomial else elliptic.restoring
     whole = average(dimensionless.polynomials, mechanism.breakpoints)
