@@ -1,7 +1,7 @@
 """What the solvers of every language have in common and no formula gives: how an answer fared, and where methods stop.
 
 In:  decisions.
-Out: `STATUS` and `ONSET_KINDS`, words by number; `NUMBERS` of the methods.
+Out: `CONVENTIONS`: tables of words by number, and numbers of the methods, for averaged and for exact motions.
 """
 
 from __future__ import annotations
@@ -20,38 +20,133 @@ class Word:
 
 
 @dataclass(frozen=True)
+class Table:
+    """Words by number.
+
+    name   -- of the type in Python and in C
+    doc    -- one line
+    words  -- from number 0 on
+    suffix -- to a word's name in C, where it would be another table's too
+    """
+
+    name: tuple[str, str]
+    doc: str
+    words: tuple[Word, ...]
+    suffix: str = ""
+
+
+@dataclass(frozen=True)
 class Number:
-    """A name for a number, and what it is, in one line."""
+    """A name for a number, exact, an `int` where it counts; and what it is, in one line."""
 
     name: str
-    value: sp.Rational
+    value: sp.Rational | int
     doc: str
 
 
-#: how a solver fared
-STATUS = (
-    Word("OK", "an answer"),
-    Word("INVALID", "a parameter outside its domain"),
-    Word("STICKS", "sticks: F_0 <= 4 mu/pi"),
-    Word("NONE", "there is none (no fold, no breakpoint)"),
-    Word("UNBOUNDED", "no viscous damping: no end of the response, no lowest forcing"),
-    Word("NO_BOUND", "no amplitude was found that bounds the response"),
-    Word("TOO_MANY", "more of them than places"),
-    Word("UNRESOLVED", "branches coincide within rounding"),
-    Word("NO_MEMORY", "out of memory"),
+@dataclass(frozen=True)
+class Conventions:
+    """Tables and numbers of one file in each language."""
+
+    name: str
+    title: str
+    tables: tuple[Table, ...]
+    numbers: tuple[Number, ...]
+
+
+STATUS = Table(
+    ("Status", "sf_status"),
+    "How a solver fared.",
+    (
+        Word("OK", "an answer"),
+        Word("INVALID", "a parameter outside its domain"),
+        Word("STICKS", "sticks: F_0 <= 4 mu/pi"),
+        Word("NONE", "there is none (no fold, no breakpoint)"),
+        Word("UNBOUNDED", "no viscous damping: no end of the response, no lowest forcing"),
+        Word("NO_BOUND", "no amplitude was found that bounds the response"),
+        Word("TOO_MANY", "more of them than places"),
+        Word("UNRESOLVED", "branches coincide within rounding"),
+        Word("NO_MEMORY", "out of memory"),
+    ),
 )
 
-#: what the lowest forcing with a fold is
-ONSET_KINDS = (
-    Word("no", "there is no onset"),
-    Word("cusp", "two folds meet: the response gets a vertical inflection"),
-    Word("isola", "an isolated curve is born"),
-    Word("corner", "at a breakpoint"),
+ONSET_KIND = Table(
+    ("OnsetKind", "sf_onset_kind"),
+    "What the lowest forcing with a fold is.",
+    (
+        Word("NO", "there is none"),
+        Word("CUSP", "two folds meet: the response gets a vertical inflection"),
+        Word("ISOLA", "an isolated curve is born"),
+        Word("CORNER", "at a breakpoint"),
+    ),
+    "_KIND",
 )
 
-NUMBERS = (
-    Number("STATIC_MULTIPLE", sp.Integer(100), "an undamped response without a reach is cut at this multiple of F_0"),
-    Number("RAISE", sp.Integer(4), "the forcing is raised by this factor until the onset lies below it"),
-    Number("RAISES", sp.Integer(30), "how often, at most"),
-    Number("SAME", sp.Rational(1, 2**49), "amplitudes closer than this, relatively, are one"),
+OUTCOME = Table(
+    ("Outcome", "sf_outcome"),
+    "How a motion or a cycle fared.",
+    (
+        Word("GOOD", "an answer"),
+        Word("STALLS", "more steps than allowed, or numbers that are not finite"),
+        Word("CHATTERS", "more phases in a turn than allowed"),
+        Word("ESCAPES", "the restoring force does not hold the mass"),
+        Word("SINGULAR", "equations without a single solution"),
+        Word("DIVERGES", "Newton's iteration does not converge"),
+        Word("NO_MEMORY", "out of memory"),
+    ),
+)
+
+EVENT = Table(
+    ("Event", "sf_event"),
+    "What ends smooth motion.",
+    (
+        Word("TIME", "the end that was asked for"),
+        Word("STOP", "the velocity vanishes"),
+        Word("EDGE", "a breakpoint"),
+        Word("NOTHING", "not ended"),
+    ),
+)
+
+EXTRA = Table(
+    ("ExtraKind", "sf_extra_kind"),
+    "A cycle's further equation, by which Omega is free.",
+    (
+        Word("NO_MORE", "none: Omega is given"),
+        Word("ROW", "row z = value"),
+        Word("BORDER", "a border's margin vanishes"),
+    ),
+)
+
+CONVENTIONS = (
+    Conventions(
+        "conventions",
+        "What the solvers of averaged motions have in common",
+        (STATUS, ONSET_KIND),
+        (
+            Number("STATIC_MULTIPLE", sp.Integer(100), "an undamped response without a reach is cut at this times F_0"),
+            Number("RAISE", sp.Integer(4), "the forcing is raised by this factor until the onset lies below it"),
+            Number("RAISES", 30, "how often, at most"),
+            Number("SAME", sp.Rational(1, 2**49), "amplitudes closer than this, relatively, are one"),
+        ),
+    ),
+    Conventions(
+        "exact_conventions",
+        "What the integrators of the equation of motion have in common",
+        (OUTCOME, EVENT, EXTRA),
+        (
+            Number("FAR", sp.Integer(10**6), "stands for no breakpoint ahead: no motion of an isolator comes near"),
+            Number(
+                "GRAZING",
+                sp.Rational(1, 10**13),
+                "a velocity at a breakpoint that cannot be told from rest: the way beyond is its square",
+            ),
+            Number("MOST_PHASES", 400, "in one turn of the forcing; more means that switches accumulate"),
+            Number("TIGHT", sp.Rational(1, 10**9), "relative step of u_0 at which Newton's iteration ends"),
+            Number(
+                "LOOSE",
+                sp.Rational(1, 10**6),
+                "relative step beyond which it has not converged where rounding ends it",
+            ),
+        ),
+    ),
 )

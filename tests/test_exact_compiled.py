@@ -11,9 +11,10 @@ from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator, law
 from slowflow.exact.continuation import _Path
-from slowflow.exact.integrate import STOP, TIME, Drive
+from slowflow.exact.integrate import Drive
 from slowflow.mechanism import Force
 from slowflow_kernels import rod_spring
+from slowflow_kernels.exact_conventions import Event
 from tests.oracles.exact_cases import random_cases
 
 pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
@@ -102,7 +103,7 @@ def test_a_stop_is_found_where_the_closed_form_has_it(zeta):
         first = mp.findroot(velocity, (mp.mpf(at) - theta) / Om)
         assert all(velocity(first * k / 400) < 0 for k in range(1, 400)), "an earlier stop was skipped"
         expected = theta + Om * first
-    assert event == STOP and v_end == 0.0
+    assert event == Event.STOP and v_end == 0.0
     assert abs(at - expected) <= 1e-15 * max(1.0, float(abs(expected)))
 
 
@@ -129,8 +130,8 @@ def test_a_graze_is_told_from_a_stop():
     for depth in (1e-3, 1e-6, 1e-9, 1e-12, 1e-14):
         over = OURS.until(piece, drive, 1, 1e6, 0.0, float(V * F_0), float(touching) + depth, Omega * 1.3)
         under = OURS.until(piece, drive, 1, 1e6, 0.0, float(V * F_0), float(touching) - depth, Omega * 1.3)
-        assert over[3] == TIME, depth
-        assert under[3] == STOP and abs(under[0] / Omega - float(where)) <= 4 * math.sqrt(depth), depth
+        assert over[3] == Event.TIME, depth
+        assert under[3] == Event.STOP and abs(under[0] / Omega - float(where)) <= 4 * math.sqrt(depth), depth
 
 
 def test_200_random_motions_by_heyoka():

@@ -25,7 +25,7 @@ HERE = Path(__file__).parent
 PACKAGE = HERE.parent / "generated" / "slowflow_kernels"
 ORACLE = json.loads((HERE / "data" / "kernel_oracle.json").read_text())
 #: generated modules without kernels
-TABLES = {"domains", "conventions", "scenes"}
+TABLES = {"domains", "conventions", "exact_conventions", "scenes"}
 MODULES = sorted({path.stem for path in PACKAGE.glob("*.py") if not path.stem.startswith("_")} - TABLES)
 KERNELS = [(module, kernel) for module, kernels in ORACLE.items() for kernel in kernels]
 U = Fraction(1, 2**53)

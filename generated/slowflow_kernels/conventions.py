@@ -1,4 +1,4 @@
-"""What the solvers have in common with those in C: how an answer fared, and where methods stop.
+"""What the solvers of averaged motions have in common, in C and in Python.
 
 Written by `make derive`; never edit.
 Input: derivations/conventions.py
@@ -32,18 +32,25 @@ class Status(IntEnum):
     NO_MEMORY = 8
 
 
-# of the lowest forcing with a fold, by number
-ONSET_KINDS = (
-    "no",  # there is no onset
-    "cusp",  # two folds meet: the response gets a vertical inflection
-    "isola",  # an isolated curve is born
-    "corner",  # at a breakpoint
-)
+class OnsetKind(IntEnum):
+    """What the lowest forcing with a fold is.
 
-# an undamped response without a reach is cut at this multiple of F_0
-STATIC_MULTIPLE = 100
+    0  NO          there is none
+    1  CUSP        two folds meet: the response gets a vertical inflection
+    2  ISOLA       an isolated curve is born
+    3  CORNER      at a breakpoint
+    """
+
+    NO = 0
+    CUSP = 1
+    ISOLA = 2
+    CORNER = 3
+
+
+# an undamped response without a reach is cut at this times F_0
+STATIC_MULTIPLE = 100.0
 # the forcing is raised by this factor until the onset lies below it
-RAISE = 4
+RAISE = 4.0
 # how often, at most
 RAISES = 30
 # amplitudes closer than this, relatively, are one

@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.exact.integrate import EDGE, FAR, MOST_STEPS, STOP, TIME, Array, Drive, spend
+from slowflow.exact.integrate import MOST_STEPS, Array, Drive, spend
 from slowflow.mechanism import Expression, Piece
+from slowflow_kernels.exact_conventions import FAR, Event
 
 CHUNK = 20_000  # steps between two looks at Ctrl-C: some hundredths of a second
 
@@ -137,13 +138,13 @@ class HeyokaIntegrator(threading.local):
         integrator.reset_cooldowns()
         outcome = self._propagated(integrator, end)
         if outcome == self._end:
-            event = TIME
+            event = Event.TIME
         else:
             # heyoka numbers a terminal event i that stops the integration -i - 1
             index = -int(outcome) - 1
             if index not in (0, 1):
                 raise ArithmeticError(f"the integration from theta = {theta} failed at theta = {integrator.time}")
-            event = EDGE if index else STOP
+            event = Event.EDGE if index else Event.STOP
         return float(integrator.time), float(state[0]), float(state[1]), event
 
     def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:

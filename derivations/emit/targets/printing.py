@@ -37,9 +37,9 @@ def literal(number: sp.Expr) -> str:
     return text if any(mark in text for mark in ".e") else text + ".0"
 
 
-def stated(number: sp.Expr) -> str:
-    """The same, but an integer as one."""
-    return str(number) if number.is_Integer else literal(number)
+def stated(number: sp.Expr | int) -> str:
+    """The same, but a count as an integer."""
+    return str(number) if isinstance(number, int) else literal(number)
 
 
 class Rules:

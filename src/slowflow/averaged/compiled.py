@@ -25,7 +25,7 @@ from slowflow.results import (
     SteadyStates,
     joined,
 )
-from slowflow_kernels.conventions import ONSET_KINDS, Status
+from slowflow_kernels.conventions import OnsetKind, Status
 
 
 def _solver() -> ModuleType:
@@ -66,7 +66,7 @@ def onset(model: Model) -> SaddleNodeOnset:
     if status == Status.NONE:
         return SaddleNodeOnset(None, None, None, "", "no saddle node")
     remark = folds.AT_REST.format(model.m) if at_rest < F_SN else ""
-    return SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], remark)
+    return SaddleNodeOnset(F_SN, Omega, A, OnsetKind(kind).name.lower(), remark)
 
 
 def detachment(model: Model) -> Detachment:

@@ -26,7 +26,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
 from slowflow.results import Remark
-from slowflow_kernels.conventions import ONSET_KINDS, Status
+from slowflow_kernels.conventions import OnsetKind, Status
 
 Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
@@ -69,7 +69,7 @@ class Detachments(Batch):
 class Onsets(Batch):
     """The lowest forcing that has a fold, for each design (33).
 
-    kind -- a number of `slowflow_kernels.conventions.ONSET_KINDS`: 1 a cusp, 2 an isola's birth, 3 on a breakpoint
+    kind -- a number of `slowflow_kernels.conventions.OnsetKind`: a cusp, an isola's birth, on a breakpoint
     """
 
     F_SN: Floats
@@ -90,7 +90,7 @@ class Onsets(Batch):
         return (
             self.Omega[..., np.newaxis],
             self.A[..., np.newaxis],
-            (self.kind == ONSET_KINDS.index("corner"))[..., np.newaxis],
+            (self.kind == OnsetKind.CORNER)[..., np.newaxis],
         )
 
 
@@ -282,7 +282,7 @@ def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
     if not found or found.F_SN is None:
         unbounded = found and oscillator.zeta == 0 and "no lowest forcing" in found.message
         return np.nan, np.nan, np.nan, 0, Status.UNBOUNDED if unbounded else Status.NONE
-    return found.F_SN, found.Omega, found.A, ONSET_KINDS.index(found.kind), Status.OK
+    return found.F_SN, found.Omega, found.A, OnsetKind[found.kind.upper()], Status.OK
 
 
 def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:

@@ -21,10 +21,6 @@ from slowflow.mechanism import EquationOfMotion, Expression, Piece
 EXACT: Any = backend.EXACT
 PHASE = 10  # numbers of a phase as C gives it
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
-#: what C says of a call that failed, see `sf_outcome`
-STALLS, CHATTERS, ESCAPES, SINGULAR, DIVERGES, NO_MEMORY = range(1, 7)
-#: the further equation of Newton's iteration in C, see `sf_extra`
-NO_MORE, ROW, BORDER = range(3)
 
 
 def law(expression: Expression) -> int | None:

@@ -22,15 +22,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact import compiled
 from slowflow.exact.compiled import TaylorIntegrator
-from slowflow.exact.integrate import FAR, PHASE_WORK, Drive, Integrator, spend
+from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
+from slowflow_kernels.exact_conventions import FAR, LOOSE, TIGHT, ExtraKind
 
 Array = NDArray[np.float64]
-TIGHT = 1e-9  # relative step of u_0 at which Newton's iteration ends
-LOOSE = 1e-6  # beyond which it has not converged where rounding ends it
 
 Signature = tuple[tuple[int, int], ...]
 
@@ -423,11 +421,11 @@ class Cycle:
         """Newton's iteration in C, which moves z; None where it does not converge or integration fails."""
         assert isinstance(self.integrator, TaylorIntegrator)
         if extra is None:
-            asked = (compiled.NO_MORE, z, 0.0, 0)
+            asked = (ExtraKind.NO_MORE, z, 0.0, 0)
         elif isinstance(extra, Row):
-            asked = (compiled.ROW, np.ascontiguousarray(extra.row), extra.value, 0)
+            asked = (ExtraKind.ROW, np.ascontiguousarray(extra.row), extra.value, 0)
         else:
-            asked = (compiled.BORDER, z, 0.0, extra.border)
+            asked = (ExtraKind.BORDER, z, 0.0, extra.border)
         outcome, numbers, along, (A, monodromy, borders) = self.integrator.newton(
             self.system, self.packed, self.half_turns, z, F_0, asked, most, tolerance
         )

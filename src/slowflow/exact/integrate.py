@@ -19,11 +19,10 @@ from numpy.typing import NDArray
 
 from slowflow.mechanism import Piece
 from slowflow_kernels import motion
+from slowflow_kernels.exact_conventions import Event
 
 Array = NDArray[np.float64]
 
-TIME, STOP, EDGE = 0, 1, 2
-FAR = 1e6  # stands for "no breakpoint ahead": no motion of an isolator comes near
 MOST_STEPS = 200_000  # of one integration, or calls by SciPy: a slip takes some tens, hundreds at low frequency
 MOST_WORK = 3_000_000  # steps or calls of one question, twenty times what a curve of 300 points takes
 PHASE_WORK = 30  # steps that take as long as all else that is done for a phase of a motion
@@ -87,7 +86,7 @@ class Integrator(Protocol):
     def until(
         self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
     ) -> tuple[float, float, float, int]:
-        """First stop (slip v falls through 0), arrival at u = edge, or `end`: (theta, u, v, STOP | EDGE | TIME)."""
+        """First stop (slip v falls through 0), arrival at u = edge, or `end`: (theta, u, v, `Event`)."""
         ...
 
     def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
@@ -144,10 +143,10 @@ class ScipyIntegrator:
             event.direction = direction  # type: ignore[attr-defined]
         field = self._field(piece, drive)
         solution = self._solve(field, (theta, end), np.array([u, v]), events=[stop, arrival])
-        for code, times in ((STOP, solution.t_events[0]), (EDGE, solution.t_events[1])):
+        for code, times in ((Event.STOP, solution.t_events[0]), (Event.EDGE, solution.t_events[1])):
             if times.size:
                 return self._refined(field, edge, solution, float(times[0]), code)
-        return end, float(solution.y[0, -1]), float(solution.y[1, -1]), TIME
+        return end, float(solution.y[0, -1]), float(solution.y[1, -1]), Event.TIME
 
     def _refined(self, field: Any, edge: float, solution: Any, at: float, code: int) -> tuple[float, float, float, int]:
         """The event's time by Newton from the start of its step: the dense output alone is too coarse."""
@@ -155,7 +154,7 @@ class ScipyIntegrator:
         for _ in range(8):
             u, v = self._solve(field, (begin, at), start).y[:, -1] if at != begin else start
             u_dot, v_dot = field(at, np.array([u, v]))
-            change = v / v_dot if code == STOP else (u - edge) / u_dot
+            change = v / v_dot if code == Event.STOP else (u - edge) / u_dot
             if not abs(change) > 1e-15 * max(1.0, abs(at)):
                 break
             at -= change

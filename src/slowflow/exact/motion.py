@@ -12,16 +12,14 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from slowflow.exact import compiled
 from slowflow.exact.compiled import TaylorIntegrator
-from slowflow.exact.integrate import EDGE, FAR, PHASE_WORK, STOP, TIME, Drive, Integrator, spend
+from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, spend
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow_kernels import motion
+from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, Event, Outcome
 
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
-GRAZING = 1e-13  # a velocity at a breakpoint that cannot be told from rest: the way beyond would be its square
-MOST_PHASES = 400  # in one turn of the forcing; more means that switches accumulate
 
 CHATTERS = (
     "more than {most} switches in one turn of the forcing at Omega = {Omega}: the mass chatters near u = {u:.6g}, "
@@ -170,28 +168,28 @@ def follow(
         if theta < end:
             theta, u, v, event = integrator.until(piece, drive, slip, edge, theta, u, v, end)
         else:
-            event = TIME
-        if event == STOP:
+            event = Event.TIME
+        if event == Event.STOP:
             v = 0.0
-        elif event == EDGE:
+        elif event == Event.EDGE:
             u = edge
             if abs(v) < GRAZING and slip * forced.acceleration(slip, region + slip, theta, u, v) < 0.0:
-                v, event = 0.0, STOP
+                v, event = 0.0, Event.STOP
         phases.append(Phase(slip, region, from_theta, from_u, from_v, theta, u, v, event))
-        if event == STOP:
+        if event == Event.STOP:
             slip = after_stop(forced, slip, region, theta, u)
-        elif event == EDGE:
+        elif event == Event.EDGE:
             region += slip
     return phases
 
 
 def _refuse(outcome: int, forced: Forced, last: Phase | None) -> None:
     """Says in words why C gave up."""
-    if outcome == compiled.CHATTERS and last is not None:
+    if outcome == Outcome.CHATTERS and last is not None:
         raise ArithmeticError(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=last.u_end))
-    if outcome == compiled.ESCAPES:
+    if outcome == Outcome.ESCAPES:
         raise ArithmeticError(ESCAPES.format(Omega=forced.Omega, F_0=forced.F_0, far=FAR))
-    if outcome == compiled.NO_MEMORY:
+    if outcome == Outcome.NO_MEMORY:
         raise MemoryError("no memory for the phases of the motion")
     if outcome:
         theta, u = (0.0, 0.0) if last is None else (last.end, last.u_end)
@@ -200,7 +198,7 @@ def _refuse(outcome: int, forced: Forced, last: Phase | None) -> None:
 
 def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float, end: float) -> float:
     """Adds a rest, or prolongs one that the last phase is; returns its end."""
-    event = STOP if until < end else TIME
+    event = Event.STOP if until < end else Event.TIME
     if phases and phases[-1].slip == 0:
         phases[-1] = phases[-1]._replace(end=until, event=event)
     else:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import sympy as sp
 
-from derivations.conventions import NUMBERS, ONSET_KINDS, STATUS
+from derivations.conventions import CONVENTIONS
 from derivations.emit.arctangent import estrin, series
 from derivations.emit.form import Module
 from derivations.emit.provenance import tools
@@ -56,9 +56,10 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             tools=tools(),
             **sources(module),
         )
-    result["native/conventions.h"] = environment.get_template("conventions.h.jinja").render(
-        status=STATUS, onset_kinds=ONSET_KINDS, numbers=NUMBERS, show=stated
-    )
+    for conventions in CONVENTIONS:
+        result[f"native/{conventions.name}.h"] = environment.get_template("conventions.h.jinja").render(
+            conventions=conventions, show=stated
+        )
     result["native/records.h"] = records.text(modules, environment)
     result["native/taylor.h"] = taylor.text(modules, environment)
     return result

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import sympy as sp
 
-from derivations.conventions import NUMBERS, ONSET_KINDS, STATUS
+from derivations.conventions import CONVENTIONS
 from derivations.emit.form import AVERAGED, GENERAL, Module, suffix
 from derivations.emit.provenance import tools
 from derivations.emit.targets.numpy.printer import NumpyPrinter
@@ -60,13 +60,11 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
         damping=DAMPING, forcing=FORCING
     )
-    result["slowflow_kernels/conventions.py"] = environment.get_template("conventions.py.jinja").render(
-        status=STATUS,
-        onset_kinds=ONSET_KINDS,
-        numbers=NUMBERS,
-        width=max(len(word.name) for word in STATUS),
-        show=stated,
-    )
+    for conventions in CONVENTIONS:
+        width = max(len(word.name) for table in conventions.tables for word in table.words)
+        result[f"slowflow_kernels/{conventions.name}.py"] = environment.get_template("conventions.py.jinja").render(
+            conventions=conventions, width=width, show=stated
+        )
     result["slowflow_kernels/scenes.py"] = environment.get_template("scenes.py.jinja").render(
         scenes=[(GENERAL + suffix(scene), vanishing) for scene, vanishing in most_first(SCENES)], general=GENERAL
     )

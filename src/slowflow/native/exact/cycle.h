@@ -183,14 +183,11 @@ static int sf_solve(double *m, long n, double *const b[2])
 
 /* One more equation, so that Omega is free: row z = value, or that a border's margin vanishes; or none. */
 typedef struct {
-    enum { SF_NO_MORE, SF_ROW, SF_BORDER } kind;
+    sf_extra_kind kind;
     const double *row; /* k + 3 */
     double value;
     long border;
 } sf_extra;
-
-#define SF_TIGHT 1e-9 /* relative step of u_0 at which the iteration ends */
-#define SF_LOOSE 1e-6 /* beyond which it has not converged where rounding ends it */
 
 /* Newton's iteration from z, which it moves. SF_DIVERGES where it does not converge. `along`, if not NULL: the solution
  * of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */

@@ -4,14 +4,13 @@
 
 #include <stdlib.h>
 
+#include "exact_conventions.h"
 #include "step.h"
 #include "first_zero.h"
 
 enum { SF_MOST_LAWS = 8 };
 
-#define SF_FAR 1e6       /* stands for "no breakpoint ahead": no motion of an isolator comes near */
-#define SF_GRAZING 1e-13 /* a velocity at a breakpoint that cannot be told from rest: the way beyond is its square */
-#define SF_GLIMPSE 1e-6  /* a slip from rest of less, in theta, is none: the push exceeds friction by rounding */
+#define SF_GLIMPSE 1e-6 /* a slip from rest of less, in theta, is none: the push exceeds friction by rounding */
 #define SF_TURN 6.283185307179586
 
 /* the equation of motion without its forcing; a negative region is the mirror image of that piece */
@@ -27,11 +26,6 @@ typedef struct {
     double Omega, F_0;
     long left; /* steps that may still be taken */
 } sf_forced;
-
-/* STALLS: more steps than allowed, or numbers that are not finite */
-typedef enum { SF_GOOD, SF_STALLS, SF_CHATTERS, SF_ESCAPES, SF_SINGULAR, SF_DIVERGES, SF_NO_MEMORY } sf_outcome;
-
-typedef enum { SF_TIME, SF_STOP, SF_EDGE, SF_NOTHING } sf_event;
 
 /* A stretch of smooth motion. slip: sign of the velocity, 0 at rest; undecided: touches a stop within rounding */
 typedef struct {
@@ -242,8 +236,6 @@ static int sf_rest(sf_phases *phases, int region, double *theta, double u, doubl
     }
     return sf_append(phases, (sf_phase){0, region, event, 0, from, u, 0.0, until, u, 0.0});
 }
-
-enum { SF_MOST_PHASES = 400 }; /* in one turn of the forcing; more means that switches accumulate */
 
 /* All phases from (theta, u, v) to `end`; `start` = {slip, region} overrides the state, e.g. at break-away. */
 static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v, double end, const int *start,

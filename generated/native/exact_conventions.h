@@ -1,0 +1,46 @@
+/* What the integrators of the equation of motion have in common, in C and in Python.
+
+   Written by `make derive`; never edit.
+   Input: derivations/conventions.py */
+
+#ifndef EXACT_CONVENTIONS_H
+#define EXACT_CONVENTIONS_H
+
+/* How a motion or a cycle fared. */
+typedef enum {
+    SF_GOOD = 0, /* an answer */
+    SF_STALLS = 1, /* more steps than allowed, or numbers that are not finite */
+    SF_CHATTERS = 2, /* more phases in a turn than allowed */
+    SF_ESCAPES = 3, /* the restoring force does not hold the mass */
+    SF_SINGULAR = 4, /* equations without a single solution */
+    SF_DIVERGES = 5, /* Newton's iteration does not converge */
+    SF_NO_MEMORY = 6 /* out of memory */
+} sf_outcome;
+
+/* What ends smooth motion. */
+typedef enum {
+    SF_TIME = 0, /* the end that was asked for */
+    SF_STOP = 1, /* the velocity vanishes */
+    SF_EDGE = 2, /* a breakpoint */
+    SF_NOTHING = 3 /* not ended */
+} sf_event;
+
+/* A cycle's further equation, by which Omega is free. */
+typedef enum {
+    SF_NO_MORE = 0, /* none: Omega is given */
+    SF_ROW = 1, /* row z = value */
+    SF_BORDER = 2 /* a border's margin vanishes */
+} sf_extra_kind;
+
+/* stands for no breakpoint ahead: no motion of an isolator comes near */
+#define SF_FAR 1000000.0
+/* a velocity at a breakpoint that cannot be told from rest: the way beyond is its square */
+#define SF_GRAZING 1e-13
+/* in one turn of the forcing; more means that switches accumulate */
+#define SF_MOST_PHASES 400
+/* relative step of u_0 at which Newton's iteration ends */
+#define SF_TIGHT 1.0000000000000001e-09
+/* relative step beyond which it has not converged where rounding ends it */
+#define SF_LOOSE 9.9999999999999995e-07
+
+#endif

@@ -1,0 +1,68 @@
+"""What the integrators of the equation of motion have in common, in C and in Python.
+
+Written by `make derive`; never edit.
+Input: derivations/conventions.py
+"""
+
+from enum import IntEnum
+
+
+class Outcome(IntEnum):
+    """How a motion or a cycle fared.
+
+    0  GOOD       an answer
+    1  STALLS     more steps than allowed, or numbers that are not finite
+    2  CHATTERS   more phases in a turn than allowed
+    3  ESCAPES    the restoring force does not hold the mass
+    4  SINGULAR   equations without a single solution
+    5  DIVERGES   Newton's iteration does not converge
+    6  NO_MEMORY  out of memory
+    """
+
+    GOOD = 0
+    STALLS = 1
+    CHATTERS = 2
+    ESCAPES = 3
+    SINGULAR = 4
+    DIVERGES = 5
+    NO_MEMORY = 6
+
+
+class Event(IntEnum):
+    """What ends smooth motion.
+
+    0  TIME       the end that was asked for
+    1  STOP       the velocity vanishes
+    2  EDGE       a breakpoint
+    3  NOTHING    not ended
+    """
+
+    TIME = 0
+    STOP = 1
+    EDGE = 2
+    NOTHING = 3
+
+
+class ExtraKind(IntEnum):
+    """A cycle's further equation, by which Omega is free.
+
+    0  NO_MORE    none: Omega is given
+    1  ROW        row z = value
+    2  BORDER     a border's margin vanishes
+    """
+
+    NO_MORE = 0
+    ROW = 1
+    BORDER = 2
+
+
+# stands for no breakpoint ahead: no motion of an isolator comes near
+FAR = 1000000.0
+# a velocity at a breakpoint that cannot be told from rest: the way beyond is its square
+GRAZING = 1e-13
+# in one turn of the forcing; more means that switches accumulate
+MOST_PHASES = 400
+# relative step of u_0 at which Newton's iteration ends
+TIGHT = 1.0000000000000001e-09
+# relative step beyond which it has not converged where rounding ends it
+LOOSE = 9.9999999999999995e-07
