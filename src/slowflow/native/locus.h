@@ -64,7 +64,7 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
         return sf_amplitude_bound(model, F_0, A_max);
     *A_max = model->mechanism->reach;
     if (!(*A_max < HUGE_VAL)) {
-        *A_max = 100 * F_0;
+        *A_max = SF_STATIC_MULTIPLE * F_0;
         if (model->breaks > 0)
             *A_max = fmax(*A_max, 2 * model->b[model->breaks - 1]);
     }

@@ -6,9 +6,8 @@ import numpy as np
 
 from slowflow.averaged.reference.roots import peak_roots
 from slowflow.model import Floats, Model
+from slowflow_kernels.conventions import STATIC_MULTIPLE
 
-#: where an undamped response is cut when the mechanism itself has no end
-UNBOUNDED_STATIC_MULTIPLE = 100.0
 #: multiples of the least amplitude that are tried as a bound
 RUNGS = np.ldexp(1.0, [*range(16), *range(16, 117, 4)])
 
@@ -31,7 +30,7 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     words = "unbounded without viscous damping: cut at A = "
     if np.isfinite(model.reach):
         return model.reach, f"{words}{model.reach:g}, {model.mechanism.reach_reason}"
-    A_max = max(UNBOUNDED_STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
+    A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
     return A_max, f"{words}{A_max:g}"
 
 

@@ -14,6 +14,7 @@ from slowflow.averaged.reference.roots import fold_roots, peak_roots, response_r
 from slowflow.averaged.reference.spans import Spans, fold_locus, peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
 from slowflow.results import Detachment, Peak, SaddleNodeOnset, SaddleNodes
+from slowflow_kernels.conventions import RAISE, RAISES
 
 #: what is said where there is no answer
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
@@ -27,8 +28,6 @@ NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
 
 #: Newton steps on F = F_A = 0 after the bracketed solution
 POLISHING_STEPS = 3
-#: factor by which the forcing is raised until the onset lies below it, and how often
-RAISE, RAISES = 4.0, 30
 
 
 def F_A(model: Model, Omega: Floats, A: Floats) -> Floats:

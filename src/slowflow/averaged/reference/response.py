@@ -19,9 +19,7 @@ from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.averaged.reference.spans import peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, joined
-
-#: amplitudes closer than this, relatively, are one event
-SAME = 8 * np.finfo(float).eps
+from slowflow_kernels.conventions import SAME
 
 
 @dataclass(frozen=True)
