@@ -291,7 +291,7 @@ static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, 
 
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
  * other one. */
-static inline void sf_range_cusp(const sf_model *model, double most, const sf_cell *cell, sf_range out[2]) {
+static inline void sf_range_cusp(const sf_model *model, double most, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
     const int alike = (cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0);
     sf_interval q[5], root;
@@ -304,12 +304,15 @@ static inline void sf_range_cusp(const sf_model *model, double most, const sf_ce
         return;
     root = sfi_sqrt(q[4]);
     for (i = 0; i < 2; i++) {
-        const sf_interval X = sf_quadratic_root_range(q[2], q[3], root, i == 0);
-        const sf_interval T = sf_quadratic_root_range(q[0], q[1], root, i == 0);
-        const sf_where where = sf_where_positive(X);
-        sf_interval cusp[4];
+        sf_interval X, T, cusp[4];
+        sf_where where;
+        if (!(open & 1 << i))
+            continue;
+        X = sf_quadratic_root_range(q[2], q[3], root, i == 0);
+        where = sf_where_positive(X);
         if (where == SF_NOWHERE)
             continue;
+        T = sf_quadratic_root_range(q[0], q[1], root, i == 0);
         slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, sfi_of(sfi_most(X.lo, 0), X.hi), T,
                                  i == 0 ? root : sfi_neg(root), cusp);
         if (cusp[3].lo > most)
@@ -371,7 +374,7 @@ static inline void sf_critical_of(const sf_model *model, const sf_cell *cell, sf
     out->w2 = sfi_of(high[1] * (1 - SF_DOUBT), low[1] * (1 + SF_DOUBT));
 }
 
-static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, sf_range out[2]) {
+static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
     sf_interval quartic[4];
     sf_critical_box box;
@@ -381,7 +384,7 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, sf_
     for (i = 0; i < 2; i++) {
         const sf_interval w = i == 0 ? box.w1 : box.w2;
         out[i].where = i == 0 && model->m == 0 ? SF_NOWHERE : box.where;
-        if (out[i].where == SF_NOWHERE)
+        if (out[i].where == SF_NOWHERE || !(open & 1 << i))
             continue;
         if (cell->A.lo == 0) { /* F_A over A, where h/A is a slope of h */
             const sf_interval per_A = sfi_div(m, cell->A), one = sfi_point(1);
@@ -396,7 +399,7 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, sf_
 }
 
 /* The critical values rise with A where Omega^2 > h_A, and fall where it is less. */
-static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
+static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
     sf_interval cubic[3], peak[2];
     sf_critical_box box;
@@ -406,7 +409,7 @@ static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cel
     for (i = 0; i < 2; i++) {
         const sf_interval w = i == 0 ? box.w1 : box.w2;
         out[i].where = model->zeta == 0 || (i == 0 && model->m == 0) ? SF_NOWHERE : box.where;
-        if (out[i].where == SF_NOWHERE)
+        if (out[i].where == SF_NOWHERE || !(open & 1 << i))
             continue;
         slow_flow_intervals_peak(w, cell->A, sfi_point(F_0), m, zeta, cell->h_A, peak);
         sf_range_simple(peak[0], peak[1], box.where, &out[i]);
@@ -421,7 +424,8 @@ static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cel
     sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);
 }
 
-static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
+/* open: which channels are wanted, 1 and 2 */
+static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_model *model = asked->model;
     switch (asked->question) {
     case SF_STIFFNESS:
@@ -434,16 +438,16 @@ static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, sf_
         sf_range_isola(model, cell, out);
         break;
     case SF_CUSP:
-        sf_range_cusp(model, asked->F_0, cell, out);
+        sf_range_cusp(model, asked->F_0, cell, open, out);
         break;
     case SF_TURN:
-        sf_range_turn(model, cell, out);
+        sf_range_turn(model, cell, open, out);
         break;
     case SF_UNDAMPED:
         sf_range_undamped(cell, out);
         break;
     case SF_PEAK:
-        sf_range_peak(model, asked->F_0, cell, out);
+        sf_range_peak(model, asked->F_0, cell, open, out);
         break;
     case SF_REST:
         sf_range_rest(model, asked->F_0, cell, out);

@@ -111,7 +111,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     if (search->found->status != SF_OK)
         return;
     sf_make_cell(&a->at, &b->at, &cell);
-    sf_find_range(&search->asked, &cell, range);
+    sf_find_range(&search->asked, &cell, open, range);
     for (c = 0; c < 2; c++)
         if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
             open &= ~(1 << c);
@@ -130,7 +130,7 @@ static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zer
     low.at = piece->first, high.at = piece->last;
     sf_ask(asked, &low.at, &low.answer);
     sf_ask(asked, &high.at, &high.answer);
-    if (low.at.A == 0 && (low.answer.y[0] == 0 || low.answer.y[1] == 0))
+    if (low.at.A == 0 && ((low.answer.exists[0] && low.answer.y[0] == 0) || (low.answer.exists[1] && low.answer.y[1] == 0)))
         sf_probe_at(&search, SF_FIRST, &low);
     sf_search_between(&search, &low, &high, sf_channels(asked->question) == 2 ? 3 : 1);
 }
