@@ -19,8 +19,8 @@ GENERATED = Path("generated")
 HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED) for path in folder.rglob("*.h"))
 # Without GIL there is no stable ABI yet.
 STABLE_ABI = not sysconfig.get_config_var("Py_GIL_DISABLED")
-# IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps. The ends of an interval in
-# one register cost a third more time than apart.
+# IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps. The ends of an interval
+# in one register cost a third more time than apart.
 STRICT = ["-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fno-tree-slp-vectorize"]
 FLAGS = {
     "unix": [*STRICT, "-g0", "-fvisibility=hidden"],

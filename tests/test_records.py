@@ -153,7 +153,7 @@ def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
     folds = many.saddle_nodes(F_0)
     same(places, (folds.Omega, folds.A, folds.kind, folds.count, folds.status))
     found = many.saddle_node_onset()
-    expected = (found.F_SN, found.Omega, found.A, found.kind, found.status)
+    expected = (found.F_SN, found.Omega, found.A, found.kind, found.at_rest, found.status)
     same(NATIVE.many_onset(record)(beta, alpha, 0.0, *damping), expected)
 
 

@@ -15,13 +15,14 @@ from slowflow_kernels import duffing
 
 pytestmark = pytest.mark.both_backends
 
-#: an onset that only the truncation makes, a negative stiffness at rest, the paper's isolator rubbing, one that sticks
+#: an onset that only the truncation makes, negative stiffness at rest, the paper's isolator rubbing, one that sticks,
+#: negative stiffness with an onset
 DESIGNS = {
-    "lam": np.array([3.0, 3.0, 3.0, 3.0]),
-    "r": np.array([0.5, 2.0, float(TABLE_1["r"]), 2.0]),
-    "delta_h": np.array([0.01, 0.4, float(TABLE_1["delta_h"]), 0.1]),
-    "mu": np.array([0.002, 0.01, 0.028, 0.05]),
-    "zeta": np.array([0.02, 0.1, 0.02, 0.02]),
+    "lam": np.array([3.0, 3.0, 3.0, 3.0, 3.0]),
+    "r": np.array([0.5, 2.0, float(TABLE_1["r"]), 2.0, 2.0]),
+    "delta_h": np.array([0.01, 0.4, float(TABLE_1["delta_h"]), 0.1, 0.2]),
+    "mu": np.array([0.002, 0.01, 0.028, 0.05, 0.01]),
+    "zeta": np.array([0.02, 0.1, 0.02, 0.02, 0.1]),
 }
 
 
@@ -33,13 +34,13 @@ def single(k):
 
 @pytest.mark.parametrize("F_0", [0.04, 0.2])
 def test_a_batch_has_the_remarks_of_single_answers_at_a_forcing(F_0):
-    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(4)]
+    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(5)]
     assert designs.saddle_nodes(F_0).remarks.tolist() == [int(one.saddle_nodes(F_0).remarks) for one in alone]
     assert designs.peak(F_0).remarks.tolist() == [int(one.peak(F_0).remarks) for one in alone]
 
 
 def test_a_batch_has_the_remarks_of_single_answers():
-    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(4)]
+    designs, alone = Isolator.many(**DESIGNS), [single(k) for k in range(5)]
     assert designs.detachment().remarks.tolist() == [int(one.detachment().remarks) for one in alone]
     assert designs.saddle_node_onset().remarks.tolist() == [int(one.saddle_node_onset().remarks) for one in alone]
 
@@ -52,6 +53,28 @@ def test_an_onset_that_only_the_truncation_makes_says_so():
     assert "without truncation: no saddle node" in onset.message
     together = Isolator.many(**DESIGNS).saddle_node_onset()
     assert np.isnan(together.untruncated[0]) and together.remarks[0] & Remark.OF_TRUNCATION
+
+
+def test_folds_at_rest_are_said_beside_an_onset_and_where_none_is_born():
+    """Folds that end at Omega = 0 there are at a tenth of the forcing that is named, or at any."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        spring = Duffing(-0.5, 10, 0.3, 0.1)
+    for oscillator, F_SN in ((spring, None), (single(1), None), (single(4), 0.1052)):
+        onset = oscillator.saddle_node_onset()
+        assert onset.F_SN == (F_SN and pytest.approx(F_SN, abs=1e-4))
+        assert Remark.FOLDS_AT_REST in onset.remarks and "folds that end at Omega = 0" in onset.message
+        assert len(oscillator.saddle_nodes(1.001 * oscillator.sticking_forcing)) > 0
+    assert Isolator.many(**DESIGNS).saddle_node_onset().at_rest.tolist() == [0, 1, 0, 0, 1]
+
+
+def test_folds_do_not_depend_on_what_was_asked_before():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        oscillator = Isolator(lam=3, r=0.6433440579025159, delta_h=0.685981882954226, zeta=0.7)
+    before = oscillator.saddle_nodes(0.015556790628234079)
+    oscillator.saddle_node_onset()
+    assert oscillator.saddle_nodes(0.015556790628234079) == before and len(before) == 1
 
 
 def test_amplitudes_beyond_the_reach_are_said_of_a_peak():

@@ -63,10 +63,12 @@ def onset(model: Model) -> SaddleNodeOnset:
     _check(status)
     if status == Status.UNBOUNDED:
         return SaddleNodeOnset(None, None, None, "", folds.NO_LOWEST.format(model.m))
-    if status == Status.NONE:
-        return SaddleNodeOnset(None, None, None, "", "no saddle node")
-    remark = folds.AT_REST.format(model.m) if at_rest < F_SN else ""
-    return SaddleNodeOnset(F_SN, Omega, A, OnsetKind(kind).name.lower(), remark)
+    return folds.with_folds_at_rest(
+        SaddleNodeOnset(None, None, None, "", folds.NO_ONSET)
+        if status == Status.NONE
+        else SaddleNodeOnset(F_SN, Omega, A, OnsetKind(kind).name.lower(), ""),
+        at_rest,
+    )
 
 
 def detachment(model: Model) -> Detachment:

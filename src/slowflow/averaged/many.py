@@ -69,14 +69,21 @@ class Detachments(Batch):
 class Onsets(Batch):
     """The lowest forcing that has a fold, for each design (33).
 
-    kind -- a number of `slowflow_kernels.conventions.OnsetKind`: a cusp, an isola's birth, on a breakpoint
+    kind    -- a number of `slowflow_kernels.conventions.OnsetKind`: a cusp, an isola's birth, on a breakpoint
+    at_rest -- 1 where there are folds below it, or without it, that end at Omega = 0
     """
 
     F_SN: Floats
     Omega: Floats
     A: Floats
     kind: Codes
+    at_rest: Codes
     status: Codes
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """As of all batches, and `Remark.FOLDS_AT_REST`."""
+        return np.asarray(super().remarks | np.where(self.at_rest, np.uint8(Remark.FOLDS_AT_REST), np.uint8(0)))
 
     @cached_property
     def untruncated(self) -> Floats:
@@ -281,8 +288,10 @@ def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
     found = oscillator and oscillator.saddle_node_onset()
     if not found or found.F_SN is None:
         unbounded = found and oscillator.zeta == 0 and "no lowest forcing" in found.message
-        return np.nan, np.nan, np.nan, 0, Status.UNBOUNDED if unbounded else Status.NONE
-    return found.F_SN, found.Omega, found.A, OnsetKind[found.kind.upper()], Status.OK
+        at_rest = bool(found) and Remark.FOLDS_AT_REST in found.remarks
+        return np.nan, np.nan, np.nan, 0, at_rest, Status.UNBOUNDED if unbounded else Status.NONE
+    at_rest = Remark.FOLDS_AT_REST in found.remarks
+    return found.F_SN, found.Omega, found.A, OnsetKind[found.kind.upper()], at_rest, Status.OK
 
 
 def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
@@ -330,7 +339,7 @@ DETACHMENT = Question(
 )
 ONSET = Question(
     _onset,
-    lambda _: [*[((), float)] * 3, *[((), np.int8)] * 2],
+    lambda _: [*[((), float)] * 3, *[((), np.int8)] * 3],
     lambda native: native.many_onset,
     2**14,
 )

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from slowflow.model import Model
-from slowflow.results import SaddleNodeOnset
+from slowflow.results import Remark, SaddleNodeOnset
 
 #: questions at one forcing
 QUESTIONS = ("frequency_response", "amplitudes", "saddle_nodes", "peak")
@@ -97,7 +97,9 @@ def plan(
         return Plan(question, F_0, model, True, (force, flow, *CURVE))
     if whole.linear:
         folds = Step("folds", False, "a linear oscillator has none")
-    elif onset is not None and onset.F_SN is not None and F_0 < onset.F_SN and not onset.message:
+    elif (
+        onset is not None and onset.F_SN is not None and F_0 < onset.F_SN and Remark.FOLDS_AT_REST not in onset.remarks
+    ):
         folds = Step("folds", False, f"F_0 < F_SN = {onset.F_SN:g}: there is none")
     else:
         folds = Step("folds", True, "level crossings of the fold locus, and corners")

@@ -64,7 +64,7 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
     }
 }
 
-/* design, damping -> F_SN, Omega, A, kind, status */
+/* design, damping -> F_SN, Omega, A, kind, whether folds that end at Omega = 0 are below it, status */
 static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
     const int out = mechanism->design_size + mechanism->damping_size;
@@ -80,7 +80,8 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
         sf_output(args, steps, out + 1, k, found.Omega);
         sf_output(args, steps, out + 2, k, found.A);
         sf_output_code(args, steps, out + 3, k, found.kind);
-        sf_output_code(args, steps, out + 4, k, status);
+        sf_output_code(args, steps, out + 4, k, found.rest < (found.kind == SF_NO_KIND ? HUGE_VAL : found.F_SN));
+        sf_output_code(args, steps, out + 5, k, status);
     }
     free(work);
 }

@@ -26,9 +26,9 @@ static void sf_consider(double level, double Omega, double A, sf_onset_kind kind
 
 /* An end of the fold locus at Omega = 0, from where the level rises along it unless there is no friction and F_Omega falls
  * below 0: then there are folds at every higher forcing, down to this one and without it. */
-static void sf_consider_end(const sf_model *model, const sf_sample *at, sf_onset *best) {
+static void sf_consider_end(const sf_model *model, const sf_sample *at, double level, sf_onset *best) {
     if (model->m > 0 || sf_quarter_F_OmegaOmega(model, at, 0) >= 0)
-        best->rest = fmin(best->rest, sf_level(model, at, 0));
+        best->rest = fmin(best->rest, level);
 }
 
 /* Where the level may be least inside a piece: cusps, isola points, ends. */
@@ -42,7 +42,7 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
         sf_sample at;
         sf_sample_at(model, zero->A, &at);
         if (zero->question == SF_STIFFNESS)
-            sf_consider_end(model, &at, best);
+            sf_consider_end(model, &at, zero->channel == 0 ? model->m : sf_level(model, &at, 0), best);
         else if (sf_is_minimum(model, zero->question, &at, zero->Omega))
             sf_consider(sf_extremum_level(model, zero, &at), zero->Omega, zero->A,
                         zero->question == SF_CUSP ? SF_CUSP_KIND : SF_ISOLA_KIND, best);
@@ -77,7 +77,7 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
             sf_quarter_F_OmegaOmega(model, at, w[i]) > 0)
             sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
     if (at->h_A * J < 0)
-        sf_consider_end(model, at, best);
+        sf_consider_end(model, at, sf_level(model, at, 0), best);
 }
 
 /* The same where only the force's slope jumps: the locus goes on, but its level may turn, as F_AA above is infinite. */

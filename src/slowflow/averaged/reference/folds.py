@@ -6,6 +6,9 @@ of a force that jumps there, F_A changes sign between b and the next amplitude a
 
 from __future__ import annotations
 
+import dataclasses
+import math
+
 import numpy as np
 
 from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
@@ -13,13 +16,15 @@ from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots, response_roots
 from slowflow.averaged.reference.spans import Spans, fold_locus, peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
-from slowflow.results import Detachment, Peak, SaddleNodeOnset, SaddleNodes
+from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SaddleNodes
 from slowflow_kernels.conventions import RAISE, RAISES
 
 #: what is said where there is no answer
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
-AT_REST = "below it, down to 4 mu/pi = {:g}, there are folds that end at Omega = 0"
+NO_ONSET = "no saddle node"
+AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
+NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
 NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
 NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
@@ -111,7 +116,7 @@ def onset(model: Model) -> SaddleNodeOnset:
         if best.F_SN is not None and best.F_SN <= F_0:
             return best
         F_0 *= RAISE
-    return SaddleNodeOnset(None, None, None, "", f"no saddle node up to F_0 = {F_0:g}")
+    return best if best.remarks else SaddleNodeOnset(None, None, None, "", f"no saddle node up to F_0 = {F_0:g}")
 
 
 def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
@@ -125,12 +130,22 @@ def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
     for b, jump in zip(model.breakpoints, model.jumps, strict=True):
         points = _corner_candidates(model, b, located) if jump != 0 else _joints(model, b)
         candidates += [(*point, b, "corner") for point in points]
+    # a softening force has folds at rest: the locus ends at Omega = 0 where h or h_A vanishes
+    rest = float(located.level[located.mark == "zero"].min(initial=math.inf))
+    if np.isclose(rest, model.m, rtol=1e-6, atol=1e-8):  # where h vanishes, not known to the last place
+        rest = model.m
     if not candidates:
-        return SaddleNodeOnset(None, None, None, "", "no saddle node")
+        return with_folds_at_rest(SaddleNodeOnset(None, None, None, "", NO_ONSET), rest)
     F_SN, Omega, A, kind = min(candidates)
-    # a softening force has folds at rest: the locus ends at Omega = 0 where the averaged force vanishes, at the level m
-    at_rest = bool(((located.mark == "zero") & (located.level < F_SN)).any())
-    return SaddleNodeOnset(F_SN, Omega, A, kind, AT_REST.format(model.m) if at_rest else "")
+    return with_folds_at_rest(SaddleNodeOnset(F_SN, Omega, A, kind, ""), rest)
+
+
+def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
+    """The onset, with the remark that there are folds at lower forcings: the locus ends at Omega = 0 at this level."""
+    if not rest < (math.inf if onset.F_SN is None else onset.F_SN):
+        return onset
+    words = (NONE_BUT_AT_REST if onset.F_SN is None else AT_REST).format(rest)
+    return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
 
 
 def _joints(model: Model, b: float) -> list[tuple[float, float]]:

@@ -20,19 +20,20 @@
 typedef struct {
     const char *name, *out, *doc;
     int forced, outputs;
-    char types[5];
+    char types[6];
 } question;
 
 static const question detachment = {
     "many_detachment", "(),(),(),()", "design, damping -> F_cr, Omega_cr, u_cr, status", 0, 4, {D, D, D, B}};
 static const question onset = {
-    "many_onset", "(),(),(),(),()", "design, damping -> F_SN, Omega, A, kind, status", 0, 5, {D, D, D, B, B}};
+    "many_onset", "(),(),(),(),(),()", "design, damping -> F_SN, Omega, A, kind, folds at rest, status", 0, 6,
+    {D, D, D, B, B, B}};
 static const question saddle_nodes = {
     "many_saddle_nodes", "(k),(k),(k),(),()", "design, damping, F_0 -> Omega, A, kind, count, status", 1, 5,
     {D, D, B, B, B}};
 static const question peak = {"many_peak", "(),(),()", "design, damping, F_0 -> A, Omega, status", 1, 3, {D, D, B}};
 
-enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 1 + 5 };
+enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 1 + 6 };
 
 /* What NumPy keeps pointers to, for as long as the process lives. */
 typedef struct {
@@ -107,7 +108,7 @@ static PyObject *many_peak(PyObject *cache, PyObject *record)
 
 static PyMethodDef functions[] = {
     {"many_detachment", many_detachment, METH_O, "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
-    {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, status"},
+    {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
     {"many_saddle_nodes", many_saddle_nodes, METH_O,
      "record -> ufunc of (design, damping, F_0) -> Omega, A, kind, count, status"},
     {"many_peak", many_peak, METH_O, "record -> ufunc of (design, damping, F_0) -> A, Omega, status"},
