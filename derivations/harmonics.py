@@ -14,8 +14,11 @@ differs from the next by g, and that difference is all that a passed breakpoint 
 
     d/dA int g^(j)(A s) s^j T_n dt = int g^(j+1)(A s) s^(j+1) T_n dt - g^(j)(b) (b/A)^j T_n(b/A) b/(A root)
 
-A linear piece has no higher harmonic: T_n is orthogonal to s. Where f is smooth over the whole cycle, n integrations by
-parts leave terms of one sign, for a force whose derivatives have one:
+A linear piece has no higher harmonic: T_n is orthogonal to s. Where another piece than the last is linear it is the
+one to stand for the whole cycle: differences beyond it count from theta to pi/2, with the other sign.
+
+Where f is smooth over the whole cycle, n integrations by parts leave terms of one sign, for a force whose derivatives
+have one:
 
     int_0^(pi/2) f(A s) T_n dt = A^n/(2n - 1)!! int_0^(pi/2) f^(n)(A s) cos^(2n) t dt
 """
@@ -39,6 +42,7 @@ from derivations.restoring import (
     at_breakpoint,
     forms,
     moment_parts,
+    odd_moment,
     quarter_moment,
     slope,
 )
@@ -120,6 +124,9 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
     """The harmonics where A exceeds `count` breakpoints, `far` of them by far: closed forms, and series there."""
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     jumps = [sp.expand(pieces[k] - pieces[k + 1]) for k in range(count)]
+    # the piece that stands for the whole cycle: a linear one if there is any, the last one of these
+    whole_cycle = max((k for k in range(count + 1) if sp.Poly(pieces[k], u).monoms() == [(1,)]), default=count)
+    outward = [k >= whole_cycle for k in range(count)]
     degrees = sorted({degree for jump in jumps for degree, _ in _degrees(jump)})
     lets: list[Let] = []
     for end in ends:
@@ -128,14 +135,17 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
         lets += end.lets([*even, *sorted(odd)])
     derivatives: list[sp.Expr] = []
     for n in HARMONICS:
-        for end in ends:
-            lets += [(_moment(end, n, degree), _moment_value(end, n, degree)) for degree in degrees]
+        for end, beyond in zip(ends, outward, strict=True):
+            value = _moment_beyond if beyond else _moment_value
+            lets += [(_moment(end, n, degree), value(end, n, degree)) for degree in degrees]
 
         def under(order: int, n: int = n) -> sp.Expr:
-            whole = sum(c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d) for d, c in _degrees(pieces[count]))
+            whole = sum(
+                c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d) for d, c in _degrees(pieces[whole_cycle])
+            )
             passed = sum(
-                c * sp.ff(d, order) * A ** (d - order) * _moment(end, n, d)
-                for end, jump in zip(ends, jumps, strict=True)
+                (-c if beyond else c) * sp.ff(d, order) * A ** (d - order) * _moment(end, n, d)
+                for end, jump, beyond in zip(ends, jumps, outward, strict=True)
                 for d, c in _degrees(jump)
             )
             return whole + passed
@@ -153,7 +163,7 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
 
 
 def _moment(end: End, n: int, degree: int) -> sp.Symbol:
-    """int_0^theta s^degree T_n(s) dt"""
+    """int s^degree T_n(s) dt on one side of theta"""
     return end.symbol(f"W{n}_{degree}")
 
 
@@ -162,7 +172,23 @@ def _quarter(n: int, degree: int) -> sp.Expr:
     return sp.Add(*(coefficient * quarter_moment(power) for power, coefficient in powers_of(n, degree)))
 
 
+def _moment_beyond(end: End, n: int, degree: int) -> sp.Expr:
+    """int_theta^(pi/2) s^degree T_n(s) dt"""
+    x, y = end.symbol("x"), end.symbol("y")
+    if degree % 2 == 0:
+        polynomial = sum((c * odd_moment(power).as_expr() for power, c in powers_of(n, degree)), sp.Integer(0))
+        return y * sp.horner(polynomial).subs(sp.Symbol("x", positive=True), x)
+    secular, rest = weighted(n, degree)
+    closed = x * y * sp.horner(rest.as_expr()).subs(rest.gen, x)
+    if secular == 0:
+        return closed
+    if end.far:
+        return _quarter(n, degree) - sum(c * end.from_zero(power) for power, c in powers_of(n, degree))
+    return secular * end.symbol("psi_0") + closed
+
+
 def _moment_value(end: End, n: int, degree: int) -> sp.Expr:
+    """int_0^theta s^degree T_n(s) dt"""
     moments = sum(coefficient * end.from_zero(power) for power, coefficient in powers_of(n, degree))
     if degree % 2 == 0:
         return moments

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import math
+import random
 
 import numpy as np
 import pytest
@@ -13,11 +14,18 @@ from slowflow import Duffing, backend
 from slowflow.model import Model
 from slowflow_kernels import duffing, slow_flow
 from tests.native import records, roots
+from tests.oracles.stated import Stated
 
 pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers")
 NATIVE = backend.SOLVER
 MECHANISMS = {mechanism.name: mechanism for mechanism in all_mechanisms()}
 INSIDE = {"lam": 3.0, "r": 2.0, "delta_h": 0.1, "alpha": 0.5, "beta": 0.7, "mu": 0.012, "zeta": 0.02, "F_0": 0.04}
+INSIDE |= {
+    parameter.symbol.name: Stated.within(parameter, random.Random(parameter.symbol.name))
+    for mechanism in MECHANISMS.values()
+    for parameter in mechanism.design
+    if parameter.symbol.name not in INSIDE
+}
 OK, INVALID = 0, 1
 
 

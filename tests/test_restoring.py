@@ -23,6 +23,11 @@ FORCES = {
         sp.Rational(1, 5) + 2 * u - u**2,
         u**4 / 3 + u + u**3 / 4 - sp.Rational(2, 7),
     ),
+    "linear, then not": (
+        sp.Rational(3, 4) * u,
+        2 * u - sp.Rational(3, 8) + u**2,
+        u**3 / 4 + 3 * u - sp.Rational(2, 7),
+    ),
 }
 ENDS = {b_1: mpf("0.3"), b_2: mpf("0.5")}
 DIGITS = 30

@@ -25,8 +25,8 @@ from derivations.emit.form import Let, TwofoldKernel
 
 TWO_SUM, TWO_PRODUCT = "two_sum", "two_product"
 
-#: x y + z, in one rounding where the language has it
-fma = sp.Function("fma")
+#: x y + z, in one rounding where the language has it; |x| with the sign of y
+fma, copysign = sp.symbols("fma copysign", cls=sp.Function)
 
 
 @dataclass(frozen=True)

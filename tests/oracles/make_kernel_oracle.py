@@ -1,6 +1,7 @@
 """Writes `data/kernel_oracle.json`: every generated kernel's values to 40 digits at fixed points, by other routes.
 
-In:  definitions typed here, Table 1 as typed from the paper, seeded points; nothing that derives or computes.
+In:  definitions typed here, Table 1 as typed from the paper, seeded points; for a mechanism that has no definitions
+     here its file, see `stated`. Nothing that derives or computes.
 Out: {module: {kernel: [{"at": arguments, "is": values, "scale": |f| + sum |x df/dx|}, ...]}}.
 
 The routes: the averaged force by quadrature of the piecewise force, its derivatives and those of F by numerical
@@ -15,6 +16,7 @@ After a change of the list of kernels: python -m tests.oracles.make_kernel_oracl
 from __future__ import annotations
 
 import functools
+import importlib
 import itertools
 import json
 import random
@@ -25,7 +27,9 @@ from pathlib import Path
 from flint import arb, arb_series, ctx, fmpq, fmpq_poly
 from mpmath import mp, mpf
 
+from derivations.mechanisms import all_mechanisms
 from slowflow.paper import published
+from tests.oracles.stated import Stated
 
 DIGITS = 40
 mp.dps = 60
@@ -500,9 +504,20 @@ LEADING = {
 
 # --- the averaged force ----------------------------------------------------------------------------------------------
 
+#: mechanisms whose definitions are typed here
+TYPED = ("duffing", "rod_spring", "rod_spring_untruncated")
+
+
+@functools.cache
+def stated(name: str) -> Stated | None:
+    """What the file of another mechanism says."""
+    return None if name in TYPED else Stated(next(one for one in all_mechanisms() if one.name == name))
+
 
 def pieces(name: str, p: Sequence):
     """The whole restoring force, piece by piece, and where the pieces end."""
+    if other := stated(name):
+        return other.pieces(p)
     if name == "duffing":
         alpha, beta = p
         return [lambda u: alpha * u + beta * u**3], []
@@ -600,6 +615,10 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
     """-(1/pi) int_0^{2 pi} f(A cos psi) cos(n psi) dpsi and derivatives, in balls: as `untruncated_family`."""
     before, ctx.cap = ctx.cap, 4
     amplitude = arb_series([ball(A), 1])
+    if other := stated(name):
+        taylor = harmonic_of_polynomials(other, n, passed, amplitude, [ball(x) for x in p])
+        ctx.cap = before
+        return derivatives(taylor)
     forces = {
         "duffing": lambda u, q: q[0] * u + q[1] * u**3,
         "rod_spring": lambda u, q: q[0] * u + q[1] * u**3 + q[2] * u**5,
@@ -620,6 +639,20 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
     taylor = -4 / arb.pi() * total
     ctx.cap = before
     return derivatives(taylor)
+
+
+def harmonic_of_polynomials(other: Stated, n: int, passed: int, amplitude: arb_series, q: list[arb]) -> arb_series:
+    """The same for polynomial pieces, each over its part of the cycle."""
+    polynomials, ends = other.polynomials(q), other.pieces(q)[1]
+    cuts = [arb_series([0]), *((b / amplitude).asin() for b in ends[:passed]), arb_series([arb.pi() / 2])]
+    total = arb_series([0])
+    for polynomial, start, end in zip(polynomials, cuts, cuts[1:], strict=False):
+        for x, w in gauss(64):
+            t = start + (end - start) * x
+            u = amplitude * t.sin()
+            force = sum((c * u**k for k, c in polynomial.items()), arb_series([0]))
+            total += (end - start) * w * force * (n * (arb.pi() / 2 - t)).cos()
+    return -4 / arb.pi() * total
 
 
 def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
@@ -1079,6 +1112,13 @@ TOGETHER = {
 NOT_OF = {"averaged_all": ("rod_spring", "duffing"), "attached": ("rod_spring_untruncated", "duffing")}
 
 
+def has(name: str, kernel: str, p: Sequence) -> bool:
+    """Whether a mechanism has that kernel of several averages."""
+    if stated(name):
+        return kernel != "averaged_all" and (kernel != "attached" or bool(pieces(name, p)[1]))
+    return name not in NOT_OF.get(kernel, ())
+
+
 def family_table(name: str, amplitudes: Amplitudes) -> dict:
     """h, H and their derivatives, singly and together."""
     table: dict[str, list] = {}
@@ -1099,7 +1139,7 @@ def family_table(name: str, amplitudes: Amplitudes) -> dict:
         for output in values:
             add(output, (output,))
         for kernel, outputs in TOGETHER.items():
-            if name not in NOT_OF.get(kernel, ()) and not (kernel == "attached" and passed):
+            if has(name, kernel, p) and not (kernel == "attached" and passed):
                 add(kernel, outputs)
     return table
 
@@ -1160,9 +1200,16 @@ def resultant_table(rng: random.Random, name: str, parameters: list[tuple[float,
         ("saddle_nodes", saddle_nodes, ["F_0", "m", "zeta"]),
     ):
 
-        def whole(*x, f=f, leading=LEADING[name, kernel], last=len(own) - 1):  # noqa: B008
+        def whole(*x, f=f, kernel=kernel, last=len(own) - 1):  # noqa: B008
+            if other := stated(name):
+                found = f(fmpq(1), *x[: last + 1], *other.first(x[last + 1 :]))
+                # the scale is a convention: that of the kernel
+                scale = getattr(importlib.import_module(f"slowflow_kernels.{name}"), kernel)(
+                    *(float(v.p) / float(v.q) for v in x)
+                )[-1]
+                return [fmpq(*float(scale).as_integer_ratio()) * c for c in found]
             used = x[: last + 1 + count]
-            return f(leading(*used[last:]), *used)
+            return f(LEADING[name, kernel](*used[last:]), *used)
 
         for p in parameters:
             x = points(rng, " ".join(own), 1)[0]
@@ -1170,16 +1217,26 @@ def resultant_table(rng: random.Random, name: str, parameters: list[tuple[float,
     return table
 
 
+COEFFICIENTS = {
+    "rod_spring": rod_coefficients,
+    "rod_spring_untruncated": untruncated_coefficients,
+    "duffing": lambda alpha, beta: [alpha, beta],
+}
+
+
+def scale_of(name: str, p: Sequence[float]) -> float:
+    """The last breakpoint, or 1 where there is none."""
+    ends = pieces(name, p)[1]
+    return float(ends[-1]) if ends else 1.0
+
+
 def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
     """Parameters, breakpoints, jumps and the force itself."""
-    coefficients = {
-        "rod_spring": rod_coefficients,
-        "rod_spring_untruncated": untruncated_coefficients,
-        "duffing": lambda alpha, beta: [alpha, beta],  # the design itself
-    }[name]
-    table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), d) for d in designs]}
-    if name == "duffing":  # its design is its parameters
-        table["coefficients"] = [entry(lambda *x: coefficients(*x), p) for p in parameters]
+    other = stated(name)
+    coefficients = other.coefficients if other else COEFFICIENTS[name]
+    # the Duffing's design is its parameters
+    given = parameters if name == "duffing" else designs
+    table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), x) for x in given]}
     table["breakpoints"] = [entry(lambda *q: list(pieces(name, q)[1]), p) for p in parameters]
 
     def jumps(*q):
@@ -1188,17 +1245,18 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
 
     table["jumps"] = [entry(jumps, p) for p in parameters]
     # f(u)/u rises where no coefficient of its slope is negative: all but the first, or what multiplies 1/sqrt(1 - u^2)
-    rising = {"duffing": [1], "rod_spring": [1, 2], "rod_spring_untruncated": [1]}[name]
-    scale = 2 if name == "rod_spring_untruncated" else 1
-    truncated = name == "rod_spring"
+    rising = {
+        "duffing": lambda *q: q[1:],
+        "rod_spring": lambda *q: [*q[1:3], *(-jump for jump in jumps(*q))],
+        "rod_spring_untruncated": lambda *q: [2 * q[1]],
+    }
     table["hardening"] = [
-        entry(lambda *q: [*(scale * q[k] for k in rising), *(-x for x in jumps(*q) if truncated)], p)
-        for p in parameters
+        entry(lambda *q: [*(other.hardening(q) if other else rising[name](*q))], p) for p in parameters
     ]
     table["force"] = []
     for p in parameters:
         for factor in (-0.9, 1e-6, 0.7, 0.999, -1.2):
-            u = factor * (1.0 if name == "duffing" else p[-1])
+            u = factor * scale_of(name, p)
             k = passed_by(name, abs(u), p)
             table["force"].append(entry(lambda v, *q, k=k: [pieces(name, q)[0][k](v)], [u, *p]))
     return table | pieces_table(name, parameters)
@@ -1214,9 +1272,10 @@ def pieces_table(name: str, parameters: list[tuple[float, ...]]) -> dict:
         table.setdefault(f"{kernel}_u", []).append(slope)
 
     for p in parameters:
-        for k, factors in enumerate([(-0.9, 1e-6, 0.7, 0.999), (-1.2, 30.0)][: len(pieces(name, p)[0])]):
+        count = len(pieces(name, p)[0])
+        for k, factors in enumerate([(-0.9, 1e-6, 0.7, 0.999), *[(-1.2, 30.0)] * (count - 1)]):
             for factor in factors:
-                u = factor * (1.0 if name == "duffing" else p[-1])
+                u = factor * scale_of(name, p)
                 add(f"force_{k + 1}", lambda v, q, k=k: pieces(name, q)[0][k](v), u, p)
     return table
 
@@ -1254,6 +1313,17 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
         [(A, p) for p in parameters for A in (0.0, 1e-8, 0.1, 0.7, 3.0)],
         [(A, p) for p in parameters for A in (0.1, 0.6)],
     )
+    for name in (one.name for one in all_mechanisms() if one.name not in TYPED):
+        other = stated(name)
+        designs = other.designs()
+        parameters = [tuple(float(c) for c in other.coefficients(*map(mpf, design))) for design in designs]
+        made |= mechanism_tables(
+            name,
+            designs,
+            parameters,
+            [(A, p) for p in parameters for A in around(scale_of(name, p), False)],
+            [(A * scale_of(name, p), p) for p in parameters for A in (0.5, 1.1, 2.2)],
+        )
     return made
 
 

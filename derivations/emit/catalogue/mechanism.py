@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from derivations.elliptic import evaluable, parts
+from derivations.emit.compensated import copysign
 from derivations.emit.form import (
     AVERAGED,
     NAMES,
@@ -218,7 +219,7 @@ def force_kernel(derived: OfMechanism, pieces: Sequence[Kernel]) -> Kernel:
     whole = derived.whole
     guards = [*(((sp.Abs(u), end),) for end in whole.breakpoints), ()]
     branches = tuple(
-        Branch(piece.name, guard, (), piece.branches[0].outputs, kernel=piece.name)
+        Branch(piece.name, guard, piece.branches[0].lets, piece.branches[0].outputs, kernel=piece.name)
         for guard, piece in zip(guards, pieces, strict=True)
     )
     stands_for = ", truncated" if is_truncated(derived) else ", untruncated" if is_spelled_out(derived) else ""
@@ -231,6 +232,16 @@ def force_kernel(derived: OfMechanism, pieces: Sequence[Kernel]) -> Kernel:
         f"|u| < {mechanism.reach}" if is_spelled_out(derived) else "any u",
         parameters=len(mechanism.parameters),
     )
+
+
+def odd(piece: sp.Expr) -> tuple[list[Let], sp.Expr]:
+    """A polynomial piece, stated for u > 0, on both sides: even powers change their sign with u, which is a let."""
+    side = sp.Symbol("side", real=True)
+    terms = {power: coefficient * u**power for (power,), coefficient in sp.Poly(piece, u).terms()}
+    even = sum((term for power, term in terms.items() if power % 2 == 0), sp.Integer(0))
+    if even == 0:
+        return [], sp.horner(piece, u)
+    return [(side, copysign(1, u))], sp.horner(sp.expand(piece - even), u) + side * sp.horner(even, u)
 
 
 def force_slope(force: sp.Expr) -> tuple[list[Let], sp.Expr]:
@@ -292,14 +303,16 @@ def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], tuple[tuple[str, 
     equation = "(3), (6)" if is_truncated(derived) else "(3), (5)"
     kernels, table = [], []
     for k, piece in enumerate(derived.whole.pieces, start=1):
-        printed = evaluable(piece) if is_spelled_out(derived) else sp.horner(piece, u)
+        lets, printed = ([], evaluable(piece)) if is_spelled_out(derived) else odd(piece)
         name, name_of_slope = f"force_{k}", f"force_{k}_u"
         what = f"iece {k} of the whole restoring force u + F_k(u)."
         texts = (equation, "where it holds")
-        lets, slope = force_slope(printed)
+        roots, slope = force_slope(printed)
         arguments = (u, *parameters)
-        kernels.append(plain(name, arguments, printed, "P" + what, *texts, generic=True))
-        kernels.append(plain(name_of_slope, arguments, slope, "d/du of p" + what, *texts, lets=lets, generic=True))
+        kernels.append(plain(name, arguments, printed, "P" + what, *texts, lets=lets, generic=True))
+        kernels.append(
+            plain(name_of_slope, arguments, slope, "d/du of p" + what, *texts, lets=[*lets, *roots], generic=True)
+        )
         table.append((name, name_of_slope))
     return kernels, tuple(table)
 

@@ -7,7 +7,7 @@ from typing import ClassVar
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 
-from derivations.emit.compensated import fma
+from derivations.emit.compensated import copysign, fma
 from derivations.emit.targets.printing import Rules
 
 
@@ -23,6 +23,7 @@ class CPrinter(Rules, C99CodePrinter):
         sp.cos: "cos",
         sp.tan: "tan",
         fma: "fma",
+        copysign: "copysign",
         sp.atan2: "angles_atan2",
     }
 

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 import jinja2
 import sympy as sp
 
+from derivations.emit.compensated import copysign
 from derivations.emit.form import Kernel, Module
 from derivations.emit.passes import is_constant, straight_line
 from derivations.emit.provenance import tools
@@ -116,6 +117,9 @@ class _Builder:
             return series if factor == "" else self.add(_scaled(factor, series))
         if expression.is_Pow:
             return self._power(self.of(expression.base), expression.exp)
+        if expression.func is copysign:
+            size, of = (self.of(argument) for argument in expression.args)
+            return f"copysign({size}, {of if isinstance(of, str) else f'w[{of}][0]'})"
         if expression.func in (sp.sin, sp.cos):
             return self._angle(self.of(expression.args[0]), expression.func)
         if expression.func is sp.tan:
@@ -223,7 +227,7 @@ def recurrence(*kernels: Kernel) -> Recurrence:
     """The recurrences of a piece f(u) whose arguments are u and its constants; or of it and of df/du."""
     constants = tuple(symbol for symbol in kernels[0].arguments if symbol != u)
     branches = [kernel.branches[0] for kernel in kernels]
-    lets = [let for branch in branches for let in branch.lets]
+    lets = list(dict.fromkeys(let for branch in branches for let in branch.lets))
     program = straight_line(lets, [branch.outputs[0] for branch in branches], (u, *constants))
     used = set().union(*(e.free_symbols for e in (*(value for _, value in program.lets), *program.outputs)))
     parameters = tuple((PRINTER.doprint(symbol), i) for i, symbol in enumerate(constants) if symbol in used)

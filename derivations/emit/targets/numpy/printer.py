@@ -8,7 +8,7 @@ import sympy as sp
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
-from derivations.emit.compensated import fma
+from derivations.emit.compensated import copysign, fma
 from derivations.emit.targets.printing import Rules
 
 
@@ -24,6 +24,7 @@ class NumpyPrinter(Rules, NumPyPrinter):
         sp.cos: "np.cos",
         sp.tan: "np.tan",
         fma: "",
+        copysign: "np.copysign",
         sp.atan2: "np.arctan2",
     }
 

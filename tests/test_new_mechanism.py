@@ -1,0 +1,115 @@
+"""A mechanism that the project has not: its file alone, then what `make derive` does, then every question and test."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+from derivations.averaging import averaged
+from derivations.mechanisms import Piece
+from derivations.oscillator import oscillator
+from derivations.restoring import restoring
+from derivations.resultants import saddle_node_onset
+from derivations.slow_flow import SCENES, slow_flow
+from slowflow import backend
+from tests.mechanisms import bilinear
+
+ROOT = Path(__file__).parents[1]
+NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__pycache__", "*.so")
+PARTS = ["benchmarks", "derivations", "generated", "src", "tests", "pyproject.toml", "setup.py"]
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory):
+    """A copy with the bilinear spring's file, derived and built: without a virtual environment, so step by step."""
+    folder = tmp_path_factory.mktemp("project")
+    for part in PARTS:
+        if (ROOT / part).is_dir():
+            shutil.copytree(ROOT / part, folder / part, ignore=NOT_COPIED)
+        else:
+            shutil.copy(ROOT / part, folder / part)
+    shutil.copy(ROOT / "tests" / "mechanisms" / "bilinear.py", folder / "derivations" / "mechanisms")
+    run(folder, "-m", "derivations")
+    if backend.SOLVER is not None:
+        run(folder, "setup.py", "-q", "build_ext", "--inplace")
+    return folder
+
+
+def run(folder: Path, *command: str, **environment: str) -> str:
+    """What Python prints in that project."""
+    paths = os.pathsep.join(str(folder / part) for part in ("src", "generated", "."))
+    done = subprocess.run(
+        [sys.executable, *command],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": paths, **environment},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-3000:]
+    return done.stdout
+
+
+@pytest.mark.slow
+def test_every_question_is_answered_by_the_compiled_solvers(project):
+    if backend.SOLVER is None:
+        pytest.skip("the compiled solvers are not in use")
+    assert run(project, "-m", "tests.mechanisms.questions") == "compiled\n"
+
+
+@pytest.mark.slow
+def test_every_question_is_answered_on_numpy(project):
+    assert run(project, "-m", "tests.mechanisms.questions", SLOWFLOW_BACKEND="numpy") == "NumPy\n"
+
+
+@pytest.mark.slow
+def test_its_kernels_and_its_record_pass_the_tests_of_all_others(project):
+    run(project, "-m", "tests.oracles.make_kernel_oracle", "bilinear")
+    # pytest fails where it finds no test
+    run(
+        project,
+        *("-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", "bilinear"),
+        *("tests/test_kernels.py", "tests/test_native_kernels.py", "tests/test_records.py"),
+    )
+
+
+# ---- what a file may state
+
+
+def changed(**changes):
+    """The bilinear spring, stated otherwise."""
+    return bilinear.MECHANISM.__class__(**{**vars(bilinear.MECHANISM), **changes})
+
+
+def test_a_constant_that_makes_the_force_continuous_needs_no_name_and_leaves_no_jump():
+    stated = oscillator(bilinear.MECHANISM)
+    assert restoring(stated.polynomials, bilinear.MECHANISM.breakpoints).jumps == (0,)
+
+
+def test_a_force_that_jumps_needs_a_name_for_its_constant():
+    x, k_1, k_2, d = bilinear.x, bilinear.k_1, bilinear.k_2, bilinear.d
+    pieces = (Piece(k_1 * x, until=x - d), Piece(k_2 * x + 2 * (k_1 - k_2) * d))
+    with pytest.raises(ArithmeticError, match="jumps where piece 1 ends"):
+        oscillator(changed(pieces=pieces))
+    named = changed(pieces=pieces, coefficients=({1: bilinear.alpha_1}, {0: sp.Symbol("c"), 1: bilinear.alpha_2}))
+    (jump,) = restoring(oscillator(named).polynomials, named.breakpoints).jumps
+    assert jump != 0
+
+
+def test_a_first_piece_with_even_powers_is_refused():
+    x, d = bilinear.x, bilinear.d
+    with pytest.raises(ArithmeticError, match=r"powers \[0\] of u in the first piece"):
+        oscillator(changed(pieces=(Piece(bilinear.k_1 * (x + d), until=x - d), bilinear.MECHANISM.pieces[1])))
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_a_linear_first_piece_has_no_candidate_for_an_onset(scene):
+    """F_A and F_AA vanish together nowhere, or, without friction, where one vanishes: no amplitude stands out."""
+    whole = restoring(oscillator(bilinear.MECHANISM).polynomials, bilinear.MECHANISM.breakpoints)
+    found = saddle_node_onset(slow_flow(averaged(), scene), whole)
+    assert list(found.reduced) == [0]
