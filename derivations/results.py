@@ -23,6 +23,7 @@ from derivations.oscillator import Oscillator, oscillator
 from derivations.restoring import Restoring, restoring
 from derivations.resultants import Elimination
 from derivations.second_approximation import SecondApproximation, second_approximation
+from derivations.slopes import Slopes, slopes
 from derivations.slow_flow import SCENES, SlowFlow, slow_flow
 from derivations.symbols import u
 
@@ -60,6 +61,7 @@ class Results:
     flows      -- slow flow and its polynomials, by scene
     frequencies -- the quartics whose roots are the frequencies at an amplitude
     loci       -- what vanishes along the amplitude, by scene
+    slopes     -- along the response and the fold locus
     detachment -- (34), by scene
     second     -- the second approximation
     den_hartog -- (35)-(37)
@@ -72,6 +74,7 @@ class Results:
     flows: dict[str, SlowFlow]
     frequencies: Frequencies
     loci: dict[str, Along]
+    slopes: Slopes
     detachment: dict[str, Elimination]
     second: SecondApproximation
     den_hartog: DenHartog
@@ -106,6 +109,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         flows,
         frequencies(flows[""]),
         {scene: along(flow) for scene, flow in flows.items()},
+        slopes(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         den_hartog(),

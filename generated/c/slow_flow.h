@@ -78,19 +78,6 @@ static inline double slow_flow_F_AA(double Omega, double A, double m, double zet
     return 2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1);
 }
 
-/* d3F/dA3.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 10 structured, 9 common subexpressions, 9 power chains
- */
-static inline double slow_flow_F_AAA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
-{
-    (void)(m);
-    (void)(zeta);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    return 2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0));
-}
-
 /* dF/dOmega.
    Equation (24), (34). Domain: Omega > 0, A > 0.
    Operations: 12 structured, 12 common subexpressions, 12 power chains
@@ -419,6 +406,91 @@ static inline void slow_flow_peak(double Omega, double A, double F_0, double m, 
     const double I_ = Omega * t0 * zeta + m;
     out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
     out[1] = -2.0 * R * (Omega * Omega - h_A);
+}
+
+/* dOmega/dA along the response.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 21 structured, 18 common subexpressions, 18 power chains
+ */
+static inline double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = 2.0 * Omega;
+    const double I_ = A * t1 * zeta + m;
+    const double t2 = I_ * zeta;
+    const double F_A = 2.0 * (R * (h_A + t0) + t1 * t2);
+    const double F_Omega = 4.0 * A * (Omega * R + t2);
+    return -F_A / F_Omega;
+}
+
+/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 36 structured, 27 common subexpressions, 27 power chains
+ */
+static inline double slow_flow_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double I_ = m + t2 * zeta;
+    const double t3 = h_A + t0;
+    const double F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3);
+    const double t4 = I_ * zeta + Omega * R;
+    const double F_Omega = 4.0 * A * t4;
+    const double F_AOmega = 4.0 * (t1 * t3 + t2 * zeta * zeta + t4);
+    return -F_AAA * F_AOmega * F_Omega / A;
+}
+
+/* The same at an isola point.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 46 structured, 35 common subexpressions, 35 power chains
+ */
+static inline double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+{
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * Omega;
+    const double I_ = m + 2.0 * t2 * zeta;
+    const double t3 = h_A + t0;
+    const double t4 = zeta * zeta;
+    const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3);
+    const double t5 = 2.0 * t4;
+    const double F_AOmega = 4.0 * (I_ * zeta + Omega * R + t2 * t3 + t2 * t5);
+    const double F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1);
+    return F_AA * (F_AA * F_OmegaOmega - F_AOmega * F_AOmega);
+}
+
+/* F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 45 structured, 34 common subexpressions, 34 power chains
+ */
+static inline double slow_flow_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+{
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * Omega;
+    const double I_ = m + 2.0 * t2 * zeta;
+    const double t3 = h_A + t0;
+    const double t4 = zeta * zeta;
+    const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3);
+    const double t5 = 2.0 * t4;
+    const double F_AOmega = 4.0 * (I_ * zeta + Omega * R + t2 * t3 + t2 * t5);
+    const double F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1);
+    return F_AA * F_OmegaOmega - F_AOmega * F_AOmega;
+}
+
+/* An amplitude of the size of that far above resonance.
+   Equation from (24). Domain: Omega > 0, F_0 >= m.
+   Operations: 7 structured, 7 common subexpressions, 7 power chains
+ */
+static inline double slow_flow_tail(double Omega, double F_0, double m)
+{
+    const double square = (F_0 - m) * (F_0 + m);
+    return sqrt(square) / (Omega * Omega + 1.0);
 }
 
 #endif

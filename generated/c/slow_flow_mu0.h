@@ -63,19 +63,6 @@ static inline double slow_flow_mu0_F_AA(double Omega, double A, double m, double
     return 2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1);
 }
 
-/* d3F/dA3.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 10 structured, 9 common subexpressions, 9 power chains
- */
-static inline double slow_flow_mu0_F_AAA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
-{
-    (void)(m);
-    (void)(zeta);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    return 2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0));
-}
-
 /* dF/dOmega.
    Equation (24), (34). Domain: Omega > 0, A > 0.
    Operations: 11 structured, 11 common subexpressions, 11 power chains
@@ -206,17 +193,6 @@ static inline void slow_flow_mu0_detachment(double A, double m, double zeta, dou
     out[0] = -t0 * t2 * (h + t1);
     out[1] = 4.0 * A * A * zeta4 + h * t2 - t0;
     out[2] = 1.0;
-}
-
-/* d2F/dOmega2.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 13 structured, 11 common subexpressions, 11 power chains
- */
-static inline double slow_flow_mu0_F_OmegaOmega(double Omega, double A, double zeta, double h)
-{
-    const double t0 = A * Omega * Omega;
-    const double R = h + t0;
-    return 4.0 * A * (2.0 * A * zeta * zeta + R + 2.0 * t0);
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state.

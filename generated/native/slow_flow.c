@@ -119,28 +119,6 @@ static const sf_loop slow_flow_F_AA_loops[] = {
     slow_flow_F_AA_loop,
 };
 
-static SF_WIDE void slow_flow_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    const double *restrict h_AAA = in[7];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F_AAA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
-    }
-}
-
-static const sf_loop slow_flow_F_AAA_loops[] = {
-    slow_flow_F_AAA_loop,
-};
-
 static SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
@@ -693,6 +671,107 @@ static const sf_loop slow_flow_peak_loops[] = {
     slow_flow_peak_loop,
 };
 
+static SF_WIDE void slow_flow_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_Omega_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_Omega_A_loops[] = {
+    slow_flow_Omega_A_loop,
+};
+
+static SF_WIDE void slow_flow_cusp_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict h_AA = in[6];
+    const double *restrict h_AAA = in[7];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_cusp_bend(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
+    }
+}
+
+static const sf_loop slow_flow_cusp_bend_loops[] = {
+    slow_flow_cusp_bend_loop,
+};
+
+static SF_WIDE void slow_flow_isola_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict h_AA = in[6];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_isola_bend(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    }
+}
+
+static const sf_loop slow_flow_isola_bend_loops[] = {
+    slow_flow_isola_bend_loop,
+};
+
+static SF_WIDE void slow_flow_hessian_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict h_AA = in[6];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_hessian(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    }
+}
+
+static const sf_loop slow_flow_hessian_loops[] = {
+    slow_flow_hessian_loop,
+};
+
+static SF_WIDE void slow_flow_tail_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict F_0 = in[1];
+    const double *restrict m = in[2];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_tail(Omega[i], F_0[i], m[i]);
+    }
+}
+
+static const sf_loop slow_flow_tail_loops[] = {
+    slow_flow_tail_loop,
+};
+
 static const sf_kernel kernels[] = {
     {"friction",
      "Dry friction's share of I. Equation (23). Domain: mu >= 0.",
@@ -712,9 +791,6 @@ static const sf_kernel kernels[] = {
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
      7, 1, 1, NULL, slow_flow_F_AA_loops},
-    {"F_AAA",
-     "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 1, NULL, slow_flow_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
      5, 1, 1, NULL, slow_flow_F_Omega_loops},
@@ -805,6 +881,22 @@ static const sf_kernel kernels[] = {
      "F where F_Omega = 0: an extremum of F over Omega, and its slope along A. Equation from (24), (34). Domain: "
      "Omega > 0, A > 0.",
      6, 2, 1, NULL, slow_flow_peak_loops},
+    {"Omega_A",
+     "dOmega/dA along the response. Equation from (24). Domain: Omega > 0, A > 0.",
+     6, 1, 1, NULL, slow_flow_Omega_A_loops},
+    {"cusp_bend",
+     "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum. Equation from "
+     "(24), (30). Domain: Omega > 0, A > 0.",
+     8, 1, 1, NULL, slow_flow_cusp_bend_loops},
+    {"isola_bend",
+     "The same at an isola point. Equation from (24), (30). Domain: Omega > 0, A > 0.",
+     7, 1, 1, NULL, slow_flow_isola_bend_loops},
+    {"hessian",
+     "F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle. Equation from (24). Domain: Omega > 0, A > 0.",
+     7, 1, 1, NULL, slow_flow_hessian_loops},
+    {"tail",
+     "An amplitude of the size of that far above resonance. Equation from (24). Domain: Omega > 0, F_0 >= m.",
+     3, 1, 1, NULL, slow_flow_tail_loops},
 };
 
 const sf_module sf_module_slow_flow = {"slow_flow", kernels, sizeof kernels / sizeof kernels[0]};

@@ -87,28 +87,6 @@ static const sf_loop slow_flow_mu0_F_AA_loops[] = {
     slow_flow_mu0_F_AA_loop,
 };
 
-static SF_WIDE void slow_flow_mu0_F_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    const double *restrict h_AAA = in[7];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_F_AAA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_F_AAA_loops[] = {
-    slow_flow_mu0_F_AAA_loop,
-};
-
 static SF_WIDE void slow_flow_mu0_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
@@ -325,24 +303,6 @@ static const sf_loop slow_flow_mu0_detachment_loops[] = {
     slow_flow_mu0_detachment_loop,
 };
 
-static SF_WIDE void slow_flow_mu0_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_F_OmegaOmega(Omega[i], A[i], zeta[i], h[i]);
-    }
-}
-
-static const sf_loop slow_flow_mu0_F_OmegaOmega_loops[] = {
-    slow_flow_mu0_F_OmegaOmega_loop,
-};
-
 static SF_WIDE void slow_flow_mu0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
@@ -427,9 +387,6 @@ static const sf_kernel kernels[] = {
     {"F_AA",
      "d2F/dA2. Equation (24), (33). Domain: Omega > 0, A > 0.",
      7, 1, 1, NULL, slow_flow_mu0_F_AA_loops},
-    {"F_AAA",
-     "d3F/dA3. Equation (24). Domain: Omega > 0, A > 0.",
-     8, 1, 1, NULL, slow_flow_mu0_F_AAA_loops},
     {"F_Omega",
      "dF/dOmega. Equation (24), (34). Domain: Omega > 0, A > 0.",
      5, 1, 1, NULL, slow_flow_mu0_F_Omega_loops},
@@ -464,9 +421,6 @@ static const sf_kernel kernels[] = {
      "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr. "
      "Equation (34). Domain: A > 0.",
      4, 3, 1, NULL, slow_flow_mu0_detachment_loops},
-    {"F_OmegaOmega",
-     "d2F/dOmega2. Equation (24). Domain: Omega > 0, A > 0.",
-     4, 1, 1, NULL, slow_flow_mu0_F_OmegaOmega_loops},
     {"level",
      "The forcing F_0 for which (Omega, A) is a steady state. Equation (24). Domain: Omega >= 0, A > 0.",
      5, 1, 1, NULL, slow_flow_mu0_level_loops},

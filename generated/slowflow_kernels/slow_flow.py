@@ -21,25 +21,28 @@ SCENE = "mu > 0, zeta > 0: F is a quartic in Omega"
 __all__ = [
     "F_A",
     "F_AA",
-    "F_AAA",
     "SCENE",
     "F",
     "F_AOmega",
     "F_Omega",
     "F_OmegaOmega",
     "I",
+    "Omega_A",
     "R",
     "backbone",
     "cusp",
+    "cusp_bend",
     "cusps",
     "detachment",
     "equivalent_damping",
     "fold",
     "fold_quartic",
     "friction",
+    "hessian",
     "intercept",
     "isola",
     "isola_Omega",
+    "isola_bend",
     "jacobian",
     "level",
     "limit_envelope",
@@ -51,6 +54,7 @@ __all__ = [
     "response_quartic",
     "rest",
     "stability",
+    "tail",
     "transmissibility",
 ]
 
@@ -122,18 +126,6 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
     R = A * t0 + h
     t1 = h_A + t0
     return full(2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
-
-
-def F_AAA(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
-    """d3F/dA3.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 10 structured, 9 common subexpressions, 9 power chains.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0)), (Omega, A, m, zeta, h, h_A, h_AA, h_AAA))
 
 
 def F_Omega(Omega, A, m, zeta, h):
@@ -528,6 +520,96 @@ def peak(Omega, A, F_0, m, zeta, h_A):
     )
 
 
+def Omega_A(Omega, A, m, zeta, h, h_A):
+    """dOmega/dA along the response.
+
+    Equation from (24). Domain: Omega > 0, A > 0.
+    Operations: 21 structured, 18 common subexpressions, 18 power chains.
+    """
+    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = 2.0 * Omega
+    I = A * t1 * zeta + m
+    t2 = I * zeta
+    F_A = 2.0 * (R * (h_A + t0) + t1 * t2)
+    F_Omega = 4.0 * A * (Omega * R + t2)
+    return -F_A / F_Omega
+
+
+def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
+    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 36 structured, 27 common subexpressions, 27 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    t3 = h_A + t0
+    F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3)
+    t4 = I * zeta + Omega * R
+    F_Omega = 4.0 * A * t4
+    F_AOmega = 4.0 * (t1 * t3 + t2 * zeta * zeta + t4)
+    return -F_AAA * F_AOmega * F_Omega / A
+
+
+def isola_bend(Omega, A, m, zeta, h, h_A, h_AA):
+    """The same at an isola point.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 46 structured, 35 common subexpressions, 35 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * Omega
+    I = m + 2.0 * t2 * zeta
+    t3 = h_A + t0
+    t4 = zeta * zeta
+    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3)
+    t5 = 2.0 * t4
+    F_AOmega = 4.0 * (I * zeta + Omega * R + t2 * t3 + t2 * t5)
+    F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1)
+    return F_AA * (F_AA * F_OmegaOmega - F_AOmega * F_AOmega)
+
+
+def hessian(Omega, A, m, zeta, h, h_A, h_AA):
+    """F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.
+
+    Equation from (24). Domain: Omega > 0, A > 0.
+    Operations: 45 structured, 34 common subexpressions, 34 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * Omega
+    I = m + 2.0 * t2 * zeta
+    t3 = h_A + t0
+    t4 = zeta * zeta
+    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3)
+    t5 = 2.0 * t4
+    F_AOmega = 4.0 * (I * zeta + Omega * R + t2 * t3 + t2 * t5)
+    F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1)
+    return F_AA * F_OmegaOmega - F_AOmega * F_AOmega
+
+
+def tail(Omega, F_0, m):
+    """An amplitude of the size of that far above resonance.
+
+    Equation from (24). Domain: Omega > 0, F_0 >= m.
+    Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    """
+    Omega, F_0, m = floats(Omega, F_0, m)
+    square = (F_0 - m) * (F_0 + m)
+    return np.sqrt(square) / (Omega * Omega + 1.0)
+
+
 if NATIVE is not None:
     (
         friction,
@@ -536,7 +618,6 @@ if NATIVE is not None:
         F,
         F_A,
         F_AA,
-        F_AAA,
         F_Omega,
         F_AOmega,
         phase,
@@ -562,5 +643,10 @@ if NATIVE is not None:
         cusps,
         cusp,
         peak,
+        Omega_A,
+        cusp_bend,
+        isola_bend,
+        hessian,
+        tail,
     ) = NATIVE.slow_flow()
     detachment = coefficients_of(detachment)

@@ -22,12 +22,10 @@ SCENE = "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 __all__ = [
     "F_A",
     "F_AA",
-    "F_AAA",
     "SCENE",
     "F",
     "F_AOmega",
     "F_Omega",
-    "F_OmegaOmega",
     "I",
     "R",
     "backbone",
@@ -90,18 +88,6 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
     R = A * t0 + h
     t1 = h_A + t0
     return full(2.0 * (R * h_AA + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
-
-
-def F_AAA(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
-    """d3F/dA3.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 10 structured, 9 common subexpressions, 9 power chains.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(2.0 * (R * h_AAA + 3.0 * h_AA * (h_A + t0)), (Omega, A, m, zeta, h, h_A, h_AA, h_AAA))
 
 
 def F_Omega(Omega, A, m, zeta, h):
@@ -234,18 +220,6 @@ def detachment(A, m, zeta, h):
     )
 
 
-def F_OmegaOmega(Omega, A, zeta, h):
-    """d2F/dOmega2.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 9 structured, 7 common subexpressions, 7 power chains.
-    """
-    Omega, A, zeta, h = floats(Omega, A, zeta, h)
-    t0 = A * Omega * Omega
-    R = h + t0
-    return full(4.0 * A * (R + 2.0 * t0), (Omega, A, zeta, h))
-
-
 def level(Omega, A, m, zeta, h):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
@@ -305,7 +279,6 @@ if NATIVE is not None:
         F,
         F_A,
         F_AA,
-        F_AAA,
         F_Omega,
         F_AOmega,
         phase,
@@ -316,7 +289,6 @@ if NATIVE is not None:
         fold_quartic,
         peak_cubic,
         detachment,
-        F_OmegaOmega,
         level,
         undamped_Omega,
         fold,

@@ -223,7 +223,6 @@ SLOW_FLOW: dict[str, tuple[str, Function]] = {
     "F": ("Omega A F_0 m zeta h", lambda *x: [response(*x)]),
     "F_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_response(1, *x)]),
     "F_AA": ("Omega A m zeta h h_A h_AA", lambda *x: [slope_of_response(2, *x)]),
-    "F_AAA": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [slope_of_response(3, *x)]),
     "F_Omega": ("Omega A m zeta h", lambda w, A, m, zeta, h: [mp.diff(lambda v: response(v, A, 0, m, zeta, h), w)]),
     "F_AOmega": ("Omega A m zeta h h_A", lambda *x: [mixed_slope(*x)]),
     "phase": ("Omega A m zeta h", lambda *x: [phase(*x)]),
@@ -368,6 +367,43 @@ def undamped(A, *values):
 
 
 #: names, function, sign of h_A where a root of it is taken
+def partials(orders, Omega, A, m, zeta, *values):
+    """Derivatives of F by their orders in A and in Omega, numerically."""
+    h = near(A, values)
+    return [mp.diff(lambda a, w: response(w, a, 0, m, zeta, h(a)), (A, Omega), order) for order in orders]
+
+
+def slope_of_frequency(Omega, A, m, zeta, *values):
+    """dOmega/dA of the states at one forcing, found as roots."""
+    h = near(A, values)
+    level_here = response(Omega, A, 0, m, zeta, h(A))
+    return mp.diff(
+        lambda a: mp.findroot(lambda w: response(w, a, 0, m, zeta, h(a)) - level_here, Omega, tol=mpf(10) ** -110), A
+    )
+
+
+def hessian(*x):
+    F_AA, F_AOmega, F_OmegaOmega = partials([(2, 0), (1, 1), (0, 2)], *x)
+    return mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
+
+
+def cusp_bend(Omega, A, *x):
+    F_Omega, F_AAA, F_AOmega = partials([(0, 1), (3, 0), (1, 1)], Omega, A, *x)
+    return -F_Omega * F_AAA * F_AOmega / A
+
+
+def tail(Omega, F_0, m):
+    """Of the states of a spring h = A without viscous damping."""
+    return mp.findroot(lambda a: response(Omega, a, F_0, m, 0, a), F_0 / Omega**2)
+
+
+SLOPES: dict[str, tuple[str, Function]] = {
+    "Omega_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_frequency(*x)]),
+    "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [cusp_bend(*x)]),
+    "isola_bend": ("Omega A m zeta h h_A h_AA", lambda *x: [partials([(2, 0)], *x)[0] * hessian(*x)]),
+    "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [hessian(*x)]),
+    "tail": ("Omega F_0 m", lambda *x: [tail(*x)]),
+}
 LOCI: dict[str, tuple[str, Function, int]] = {
     "F_OmegaOmega": ("Omega A zeta h", lambda w, A, z, h: [mp.diff(lambda v: response(v, A, 0, 0, z, h), w, 2)], 0),
     "level": ("Omega A m zeta h", lambda *x: [level(*x)], 0),
@@ -1049,13 +1085,14 @@ def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
 SAME_IN_SCENES = {
     *("friction", "R", "backbone", "transmissibility", "jacobian", "mean_stiffness", "offset_stiffness"),
     *("rest", "intercept", "isola_Omega", "cusps", "cusp", "peak"),
+    "F_OmegaOmega",
 }
 
 
 def slow_flow_table(rng: random.Random, scene: str) -> dict:
     table = {}
     left_out = SAME_IN_SCENES if scene else set()
-    for name, (names, f) in SLOW_FLOW.items():
+    for name, (names, f) in (SLOW_FLOW if scene else SLOW_FLOW | SLOPES).items():
         if name in left_out:
             continue
         chosen = points(rng, names, 6)

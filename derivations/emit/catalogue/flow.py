@@ -17,6 +17,7 @@ from derivations.loci import X_, Along, Damped, T, Undamped, k, k_A, root
 from derivations.offset import mean_stiffness, offset_stiffness
 from derivations.resultants import Elimination
 from derivations.results import Results
+from derivations.slopes import Slopes
 from derivations.slow_flow import SCENES, I, R, SlowFlow, m
 from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
 
@@ -25,7 +26,7 @@ square = sp.Symbol("square", real=True)
 
 #: what a scene has, its own or the general module's: what solvers call in it, and the polynomials, whose degree falls
 IN_SCENES = (
-    *("R", "I", "F", "F_A", "F_AA", "F_AAA", "F_Omega", "F_AOmega", "F_OmegaOmega", "level", "stability", "phase"),
+    *("R", "I", "F", "F_A", "F_AA", "F_Omega", "F_AOmega", "level", "stability", "phase"),
     *("backbone", "limit_envelope", "equivalent_damping"),
     *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
     *("isola_Omega", "isola", "undamped_Omega", "undamped", "fold"),
@@ -76,7 +77,8 @@ def told(flow: SlowFlow, scene: str) -> str:
 def kernels_of(results: Results, scene: str) -> list[Kernel]:
     """All of them, in one scene."""
     flow = results.flows[scene]
-    return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene])]
+    general = [] if scene else slope_kernels(flow, results.slopes)
+    return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene]), *general]
 
 
 def of_R_and_I(
@@ -102,7 +104,6 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
         of_flow("F", (Omega, A, F_0, m, zeta, h), flow.F, "Frequency response; zero at a steady state.", "(24)"),
         of_flow("F_A", (Omega, A, m, zeta, h, h_A), flow.F_A, "dF/dA; positive where stable.", "(24), (30)"),
         of_flow("F_AA", (Omega, A, m, zeta, h, h_A, h_AA), flow.F_AA, "d2F/dA2.", "(24), (33)"),
-        of_flow("F_AAA", (Omega, A, m, zeta, h, h_A, h_AA, h_AAA), flow.F_AAA, "d3F/dA3.", "(24)"),
         of_flow("F_Omega", (Omega, A, m, zeta, h), flow.F_Omega, "dF/dOmega.", "(24), (34)"),
         of_flow("F_AOmega", (Omega, A, m, zeta, h, h_A), flow.F_AOmega, "d2F/dA dOmega.", "(24)"),
         # I stays a name here even where it is zero: the sign of that zero keeps phi in [-pi, 0]
@@ -245,6 +246,38 @@ def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
     ]
     damped = damped_kernels(loci.damped) if loci.damped else []
     return [*common, *damped, *(undamped_kernels(loci.undamped) if loci.undamped else [])]
+
+
+def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
+    """Slopes along the response and along the fold locus."""
+
+    def in_derivatives(name: str, output: sp.Expr, doc: str, equation: str) -> Kernel:
+        values = [(symbol, value) for symbol, value in slopes.values.items() if symbol in output.free_symbols]
+        lets = [(R, flow.R), (I, flow.I), *values]
+        needs = set().union(*(value.free_symbols for _, value in lets))
+        order = (Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
+        return plain(name, [symbol for symbol in order if symbol in needs], output, doc, equation, lets=lets)
+
+    return [
+        in_derivatives("Omega_A", slopes.Omega_A, "dOmega/dA along the response.", "from (24)"),
+        in_derivatives(
+            "cusp_bend",
+            slopes.cusp,
+            "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
+            "from (24), (30)",
+        ),
+        in_derivatives("isola_bend", slopes.isola, "The same at an isola point.", "from (24), (30)"),
+        in_derivatives("hessian", slopes.hessian, "F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.", "from (24)"),
+        plain(
+            "tail",
+            (Omega, F_0, m),
+            slopes.tail,
+            "An amplitude of the size of that far above resonance.",
+            "from (24)",
+            "Omega > 0, F_0 >= m",
+            lets=slopes.tail_lets,
+        ),
+    ]
 
 
 def damped_kernels(loci: Damped) -> list[Kernel]:

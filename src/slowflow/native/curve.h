@@ -136,7 +136,7 @@ static sf_status sf_make_skeleton(const sf_model *model, double F_0, sf_work *wo
 
 /* An amplitude below the state at Omega of the branch that comes from A = 0, Omega = inf. */
 static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_piece *piece, double Omega) {
-    double A = sqrt((F_0 - model->m) * (F_0 + model->m)) / (Omega * Omega + 1);
+    double A = slow_flow_tail(Omega, F_0, model->m);
     int i;
     A = fmin(A, 0.5 * piece->A[1]);
     for (i = 0; i < 500; i++) {
@@ -184,7 +184,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_piece 
             lo = A;
         else
             hi = A;
-        slope = -2 * sf_half_F_A(model, &at, w) / sf_F_Omega(model, &at, w);
+        slope = slow_flow_Omega_A(w, A, model->m, model->zeta, at.h, at.h_A);
         next = A - (w - Omega) / slope;
         moved = fabs(next - A);
         if (moved <= 0x1p-50 * A || !(lo < hi))

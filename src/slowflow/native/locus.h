@@ -379,17 +379,12 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
 
 /* ==== The locus itself ============================================================================================= */
 
-/* A positive multiple of F_AA F_OmegaOmega - F_AOmega^2. */
-static double sf_hessian(const sf_model *model, const sf_sample *at, double w) {
-    const double F_AOmega = sf_quarter_F_AOmega(model, at, w);
-    return sf_quarter_F_OmegaOmega(model, at, w) * sf_half_F_AA(model, at, w) - 2 * F_AOmega * F_AOmega;
-}
-
 /* Whether the level has a minimum along the fold locus at a cusp or an isola point, from its second derivative. */
 static int sf_is_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w) {
-    if (question != SF_ISOLA)
-        return sf_F_Omega(model, at, w) / at->A * sf_half_F_AAA(at, w) * sf_quarter_F_AOmega(model, at, w) < 0;
-    return sf_half_F_AA(model, at, w) * sf_hessian(model, at, w) > 0;
+    const double m = model->m, zeta = model->zeta;
+    if (question == SF_ISOLA)
+        return slow_flow_isola_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA) > 0;
+    return slow_flow_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
 }
 
 /* The forcing at an extremum: at a cusp in the form that loses no digits where damping is small. */
@@ -412,7 +407,8 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     out.A = zero->A;
     out.F_0 = sf_extremum_level(model, zero, &at);
     out.minimum = sf_is_minimum(model, zero->question, &at, out.Omega);
-    out.saddle = zero->question == SF_ISOLA && sf_hessian(model, &at, out.Omega) < 0;
+    out.saddle = zero->question == SF_ISOLA &&
+                 slow_flow_hessian(out.Omega, at.A, model->m, model->zeta, at.h, at.h_A, at.h_AA) < 0;
     out.isola = zero->question == SF_ISOLA;
     return out;
 }

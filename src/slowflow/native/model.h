@@ -71,9 +71,6 @@ static inline double sf_half_F_A(const sf_model *model, const sf_sample *at, dou
 static inline double sf_half_F_AA(const sf_model *model, const sf_sample *at, double w) {
     return 0.5 * slow_flow_F_AA(w, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA);
 }
-static inline double sf_half_F_AAA(const sf_sample *at, double w) {
-    return 0.5 * slow_flow_F_AAA(w, at->A, 0, 0, at->h, at->h_A, at->h_AA, at->h_AAA);
-}
 static inline double sf_quarter_F_AOmega(const sf_model *model, const sf_sample *at, double w) {
     return 0.25 * slow_flow_F_AOmega(w, at->A, model->m, model->zeta, at->h, at->h_A);
 }

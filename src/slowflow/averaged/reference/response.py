@@ -19,6 +19,7 @@ from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.averaged.reference.spans import peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, joined
+from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import SAME
 
 
@@ -274,7 +275,7 @@ def _piece_end(pieces: list[Piece], side: str) -> Floats:
 
 def _tail_amplitude(model: Model, F_0: float, Omega: Floats) -> Floats:
     """An amplitude below the state of the branch that comes from A = 0, Omega = inf."""
-    A = np.sqrt((F_0 - model.m) * (F_0 + model.m)) / (Omega * Omega + 1)
+    A = np.asarray(slow_flow.tail(Omega, F_0, model.m))
     for _ in range(200):
         roots, count = _roots(model, A, F_0)
         top = np.take_along_axis(roots, np.maximum(count - 1, 0)[:, np.newaxis], axis=-1)[:, 0]

@@ -1,0 +1,95 @@
+"""Beside (24), (30): how frequency and forcing change along the response and along the fold locus.
+
+In:  `SlowFlow`; the mechanism stays an open h(A).
+Out: `Slopes`, in R, I and the derivatives of F, whose values are `lets`.
+
+By implicit differentiation of an open F(A, Omega), with the level L^2 = F + F_0^2 of a state:
+
+    response     F = 0      dOmega/dA = -F_A/F_Omega
+    fold locus   F_A = 0    dOmega/dA = -F_AA/F_AOmega, with it d^2 L^2/dA^2: at a cusp, where F_AA = 0, and at an isola
+                            point, where F_Omega = 0, it says whether L has a minimum
+    tail         A -> 0     the branch from A = 0, Omega = inf: F = 0 with I = m, and h no farther from 0 than A
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from derivations.slow_flow import R, SlowFlow, m
+from derivations.symbols import F_0, A, Omega, h
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+_F = sp.Function("F")(A, Omega)
+_square = sp.Symbol("square", real=True)
+
+
+def _named(a: int, w: int) -> sp.Symbol:
+    """The symbol of a derivative of F."""
+    return sp.Symbol("F" + ("_" if a + w else "") + "A" * a + "Omega" * w, real=True)
+
+
+#: the derivatives of F up to the third by their orders in A and in Omega
+DERIVATIVES = {(a, w): _named(a, w) for a in range(4) for w in range(4 - a)}
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """In the derivatives of F.
+
+    values  -- of these derivatives, in R, I, h and the derivatives of h
+    Omega_A -- slope of the response
+    cusp, isola -- d^2 L^2/dA^2 along the fold locus at a cusp and at an isola point, times F_AOmega^2 (and over A)
+    hessian -- determinant of F's second derivatives: negative at a saddle
+    tail    -- an amplitude on the branch that comes from A = 0, in its lets
+    """
+
+    values: dict[sp.Symbol, sp.Expr]
+    Omega_A: sp.Expr
+    cusp: sp.Expr
+    isola: sp.Expr
+    hessian: sp.Expr
+    tail_lets: tuple[Let, ...]
+    tail: sp.Expr
+
+
+def slopes(flow: SlowFlow) -> Slopes:
+    """All of it."""
+    F_A, F_AA, F_AAA = (DERIVATIVES[a, 0] for a in range(1, 4))
+    F_Omega, F_OmegaOmega, F_AOmega = DERIVATIVES[0, 1], DERIVATIVES[0, 2], DERIVATIVES[1, 1]
+    on_response = -sp.diff(_F, A) / sp.diff(_F, Omega)
+    on_locus = -sp.diff(_F, A, 2) / sp.diff(_F, A, Omega)
+
+    def along_locus(expression: sp.Expr) -> sp.Expr:
+        return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
+
+    bend = _in_symbols(along_locus(along_locus(_F))).subs(F_A, 0)
+    amplitude = sp.Symbol("amplitude", nonnegative=True)
+    (tail,) = sp.solve(flow.R.subs(h, A).subs(A, amplitude) - R, amplitude)
+    return Slopes(
+        values={
+            F_A: flow.F_A,
+            F_AA: flow.F_AA,
+            F_AAA: flow.F_AAA,
+            F_Omega: flow.F_Omega,
+            F_AOmega: flow.F_AOmega,
+            F_OmegaOmega: flow.F_OmegaOmega,
+        },
+        Omega_A=_in_symbols(on_response),
+        cusp=sp.factor(bend.subs(F_AA, 0) * F_AOmega**2 / A),
+        isola=sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2),
+        hessian=_in_symbols(sp.hessian(_F, (A, Omega)).det()),
+        # the root of a product, which SymPy would take apart
+        tail_lets=((_square, (F_0 - m) * (F_0 + m)),),
+        tail=tail.subs(R, sp.sqrt(_square)),
+    )
+
+
+def _in_symbols(expression: sp.Expr) -> sp.Expr:
+    """The derivatives of F by their symbols, the highest first."""
+    for (a, w), symbol in sorted(DERIVATIVES.items(), key=lambda one: -sum(one[0])):
+        derivative = sp.diff(_F, *([(A, a)] if a else []), *([(Omega, w)] if w else [])) if a + w else _F
+        expression = expression.subs(derivative, symbol)
+    return expression
