@@ -134,3 +134,39 @@ def test_no_fold_of_a_softening_spring_is_missed():
             warnings.simplefilter("ignore")
             oscillator = Duffing(alpha, beta, mu, zeta)
         assert_folds_of_samples(oscillator, oscillator.sticking_forcing + 10 ** rng.uniform(-2, 0.5))
+
+
+# ---- points along a curve --------------------------------------------------------------------------------------------
+
+
+def test_a_tall_peak_is_followed_down_to_its_foot():
+    """At zeta = 1e-4 it is 200 high: points shared out by A leave out its foot, where it is 1/50 of that and less."""
+    curve = Isolator(lam=3, r=3747 / 1848, delta_h=1848 / (6 * 3747), zeta=1e-4).frequency_response(0.04)
+    above = curve.Omega > 1.2
+    steps = np.diff(np.sort(np.unique(curve.Omega[above])))
+    assert steps.max() < 0.1 and curve.A.max() > 100
+
+
+@pytest.mark.parametrize("Omega", [1e3, 1e10, 1e20, 1e40])
+def test_far_above_resonance_the_mass_alone_holds_the_forcing(Omega):
+    """A Omega^2 tends to sqrt(F_0^2 - m^2), but for terms that are smaller by 1/Omega."""
+    oscillator = Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.1)
+    inertia = math.sqrt(0.04**2 - oscillator.sticking_forcing**2)
+    states = oscillator.amplitudes(Omega=Omega, F_0=0.04)
+    assert states.A.tolist() == pytest.approx([inertia / Omega**2], rel=3 / Omega + 1e-14)
+    curve = oscillator.frequency_response(0.04, Omega=(0.0, Omega))
+    assert curve.Omega.max() == Omega and curve.A.min() == pytest.approx(inertia / Omega**2, rel=3 / Omega + 1e-14)
+
+
+def test_more_than_can_be_shown_is_refused_by_its_name():
+    oscillator = Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.1)
+    for asked in (
+        lambda: oscillator.frequency_response(0.04, samples=2**33),
+        lambda: oscillator.fold_locus(samples=10**12),
+    ):
+        with pytest.raises(ValueError, match=r"samples = \d+ is not allowed: samples must be an integer >= 2 and <= 1"):
+            asked()
+    with pytest.raises(ValueError, match=r"Omega\[1\] = 1e\+308 is not allowed"):
+        oscillator.frequency_response(0.04, Omega=(0, 1e308))
+    with pytest.raises(ValueError, match=r"Omega = 1e\+200 is not allowed"):
+        oscillator.amplitudes(Omega=1e200, F_0=0.04)

@@ -17,6 +17,10 @@ from slowflow.mechanism import Floats, Parameter
 
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
+#: the highest frequency: the square of an amplitude that F_0 >= 1e-70 holds there is in the range of doubles
+HIGHEST = 1e40
+#: the most points that are asked for
+MOST_SAMPLES = 10**8
 
 
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:
@@ -73,10 +77,11 @@ def within(domain: Parameter, value: Any) -> float:
     )
 
 
-def count(name: str, value: Any, *, least: int) -> int:
-    """An integer of at least `least`."""
-    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)) or value < least:
-        raise _refuse(name, value, f"an integer >= {least}")
+def count(name: str, value: Any, *, least: int, most: int | None = None) -> int:
+    """An integer of at least `least` and at most `most`."""
+    whole = isinstance(value, (int, np.integer)) and not isinstance(value, (bool, np.bool_))
+    if not whole or value < least or (most is not None and value > most):
+        raise _refuse(name, value, f"an integer >= {least}" + ("" if most is None else f" and <= {most}"))
     return int(value)
 
 
@@ -133,10 +138,18 @@ def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
 
 
 def window(name: str, value: Any) -> tuple[float, float]:
-    """A pair of frequencies 0 <= low < high."""
+    """A pair of frequencies 0 <= low < high <= `HIGHEST`."""
     try:
         low, high = value
     except (TypeError, ValueError):
         raise _refuse(name, value, "a pair (low, high) with 0 <= low < high") from None
     low = number(f"{name}[0]", low, least=0.0)
-    return low, number(f"{name}[1]", high, above=low)
+    return low, number(f"{name}[1]", high, above=low, most=HIGHEST)
+
+
+def frequencies(name: str, value: Any) -> npt.NDArray[np.float64]:
+    """An array of frequencies 0 < Omega <= `HIGHEST`."""
+    array = positive_array(name, value)
+    if array.size and array.max() > HIGHEST:
+        raise _refuse(name, float(array.max()), f"<= {HIGHEST:g}")
+    return array

@@ -90,14 +90,15 @@ class Averaged:
         """The response curve at F_0, every branch and isola, for frequencies in the window `Omega` (24), (25), (30).
 
         About `samples` points; folds, peaks and corners are among them exactly. Raises ValueError for F_0 <= 0,
-        samples < 2, or a window that is not 0 <= low < high. F_0 <= 4 mu/pi gives no point and a message.
+        samples < 2 or > 10^8, or a window that is not 0 <= low < high <= 1e40. F_0 <= 4 mu/pi gives no point and a
+        message.
         """
         return self._remarked(self.curve(F_0, samples, Omega), F_0)
 
     def curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> FrequencyResponse:
         """`frequency_response` without the remarks on averaging: what another approximation starts from."""
         F_0 = validate.number("F_0", F_0, above=0.0)
-        samples = validate.count("samples", samples, least=2)
+        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
         shown = validate.window("Omega", Omega)
         planned = self._plan("frequency_response", F_0)
         if planned.model is None:
@@ -109,13 +110,13 @@ class Averaged:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
 
         Flat arrays .Omega, .A, .phi, .stable, in the order of Omega, then by rising A. Raises ValueError for Omega <= 0
-        or F_0 <= 0. F_0 <= 4 mu/pi gives no state and a message.
+        or > 1e40 and for F_0 <= 0. F_0 <= 4 mu/pi gives no state and a message.
         """
         return self._remarked(self.states(Omega, F_0), F_0)
 
     def states(self, Omega: Any, F_0: float) -> SteadyStates:
         """`amplitudes` without the remarks on averaging: what another approximation starts from."""
-        at = validate.positive_array("Omega", Omega).ravel()
+        at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("amplitudes", F_0)
         if planned.model is None:
@@ -160,9 +161,10 @@ class Averaged:
         """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
 
         A_max is the mechanism's reach unless it is given; a mechanism without an end (`Duffing`) needs it. Raises
-        ValueError for samples < 2, A_max <= 0 or none where one is needed.
+        ValueError for samples < 2 or > 10^8, A_max <= 0 or none where one is needed.
         """
-        return solvers.fold_locus(self.model, self._up_to(A_max), validate.count("samples", samples, least=2))
+        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
+        return solvers.fold_locus(self.model, self._up_to(A_max), samples)
 
     def cusps(self, *, A_max: float | None = None) -> Cusps:
         """Where two folds come into being or meet, F = F_A = F_AA = 0; A_max as in `fold_locus`."""

@@ -177,7 +177,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_piece 
     for (i = 0; i < 200; i++) {
         double w, slope, next, moved;
         if (!(A > lo && A < hi))
-            A = 0.5 * (lo + hi);
+            A = sf_amid(0, lo, hi);
         sf_sample_at(model, A, &at);
         w = sf_response_branch(model, &at, F_0, piece->count, piece->index);
         if ((w > Omega) == falls)
@@ -190,7 +190,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_piece 
         if (moved <= 0x1p-50 * A || !(lo < hi))
             break;
         if (!(next > lo && next < hi) || moved > 0.6 * last)
-            next = 0.5 * (lo + hi);
+            next = sf_amid(0, lo, hi);
         if (!(next > lo && next < hi))
             break;
         last = fabs(next - A);
@@ -297,48 +297,75 @@ static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *
 
 /* ==== Samples ====================================================================================================== */
 
-/* Weight of a piece in the sharing out of points: its extent in Omega and A, with a floor for short ones. */
-static double sf_weight(const sf_piece *piece) {
-    return fabs(piece->Omega[1] - piece->Omega[0]) + fabs(piece->A[1] - piece->A[0]) + 1e-3;
+/* What counts as much in the sharing out of points: a frequency and an amplitude of 1, or half the highest frequency and
+ * the highest amplitude that are shown, if they are more; the sum of all weights. */
+typedef struct {
+    double Omega, A, total;
+} sf_sharing;
+
+/* Weight of a piece: its extent in Omega and A, with a floor for short ones. */
+static double sf_weight(const sf_piece *piece, const sf_sharing *sharing) {
+    return fabs(piece->Omega[1] - piece->Omega[0]) / sharing->Omega +
+           fabs(piece->A[1] - piece->A[0]) / sharing->A + 1e-3;
 }
 
-static int sf_steps_of(const sf_piece *piece, double samples, double total) {
-    return (int)ceil(samples * sf_weight(piece) / total);
+static void sf_share_out(const sf_skeleton *shown, sf_sharing *sharing) {
+    int i;
+    sharing->Omega = sharing->A = 1, sharing->total = 0;
+    for (i = 0; i < shown->pieces; i++) {
+        const sf_piece *piece = &shown->piece[i];
+        sharing->Omega = fmax(sharing->Omega, 0.5 * fmax(piece->Omega[0], piece->Omega[1]));
+        sharing->A = fmax(sharing->A, piece->A[1]);
+    }
+    for (i = 0; i < shown->pieces; i++)
+        sharing->total += sf_weight(&shown->piece[i], sharing);
+}
+
+static int sf_steps_of(const sf_piece *piece, double samples, const sf_sharing *sharing) {
+    return (int)ceil(samples * sf_weight(piece, sharing) / sharing->total);
 }
 
 /* The shown pieces in a window, and the number of points on them. */
-static long sf_show(const sf_model *model, double F_0, double low, double high, double samples, sf_work *work,
-                       double *total) {
+static long sf_show(const sf_model *model, double F_0, double low, double high, double samples, sf_work *work) {
     sf_skeleton *shown = &work->shown;
+    sf_sharing sharing;
     long points = 0;
     int i;
-    *total = 0;
     shown->pieces = shown->curves = 0, shown->start[0] = 0;
     for (i = 0; i < work->skeleton.curves; i++)
         sf_show_curve(model, F_0, &work->skeleton, i, low, high, shown);
+    sf_share_out(shown, &sharing);
     for (i = 0; i < shown->pieces; i++)
-        *total += sf_weight(&shown->piece[i]);
-    for (i = 0; i < shown->pieces; i++)
-        points += sf_steps_of(&shown->piece[i], samples, *total);
+        points += sf_steps_of(&shown->piece[i], samples, &sharing);
     return points + shown->curves;
 }
 
+/* The amplitude at a share of a piece: in orders of magnitude where it has many, as Omega changes with each. */
+static double sf_amplitude_at(const sf_piece *piece, double share) {
+    const double low = piece->A[0], high = piece->A[1];
+    if (low > 0 && high > 100 * low)
+        return low * exp(share * log(high / low));
+    return low + (high - low) * share;
+}
+
 /* Points of all shown pieces in order; they crowd towards the ends of a piece, where A or Omega may stand still. */
-static void sf_draw(const sf_model *model, double F_0, double samples, double total, const sf_skeleton *shown,
-                       double *Omega, double *A, unsigned char *stable, long long *branch) {
+static void sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, double *Omega,
+                       double *A, unsigned char *stable, long long *branch) {
     const sf_curve curve = {model, F_0};
+    sf_sharing sharing;
     long at = 0, point;
     int i, k;
+    sf_share_out(shown, &sharing);
     for (i = 0; i < shown->pieces; i++) {
         const sf_piece *piece = &shown->piece[i];
-        const int n = sf_steps_of(piece, samples, total), starts = i == shown->start[piece->curve];
+        const int n = sf_steps_of(piece, samples, &sharing), starts = i == shown->start[piece->curve];
         const long first = at;
         if (starts)
             A[at] = sf_first_of(piece, piece->A), Omega[at++] = sf_first_of(piece, piece->Omega);
         for (k = 1; k < n; k++) {
             const double share = 0.5 - 0.5 * cos(3.14159265358979312 * (piece->upward ? k : n - k) / n);
             sf_sample sample;
-            A[at] = piece->A[0] + (piece->A[1] - piece->A[0]) * share;
+            A[at] = sf_amplitude_at(piece, share);
             sf_sample_at(model, A[at], &sample);
             Omega[at++] = sf_branch_at(&curve, &sample, piece->count, piece->index);
         }

@@ -15,8 +15,8 @@ typedef struct {
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
     sf_status (*range)(const sf_model *, double F_0, double *A_max);
     sf_status (*skeleton)(const sf_model *, double F_0, sf_work *);
-    long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *, double *total);
-    void (*draw)(const sf_model *, double F_0, double samples, double total, const sf_skeleton *shown, double *Omega,
+    long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *);
+    void (*draw)(const sf_model *, double F_0, double samples, const sf_skeleton *shown, double *Omega,
                  double *A, unsigned char *stable, long long *branch);
     int (*most_states)(const sf_work *, double Omega);
     int (*states)(const sf_model *, double F_0, const sf_work *, double Omega, double *A, unsigned char *stable);

@@ -345,14 +345,17 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     found = skeleton(model, F_0)
     curves = _clipped(found, window)
     steps = [(number, piece, upward) for number, (curve, _) in enumerate(curves) for piece, upward in curve]
-    weights = np.array([_length(piece) for _, piece, _ in steps])
+    weights = _weights([piece for _, piece, _ in steps])
     inner = np.ceil(samples * weights / weights.sum()).astype(int) if steps else np.empty(0, dtype=int)
 
     # Points crowd towards the ends of a piece, where A or Omega may stand still.
     grids, indices = [], []
     for (_, piece, upward), n in zip(steps, inner, strict=True):
         share = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n) / n)
-        grid = piece.low[0] + (piece.high[0] - piece.low[0]) * share
+        low, high = piece.low[0], piece.high[0]
+        # in orders of magnitude where there are many, as Omega changes with each
+        many = low > 0 and high > 100 * low
+        grid = low * np.exp(share * np.log(high / low)) if many else low + (high - low) * share
         grids.append(grid if upward else grid[::-1])
         indices.append(np.full(grid.size, piece.index))
     A_inner = np.concatenate(grids) if grids else np.empty(0)
@@ -392,9 +395,14 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     )
 
 
-def _length(piece: Piece) -> float:
-    """Weight of a piece in the sharing out of points: its extent in Omega and A, with a floor for short ones."""
-    return abs(piece.high[1] - piece.low[1]) + abs(piece.high[0] - piece.low[0]) + 1e-3
+def _weights(pieces: list[Piece]) -> Floats:
+    """Weights of pieces in the sharing out of points: their extents in Omega and A, with a floor for short ones.
+
+    A frequency and an amplitude of 1 count as much, or half the highest frequency and the highest amplitude of all.
+    """
+    A, Omega = (np.array([(piece.low[k], piece.high[k]) for piece in pieces]).reshape(-1, 2) for k in (0, 1))
+    of_Omega, of_A = np.ptp(Omega, axis=1) / max(1.0, 0.5 * Omega.max(initial=0)), np.ptp(A, axis=1) / A.max(initial=1)
+    return np.asarray(of_Omega + of_A + 1e-3)
 
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:

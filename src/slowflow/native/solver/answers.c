@@ -208,7 +208,7 @@ static PyObject *closed_flags(const sf_skeleton *shown)
 static PyObject *frequency_response(PyObject *self, PyObject *args)
 {
     PyObject *given;
-    double F_0, samples, low, high, total = 0, *Omega, *A;
+    double F_0, samples, low, high, *Omega, *A;
     long n = 0;
     npy_bool *stable;
     npy_int64 *branch;
@@ -224,13 +224,13 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     Py_BEGIN_ALLOW_THREADS
     status = sf_here()->skeleton(model, F_0, work);
     if (status == SF_OK)
-        n = sf_here()->show(model, F_0, low, high, samples, work, &total);
+        n = sf_here()->show(model, F_0, low, high, samples, work);
     Py_END_ALLOW_THREADS
     PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable),
                          new_array(n, NPY_INT64, &branch), closed_flags(&work->shown)};
     if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
         Py_BEGIN_ALLOW_THREADS
-        sf_here()->draw(model, F_0, samples, total, &work->shown, Omega, A, stable, (long long *)branch);
+        sf_here()->draw(model, F_0, samples, &work->shown, Omega, A, stable, (long long *)branch);
         Py_END_ALLOW_THREADS
     }
     free(work);
