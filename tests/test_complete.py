@@ -4,6 +4,7 @@ import itertools
 import math
 import warnings
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -134,6 +135,24 @@ def test_no_fold_of_a_softening_spring_is_missed():
             warnings.simplefilter("ignore")
             oscillator = Duffing(alpha, beta, mu, zeta)
         assert_folds_of_samples(oscillator, oscillator.sticking_forcing + 10 ** rng.uniform(-2, 0.5))
+
+
+def test_isola_points_at_low_frequency_have_their_digits():
+    """F_A = F_Omega = 0 by Newton with 50 digits: Omega^2 = h_A is a small difference there."""
+    alpha, beta, mu, zeta = map(mpmath.mpf, (1.0, -0.3, 0.01, 0.001))
+    found = Duffing(1, -0.3, 0.01, 0.001).isola_points(A_max=10)
+    with mpmath.workdps(50):
+        m = 4 * mu / mpmath.pi
+
+        def both(A, Omega):
+            h, h_A = -alpha * A - 3 * beta * A**3 / 4, -alpha - 9 * beta * A**2 / 4
+            R, I = A * Omega**2 + h, 2 * zeta * A * Omega + m
+            return [R * (Omega**2 + h_A) + 2 * zeta * Omega * I, Omega * R + zeta * I]
+
+        for A, Omega in zip(found.A, found.Omega, strict=True):
+            exact = mpmath.findroot(both, (mpmath.mpf(A), mpmath.mpf(Omega)))
+            assert abs(Omega / exact[1] - 1) < 1e-14 and abs(A / exact[0] - 1) < 1e-15
+    assert found.Omega[0] == pytest.approx(1.569e-5, rel=1e-3)
 
 
 # ---- points along a curve --------------------------------------------------------------------------------------------

@@ -94,6 +94,16 @@ static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_an
     out->y[0] = fold[0], out->dy[0] = fold[1];
 }
 
+/* Omega at an isola point: Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that. */
+static inline double sf_isola_Omega(const sf_model *model, const sf_sample *at) {
+    const double Omega = slow_flow_isola_Omega(at->h_A);
+    double w[2];
+    if (at->h_A * at->A < 0.01 * fabs(at->h) && sf_peak_roots(at->A, at->h, model->m, model->zeta, w) == 2 &&
+        fabs(w[0] - Omega) < 1e-3 * Omega)
+        return w[0];
+    return Omega;
+}
+
 static inline void sf_ask_isola(const sf_model *model, const sf_sample *at, sf_answer *out) {
     double isola[2];
     if (!(at->h_A > 0))
@@ -103,7 +113,7 @@ static inline void sf_ask_isola(const sf_model *model, const sf_sample *at, sf_a
     else
         slow_flow_isola(at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, isola);
     out->exists[0] = 1;
-    out->Omega[0] = slow_flow_isola_Omega(at->h_A);
+    out->Omega[0] = sf_isola_Omega(model, at);
     out->y[0] = isola[0], out->dy[0] = isola[1];
 }
 
