@@ -6,8 +6,8 @@ Out: `Slopes`, in R, I and the derivatives of F, whose values are `lets`.
 By implicit differentiation of an open F(A, Omega), with the level L^2 = F + F_0^2 of a state:
 
     response     F = 0      dOmega/dA = -F_A/F_Omega
-    fold locus   F_A = 0    dOmega/dA = -F_AA/F_AOmega, with it d^2 L^2/dA^2: at a cusp, where F_AA = 0, and at an isola
-                            point, where F_Omega = 0, it says whether L has a minimum
+    fold locus   F_A = 0    dOmega/dA = -F_AA/F_AOmega, with it d L^2/dA, and d^2 L^2/dA^2: at a cusp, where F_AA = 0,
+                            and at an isola point, where F_Omega = 0, it says whether L has a minimum
     tail         A -> 0     the branch from A = 0, Omega = inf: F = 0 with I = m, and h no farther from 0 than A
 """
 
@@ -41,6 +41,7 @@ class Slopes:
 
     values  -- of these derivatives, in R, I, h and the derivatives of h
     Omega_A -- slope of the response
+    level   -- d L^2/dA along the fold locus, times F_AOmega^2
     cusp, isola -- d^2 L^2/dA^2 along the fold locus at a cusp and at an isola point, times F_AOmega^2 (and over A)
     hessian -- determinant of F's second derivatives: negative at a saddle
     tail    -- an amplitude on the branch that comes from A = 0, in its lets
@@ -48,6 +49,7 @@ class Slopes:
 
     values: dict[sp.Symbol, sp.Expr]
     Omega_A: sp.Expr
+    level: sp.Expr
     cusp: sp.Expr
     isola: sp.Expr
     hessian: sp.Expr
@@ -65,7 +67,7 @@ def slopes(flow: SlowFlow) -> Slopes:
     def along_locus(expression: sp.Expr) -> sp.Expr:
         return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
 
-    bend = _in_symbols(along_locus(along_locus(_F))).subs(F_A, 0)
+    rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
     amplitude = sp.Symbol("amplitude", nonnegative=True)
     (tail,) = sp.solve(flow.R.subs(h, A).subs(A, amplitude) - R, amplitude)
     return Slopes(
@@ -78,6 +80,7 @@ def slopes(flow: SlowFlow) -> Slopes:
             F_OmegaOmega: flow.F_OmegaOmega,
         },
         Omega_A=_in_symbols(on_response),
+        level=rise * F_AOmega**2,
         cusp=sp.factor(bend.subs(F_AA, 0) * F_AOmega**2 / A),
         isola=sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2),
         hessian=_in_symbols(sp.hessian(_F, (A, Omega)).det()),

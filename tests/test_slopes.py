@@ -55,3 +55,22 @@ def test_the_second_derivative_of_the_level_along_the_fold_locus_is_the_derived_
         else:
             found = slow_flow.isola_bend(*map(float, (OMEGA, A, M, ZETA, *values[:3])))
     assert found == pytest.approx(float(expected), rel=1e-12)
+
+
+def test_the_slope_of_the_level_along_the_fold_locus_is_the_derived_one():
+    """At a fold that is neither a cusp nor an isola point."""
+    with mp.workdps(60):
+        h, h_AA = mpf(-0.3), mpf(0.7)
+        h_A = mp.findroot(lambda x: mp.diff(lambda a: squared_level(OMEGA, a, taylor((h, x))), A), mpf(-1))
+        values = [h, h_A, h_AA]
+        curve = taylor(values)
+
+        def along(a):
+            Omega = mp.findroot(lambda w: mp.diff(lambda b: squared_level(w, b, curve), a), OMEGA)
+            return squared_level(Omega, a, curve)
+
+        F_AOmega = mp.diff(lambda a, w: squared_level(w, a, curve), (A, OMEGA), (1, 1))
+        expected = mp.diff(along, A) * F_AOmega**2
+        found = slow_flow.level_rise(*map(float, (OMEGA, A, M, ZETA, *values)))
+    assert abs(expected) > 1e-4
+    assert found == pytest.approx(float(expected), rel=1e-12)

@@ -424,6 +424,26 @@ static inline double slow_flow_Omega_A(double Omega, double A, double m, double 
     return -F_A / F_Omega;
 }
 
+/* Positive where the level rises with A along the fold locus, negative where it falls.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 39 structured, 28 common subexpressions, 28 power chains
+ */
+static inline double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double I_ = m + t2 * zeta;
+    const double t3 = h_A + t0;
+    const double t4 = zeta * zeta;
+    const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3);
+    const double t5 = I_ * zeta + Omega * R;
+    const double F_Omega = 4.0 * A * t5;
+    const double F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5);
+    return -F_AA * F_AOmega * F_Omega;
+}
+
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 36 structured, 27 common subexpressions, 27 power chains

@@ -691,6 +691,27 @@ static const sf_loop slow_flow_Omega_A_loops[] = {
     slow_flow_Omega_A_loop,
 };
 
+static SF_WIDE void slow_flow_level_rise_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h = in[4];
+    const double *restrict h_A = in[5];
+    const double *restrict h_AA = in[6];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_level_rise(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    }
+}
+
+static const sf_loop slow_flow_level_rise_loops[] = {
+    slow_flow_level_rise_loop,
+};
+
 static SF_WIDE void slow_flow_cusp_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
@@ -884,6 +905,10 @@ static const sf_kernel kernels[] = {
     {"Omega_A",
      "dOmega/dA along the response. Equation from (24). Domain: Omega > 0, A > 0.",
      6, 1, 1, NULL, slow_flow_Omega_A_loops},
+    {"level_rise",
+     "Positive where the level rises with A along the fold locus, negative where it falls. Equation from (24), (30). "
+     "Domain: Omega > 0, A > 0.",
+     7, 1, 1, NULL, slow_flow_level_rise_loops},
     {"cusp_bend",
      "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum. Equation from "
      "(24), (30). Domain: Omega > 0, A > 0.",

@@ -45,6 +45,7 @@ __all__ = [
     "isola_bend",
     "jacobian",
     "level",
+    "level_rise",
     "limit_envelope",
     "mean_stiffness",
     "offset_stiffness",
@@ -537,6 +538,27 @@ def Omega_A(Omega, A, m, zeta, h, h_A):
     return -F_A / F_Omega
 
 
+def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
+    """Positive where the level rises with A along the fold locus, negative where it falls.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 39 structured, 28 common subexpressions, 28 power chains.
+    """
+    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    t3 = h_A + t0
+    t4 = zeta * zeta
+    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3)
+    t5 = I * zeta + Omega * R
+    F_Omega = 4.0 * A * t5
+    F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5)
+    return -F_AA * F_AOmega * F_Omega
+
+
 def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
     """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
 
@@ -644,6 +666,7 @@ if NATIVE is not None:
         cusp,
         peak,
         Omega_A,
+        level_rise,
         cusp_bend,
         isola_bend,
         hessian,

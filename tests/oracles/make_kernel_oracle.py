@@ -387,6 +387,11 @@ def hessian(*x):
     return mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
 
 
+def level_rise(*x):
+    F_Omega, F_AA, F_AOmega = partials([(0, 1), (2, 0), (1, 1)], *x)
+    return -F_Omega * F_AA * F_AOmega
+
+
 def cusp_bend(Omega, A, *x):
     F_Omega, F_AAA, F_AOmega = partials([(0, 1), (3, 0), (1, 1)], Omega, A, *x)
     return -F_Omega * F_AAA * F_AOmega / A
@@ -399,6 +404,7 @@ def tail(Omega, F_0, m):
 
 SLOPES: dict[str, tuple[str, Function]] = {
     "Omega_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_frequency(*x)]),
+    "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [level_rise(*x)]),
     "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [cusp_bend(*x)]),
     "isola_bend": ("Omega A m zeta h h_A h_AA", lambda *x: [partials([(2, 0)], *x)[0] * hessian(*x)]),
     "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [hessian(*x)]),

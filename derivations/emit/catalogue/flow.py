@@ -261,6 +261,12 @@ def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
     return [
         in_derivatives("Omega_A", slopes.Omega_A, "dOmega/dA along the response.", "from (24)"),
         in_derivatives(
+            "level_rise",
+            slopes.level,
+            "Positive where the level rises with A along the fold locus, negative where it falls.",
+            "from (24), (30)",
+        ),
+        in_derivatives(
             "cusp_bend",
             slopes.cusp,
             "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",

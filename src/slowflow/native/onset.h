@@ -49,10 +49,9 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
     }
 }
 
-/* Whether the level falls towards the point (b, w) of the fold locus along the piece below: with A it changes as F_Omega
- * with Omega, and Omega by -F_AA/F_AOmega. */
+/* Whether the level falls towards the point (b, w) of the fold locus along the piece below. */
 static int sf_falls_from_below(const sf_model *model, const sf_sample *at, double w) {
-    return sf_F_Omega(model, at, w) * sf_half_F_AA(model, at, w) * sf_quarter_F_AOmega(model, at, w) > 0;
+    return slow_flow_level_rise(w, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA) < 0;
 }
 
 /* The least forcing on breakpoint i, where the force jumps by J. Folds sit on it where F_A has there the other sign than
