@@ -189,3 +189,61 @@ def test_more_than_can_be_shown_is_refused_by_its_name():
         oscillator.frequency_response(0.04, Omega=(0, 1e308))
     with pytest.raises(ValueError, match=r"Omega = 1e\+200 is not allowed"):
         oscillator.amplitudes(Omega=1e200, F_0=0.04)
+
+
+# ---- at the ends of the range ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("F_0", [1e-10, 1e-16, 1e-30])
+def test_a_softening_spring_has_its_fold_at_rest_at_any_forcing(F_0):
+    """h = 0 at A^2 = 8/3; next to it F_A = 0 leaves R of second order, so that I = 2 zeta A Omega is F_0."""
+    folds = Duffing(1, -0.5, 0, 0.1).saddle_nodes(F_0)
+    A = math.sqrt(8 / 3)
+    assert folds.A.tolist() == pytest.approx([A], rel=1e-9)
+    assert folds.Omega.tolist() == pytest.approx([F_0 / (0.2 * A)], rel=1e-9)
+
+
+@pytest.mark.parametrize("F_0", [1e-58, 1e-100, 1e43, 1e60, 1e100])
+def test_forcings_far_from_1_are_answered(F_0):
+    """Weak ones leave A = F_0/(2 zeta) at resonance, the peak of the linear oscillator to first order; strong ones a
+    peak on the backbone, where 2 zeta A Omega = F_0 and Omega^2 = 3/4 beta A^2."""
+    oscillator = Duffing(1, 0.5, 0, 0.1)
+    peak = oscillator.peak(F_0).A
+    if F_0 < 1:
+        assert peak == pytest.approx(F_0 / (0.2 * math.sqrt(1 - 0.01)), rel=1e-12)
+        assert len(oscillator.saddle_nodes(F_0)) == 0
+    else:
+        assert peak == pytest.approx(math.sqrt(F_0 / (0.2 * math.sqrt(0.375))), rel=1e-6)
+        assert oscillator.saddle_nodes(F_0).kind.tolist() == ["jump-up", "jump-down"]
+
+
+@pytest.mark.parametrize("delta_h", [1e-60, 1e-120])
+def test_next_to_no_preload_the_oscillator_is_linear(delta_h):
+    oscillator = Isolator(lam=3, r=2, delta_h=delta_h, mu=0.01, zeta=0.1)
+    assert len(oscillator.saddle_nodes(0.1)) == 0
+    linear = Isolator(lam=3, r=2, delta_h=0, mu=0.01, zeta=0.1)
+    assert oscillator.peak(0.1).A == pytest.approx(linear.peak(0.1).A, rel=1e-12)
+
+
+@pytest.mark.parametrize("zeta", [1e-9, 1e-11, 1e-12, 1e-14])
+def test_no_fold_on_the_corner_is_made_up_where_there_is_all_but_no_damping(zeta):
+    """The folds tend to those at zeta = 0, off the peak, which goes to infinity and is none."""
+    values = {"lam": 3, "r": 2, "delta_h": 0.08, "mu": 0.012}
+    folds = Isolator(**values, zeta=zeta).saddle_nodes(0.04)
+    limit = Isolator(**values, zeta=0).saddle_nodes(0.04)
+    assert not folds.corner.any() and len(folds) == len(limit)
+    assert np.abs(folds.A[:, np.newaxis] / limit.A - 1).min(axis=0).max() < 1e-8
+
+
+@pytest.mark.parametrize("zeta", [0.9, 1.0, 1.2, 1.5])
+@pytest.mark.parametrize("delta_h", [0.02, 0.05, 0.08])
+def test_the_peak_at_the_detachment_is_the_higher_static_state(delta_h, zeta):
+    """The response only falls with Omega: at rest -h = F_0 holds on u_cr, and perhaps above it."""
+    oscillator = Isolator(lam=3, r=3747 / 1848, delta_h=delta_h, zeta=zeta)
+    F_cr = oscillator.detachment().F_cr
+    peak = oscillator.peak(F_cr)
+    A = np.linspace(oscillator.u_cr * (1 + 1e-9), 2, 100_000)
+    above = A[-oscillator.model.averaged(A)[0] <= F_cr]
+    highest = above.max() if above.size else oscillator.u_cr
+    assert peak.Omega == 0 and peak.A == pytest.approx(highest, rel=1e-4)
+    assert len(oscillator.second_approximation.saddle_nodes(F_cr)) == 0

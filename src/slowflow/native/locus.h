@@ -34,7 +34,7 @@ static int sf_bounds(const sf_model *model, double F_0, double c, double A) {
     sf_sample_at(model, A, &at);
     if (!(fabs(at.h) > F_0 + c * (c / A)))
         return 0;
-    sf_sample_at(model, SF_ENDLESS * A, &far);
+    sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
     sf_make_cell(&at, &far, &cell);
     return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
 }
