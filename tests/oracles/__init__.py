@@ -2,6 +2,9 @@
 
 averaged, conditioning    certified folds, onsets, states of an averaged oscillator, and how well-conditioned they are
 certified_roots           every real root of a function in a range, enclosed: what `averaged` isolates with
+answers                 exact solutions next to an answer, and its condition
+counts                  proved numbers of states and folds at any forcing
+kernels                 exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
 exact_brute, exact_linear, exact_scipy, exact_cases    the equation of motion by other means, and oscillators to try
 make_kernel_oracle, make_random_isolators              programs that write `tests/data`

@@ -1,0 +1,180 @@
+"""One number that an oscillator gave in, the exact solution next to it and its condition out.
+
+In:  an oscillator's parameters as doubles, and where the solution should be. Newton's method on the defining equations
+     in several hundred bits goes to the solution nearby; it converges quadratically, so what it ends at has far more
+     than thirty digits. Whether there are other solutions is not asked here: `averaged` proves that.
+
+Condition numbers are those of `conditioning`: of the inputs, and of the values of the kernels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb, arb_mat, fmpq
+from mpmath import mpf, workdps
+
+from tests.oracles import averaged, kernels
+from tests.oracles.averaged import ATTACHED, CORNER, DETACHED, Amplitude, Point, exact, exact_ball
+from tests.oracles.certified_roots import precision
+from tests.oracles.conditioning import Condition, Conditioning
+
+BITS = 420
+#: relative size of Newton's last step, which the error left is the square of
+SETTLED = arb(2) ** -120
+STEPS = 40
+#: what vanishes, by what is asked: names in `averaged.Oscillator.derivatives`
+EQUATIONS = {"fold": ("F", "A"), "cusp": ("A", "AA"), "isola": ("A", "O"), "peak": ("F", "O")}
+SLOPES = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
+
+
+class Anywhere(averaged.Oscillator):
+    """Any damping, as nothing is bounded here; h from `kernels.averages`."""
+
+    mechanism: str
+
+    def __init__(self, **parameters: Any) -> None:
+        self.parameters = {k: v if isinstance(v, fmpq) else exact(v) for k, v in parameters.items()}
+        self.zeta, self.mu = self.parameters["zeta"], self.parameters["mu"]
+        self.alpha, self.beta, self.gamma = self._stiffness()
+
+    def h(self, A: arb, regime: str) -> tuple[arb, arb, arb, arb]:
+        """h and three derivatives at the centre of a ball."""
+        with workdps(int(BITS * 0.3)):
+            p = [self.alpha, self.beta, self.gamma, self.u_cr]
+            if self.mechanism == "duffing":
+                p = p[:2]
+            elif self.mechanism == "rod_spring_untruncated":
+                del p[2]
+            values = (_mpf(x if isinstance(x, fmpq) else exact_ball(x)) for x in (arb(A), *p))
+            found = kernels.averages(self.mechanism, int(regime == DETACHED), *values)
+            return tuple(arb(kernels.as_rational(x)) for x in found)
+
+
+class Rod(Anywhere, averaged.RodSpring):
+    """The isolator with the truncated force."""
+
+    mechanism = "rod_spring"
+
+
+class UntruncatedRod(Rod):
+    """The isolator with the force as its geometry gives it."""
+
+    mechanism = "rod_spring_untruncated"
+
+
+class Cubic(Anywhere, averaged.Duffing):
+    """One cubic piece."""
+
+    mechanism = "duffing"
+
+
+MECHANISMS: dict[str, type[Anywhere]] = {kind.mechanism: kind for kind in (Rod, UntruncatedRod, Cubic)}
+
+
+def _mpf(x: fmpq) -> Any:
+    return mpf(int(x.p)) / int(x.q)
+
+
+class Nearby:
+    """Exact solutions next to given numbers, for one oscillator."""
+
+    def __init__(self, mechanism: str, **parameters: float) -> None:
+        with precision(BITS):
+            self.oscillator = MECHANISMS[mechanism](**parameters)
+            self.conditions = Conditioning(self.oscillator)
+
+    def regime(self, A: float) -> str:
+        """On which side of the corner a double lies; a double next to the corner's counts as below."""
+        u = self.oscillator.u_cr
+        return ATTACHED if u is None or arb(A) <= u else DETACHED
+
+    def two(self, kind: str, Omega: float, A: float, F_0: float) -> tuple[Point, Condition] | None:
+        """A fold, cusp, isola point or peak, by its two equations in Omega and A."""
+        with precision(BITS):
+            forcing, regime = arb(exact(F_0)), self.regime(A)
+            names = EQUATIONS[kind]
+
+            def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
+                d = self.oscillator.derivatives(x[0], x[1], regime, forcing)
+                return [d[n] for n in names], [[d[k] for k in SLOPES[n]] for n in names]
+
+            found = _newton(system, [arb(Omega), arb(A)])
+            if found is None or not self._stays(found[1], regime):
+                return None
+            point = Point(*found, regime, forcing, kind)
+            if kind in ("cusp", "isola"):
+                point.F_0 = self.oscillator.forcing(point.Omega, point.A, regime)
+                condition = self.conditions.extremum(point)
+            else:
+                condition = self.conditions.fold(point) if kind == "fold" else self._peak(point)
+            return None if condition is None else (point, condition)
+
+    def on_corner(self, kind: str, Omega: float, F_0: float) -> tuple[Point, Condition] | None:
+        """At A = u_cr: a fold at F_0, or the least forcing by Omega ("detachment")."""
+        with precision(BITS):
+            u, forcing = self.oscillator.u_cr, arb(exact(F_0))
+            name, slope = ("F", "O") if kind == "fold" else ("O", "OO")
+
+            def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
+                d = self.oscillator.derivatives(x[0], u, CORNER, forcing)
+                return [d[name]], [[d[slope]]]
+
+            found = _newton(system, [arb(Omega)])
+            if found is None:
+                return None
+            point = Point(found[0], u, CORNER, forcing, kind)
+            if kind == "fold":
+                return point, self.conditions.fold(point)
+            point.F_0 = self.oscillator.forcing(point.Omega, u, CORNER)
+            condition = self.conditions.detachment(point)
+            return None if condition is None else (point, condition)
+
+    def state(self, Omega: float, A: float, F_0: float) -> tuple[Amplitude, Condition] | None:
+        """The steady state at a frequency."""
+        with precision(BITS):
+            frequency, forcing, regime = arb(exact(Omega)), arb(exact(F_0)), self.regime(A)
+
+            def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
+                d = self.oscillator.derivatives(frequency, x[0], regime, forcing)
+                return [d["F"]], [[d["A"]]]
+
+            found = _newton(system, [arb(A)])
+            if found is None or not self._stays(found[0], regime):
+                return None
+            state = Amplitude(found[0], arb(0), True, regime)
+            return state, self.conditions.amplitude(state, Omega, F_0)
+
+    def _stays(self, A: arb, regime: str) -> bool:
+        u = self.oscillator.u_cr
+        return bool(A > 0) and (u is None or bool((A < u) if regime == ATTACHED else (A > u)))
+
+    def _peak(self, p: Point) -> Condition:
+        d, h, _ = self.conditions._terms(p, p.Omega, p.F_0)
+
+        def residual(o: averaged.Oscillator, F_0: arb) -> list[arb]:
+            e = o.derivatives(p.Omega, p.A, p.regime, F_0)
+            return [e["F"], e["O"]]
+
+        kernel = [[2 * d["R"] * h[0], 4 * p.A * p.Omega * h[0]]]
+        jacobian = [[arb(0), d["A"]], [d["OO"], d["AO"]]]
+        return self.conditions._solve(("Omega", "A"), (p.Omega, p.A), jacobian, residual, p.F_0, kernel)
+
+
+def _newton(system: Any, x: list[arb]) -> list[arb] | None:
+    """Where Newton's method settles; None if it does not, or goes far away."""
+    start = x
+    for _ in range(STEPS):
+        try:
+            values, rows = system(x)
+            step = arb_mat(rows).mid().solve(arb_mat(len(x), 1, values).mid())
+        except (ValueError, ZeroDivisionError):  # across the corner, where the formula ends; a double point
+            return None
+        x = [arb((a - step[k, 0]).mid()) for k, a in enumerate(x)]
+        if not all(a > 0 for a in x) or not all(v.is_finite() for v in x):
+            return None
+        if all(abs(step[k, 0]) < SETTLED * a for k, a in enumerate(x)):
+            near = all(abs(a - b) < abs(b) * arb("0.01") for a, b in zip(x, start, strict=True))
+            return x if near else None
+    return None

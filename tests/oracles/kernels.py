@@ -1,0 +1,309 @@
+"""A generated kernel and any doubles in; its exact values there and what rounding its arguments would cost, out.
+
+The definitions are `make_kernel_oracle`'s. In place of its quadratures, which fail next to a breakpoint and at extreme
+numbers, the averaged forces come from `averaged` (truncated) and from FLINT's elliptic integrals (untruncated), in
+balls, differentiated numerically with hundreds of bits to spare. As many digits are used as the exponents ask for.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from flint import acb, arb, fmpq
+from mpmath import mp, mpf, workdps
+
+from tests.oracles import make_kernel_oracle as definitions
+from tests.oracles.averaged import ATTACHED, DETACHED, Oscillator, exact_ball
+from tests.oracles.certified_roots import precision
+
+DIGITS = 60
+STEP = mpf(10) ** -20
+RELATIVE = 2.0**-50
+EXACT_STEP = fmpq(1, 2**70)
+ORDERS = ("", "_A", "_AA", "_AAA")
+#: kernels that give the averages themselves
+AVERAGES = {**definitions.TOGETHER, **{name: (name,) for name in (l + order for l in "hH" for order in ORDERS)}}
+COMPOSED = {
+    **definitions.SLOW_FLOW,
+    "level": definitions.LOCI["level"][:2],
+    "detachment": ("A m zeta h", definitions.detachment_of_reals),
+}
+RESULTANTS = {"saddle_nodes": definitions.saddle_nodes, "saddle_node_onset": definitions.saddle_node_onset}
+#: definitions that are quadratures or searches for a root, which need numbers of moderate size
+BY_QUADRATURE = {
+    "equivalent_damping",
+    "transmissibility",
+    "mean_stiffness",
+    "offset_stiffness",
+    "rise",
+    "harmonics",
+}
+#: in place of a search for roots
+SLOPE = {"Omega_A": ("Omega A m zeta h h_A", lambda *x: [_slope_of_frequency(*x)])}
+Definition = Callable[..., list[Any]]
+
+
+def scene_of(module: str) -> tuple[str, str]:
+    """The module without the vanishing dampings in its name, and these."""
+    scene = max((scene for scene in definitions.SCENES if module.endswith(scene)), key=len)
+    return module.removesuffix(scene), scene
+
+
+def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
+    """The function of `names` that the kernel is on its side of every breakpoint at this point; whether of rationals.
+
+    Raises KeyError for a kernel without a definition.
+    """
+    base, scene = scene_of(module)
+    given = dict(zip(names, at, strict=True))
+    if kernel == "phase" and scene == "_mu0_zeta0":
+        inertia = given["A"] * given["Omega"] ** 2
+        if abs(inertia + given["h"]) <= RELATIVE * inertia:
+            raise ValueError("in phase or out of it, to rounding")
+    if base == "slow_flow" and kernel == "fold":
+        m = 0.0 if "mu0" in scene else given["m"]
+        if given["k"] ** 2 < (given["F_0"] - m) * (given["F_0"] + m):
+            raise ValueError("no fold at such an intercept")
+    if kernel in ("limit_envelope", "saddle_nodes", "fold") and "F_0" in given and "mu0" not in scene:
+        friction = given["m"] if "m" in given else 4 * given["mu"] / math.pi
+        if given["F_0"] <= friction * (1 + RELATIVE):
+            raise ValueError("at rest, or a rounding from it")
+    if base in definitions.TYPED:
+        f, rational = _of_mechanism(base, kernel, names, at)
+    elif kernel == "isola" and given["m"] == 0 and "mu0" not in scene:
+        raise ValueError("a common factor is left out without friction")
+    elif base == "slow_flow" and kernel == "detachment":
+        f, rational = definitions.detachment, True
+    else:
+        of_locus = definitions.UNDAMPED if "zeta" in definitions.SCENES[scene] else definitions.DAMPED
+        table = {
+            "slow_flow": definitions.SLOW_FLOW | definitions.SLOPES | definitions.LOCI | of_locus | SLOPE,
+            "frequencies": definitions.FREQUENCIES,
+            "motion": definitions.MOTION,
+            "den_hartog": definitions.DEN_HARTOG,
+        }.get(base)
+        f, rational = (definitions.second_kernel(kernel) if table is None else table[kernel][1]), False
+    return definitions.zeroed(f, list(names), scene), rational
+
+
+def _slope_of_frequency(*x: Any) -> Any:
+    """dOmega/dA at one forcing."""
+    return -definitions.slope_of_response(1, *x) / definitions.SLOW_FLOW["F_Omega"][1](*x[:5])[0]
+
+
+def knows(module: str) -> bool:
+    """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none."""
+    base, _ = scene_of(module)
+    return base in (*definitions.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
+
+
+def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
+    given = dict(zip(names, at, strict=True))
+    inner = {"duffing": ("alpha", "beta"), "rod_spring": ("alpha", "beta", "gamma", "u_cr")}.get(
+        name, ("alpha", "beta", "u_cr")
+    )
+    passed = int("u_cr" in given and abs(given.get("A", given.get("u", 0.0))) > given["u_cr"])
+    if passed and kernel == "attached":
+        raise ValueError("beyond the breakpoint")
+    if kernel == "harmonics" and name == "rod_spring_untruncated" and given["u_cr"] > 0.75:
+        raise ValueError("the harmonics are derived for u_cr <= 3/4")
+    if kernel in AVERAGES:
+        return lambda *x: _outputs(AVERAGES[kernel], name, passed, *x), False
+    if kernel == "harmonics":
+        harmonic = definitions.harmonic_by_quadrature
+        return lambda *x: [v for n in (3, 5) for v in harmonic(name, n, passed, *x)], False
+    if kernel in RESULTANTS:
+        last = len(names) - len(inner) - 1
+        used = last + 1 + (2 if name == "duffing" else 3)
+        leading = definitions.LEADING[name, kernel]
+        return lambda *x: RESULTANTS[kernel](leading(*x[last:used]), *x[:used]), True
+    if kernel in COMPOSED:
+        return _composed(name, kernel, names, inner, passed), False
+    return _of_force(name, kernel, passed), False
+
+
+def _outputs(wanted: Sequence[str], name: str, passed: int, *x: Any) -> list[Any]:
+    """Averages by name."""
+    values = {}
+    for letter, vertical in (("h", False), ("H", True)):
+        if any(output.startswith(letter) for output in wanted):
+            found = averages(name, passed, *x, vertical=vertical)
+            values |= {letter + order: value for order, value in zip(ORDERS, found, strict=True)}
+    return [values[output] for output in wanted]
+
+
+def _composed(name: str, kernel: str, names: Sequence[str], inner: Sequence[str], passed: int) -> Definition:
+    """A function of the slow flow with the mechanism put in."""
+    arguments, f = COMPOSED[kernel]
+
+    def of(*x: Any) -> list[Any]:
+        given = dict(zip(names, x, strict=True))
+        given["m"] = 4 * given.get("mu", mpf(0)) / mp.pi
+        if "h" in arguments.split():
+            found = averages(name, passed, given["A"], *(given[p] for p in inner))
+            given |= zip(("h", "h_A", "h_AA", "h_AAA"), found, strict=True)
+        return f(*(given[argument] for argument in arguments.split()))
+
+    return of
+
+
+def _of_force(name: str, kernel: str, passed: int) -> Definition:
+    """What a mechanism says of its force, from the pieces as defined."""
+
+    def jumps(*q: Any) -> list[Any]:
+        forces, ends = definitions.joined(name, q)
+        return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
+
+    def hardening(*q: Any) -> list[Any]:
+        # f(u)/u rises where no coefficient of its slope is negative: all but the first, or the steep part's
+        if name == "rod_spring_untruncated":
+            return [2 * q[1]]
+        return [*q[1 : 2 if name == "duffing" else 3], *(-x for x in jumps(*q) if name == "rod_spring")]
+
+    table: dict[str, Definition] = {
+        "coefficients": {
+            "rod_spring": definitions.rod_coefficients,
+            "rod_spring_untruncated": definitions.untruncated_coefficients,
+        }.get(name, lambda *design: list(design)),
+        "breakpoints": lambda *q: list(definitions.pieces(name, q)[1]),
+        "jumps": jumps,
+        "hardening": hardening,
+        "force": lambda u, *q: [definitions.pieces(name, q)[0][passed](u)],
+    }
+    for k in range(2):
+        table[f"force_{k + 1}"] = lambda u, *q, k=k: [definitions.pieces(name, q)[0][k](u)]
+        table[f"force_{k + 1}_u"] = lambda u, *q, k=k: [mp.diff(definitions.pieces(name, q)[0][k], u)]
+    return table[kernel]
+
+
+# --- the averaged forces ----------------------------------------------------------------------------------------------
+
+
+class Truncated(Oscillator):
+    """A force of any coefficients, linear beyond u."""
+
+    def _stiffness(self) -> tuple[fmpq, fmpq, fmpq]:
+        return self.parameters["alpha"], self.parameters["beta"], self.parameters["gamma"]
+
+    @property
+    def u_cr(self) -> arb:
+        """Where the springs leave."""
+        return arb(self.parameters["u"])
+
+
+@functools.lru_cache(maxsize=64)
+def averages(name: str, passed: int, A: Any, *p: Any, vertical: bool = False) -> list[Any]:
+    """h, h_A, h_AA, h_AAA, or of the force beside the vertical spring's: of mpmath's numbers at its precision."""
+    if name == "rod_spring_untruncated":
+        found = _untruncated(passed, A, *p)
+    else:
+        alpha, beta, gamma, u = p if name == "rod_spring" else (*p, mpf(0), mpf(1))
+        parameters = {"alpha": alpha, "beta": beta, "gamma": gamma, "u": u}
+        with precision(3 * mp.prec + 300):
+            force = Truncated(zeta=1, mu=0, **{key: as_rational(value) for key, value in parameters.items()})
+            found = [_number(x) for x in force.h(arb(as_rational(A)), DETACHED if passed else ATTACHED)]
+    if vertical:
+        found = [found[0] + A, found[1] + 1, *found[2:]]
+    return found
+
+
+def as_rational(x: Any) -> fmpq:
+    """A number of mpmath, exactly."""
+    sign, mantissa, exponent, _ = mpf(x)._mpf_
+    return fmpq(-int(mantissa) if sign else int(mantissa)) * fmpq(2) ** int(exponent)
+
+
+def _number(x: arb) -> Any:
+    q = exact_ball(x)
+    return mpf(int(q.p)) / int(q.q)
+
+
+def _untruncated(passed: int, A: Any, alpha: Any, beta: Any, u_cr: Any) -> list[Any]:
+    if A == 0:
+        return [mpf(0), -alpha, mpf(0), -9 * beta / 2]
+    # next to the corner derivatives grow by 2^53 from one to the next
+    spare = mp.prec // 2 + 120
+    with precision(4 * spare + 2 * mp.prec + 8 * abs(mp.mag(A))):
+        amplitude, alpha_, beta_, u = (arb(as_rational(x)) for x in (A, alpha, beta, u_cr))
+        step = amplitude * arb(2) ** -spare
+
+        def of(a: arb) -> arb:
+            m = a * a
+            if passed:
+                end = (u / a).asin()
+                sine_2 = (end - end.sin() * end.cos()) / 2
+                steep = (acb.elliptic_f(acb(end), acb(m)) - acb.elliptic_e_inc(acb(end), acb(m))).real / m
+                constant = 1 - 2 * beta_ / (1 - u * u).sqrt()  # continuous at its end: alpha follows from the rest
+            else:
+                sine_2 = arb.pi() / 4
+                steep = (acb(m).elliptic_k() - acb(m).elliptic_e()).real / m
+                constant = alpha_ - 2 * beta_
+            return -4 / arb.pi() * a * (arb.pi() / 4 + (constant - 1) * sine_2 + 2 * beta_ * steep)
+
+        y = [of(amplitude + k * step) for k in range(-2, 3)]
+        found = [
+            y[2],
+            (8 * (y[3] - y[1]) - (y[4] - y[0])) / (12 * step),
+            (16 * (y[3] + y[1]) - (y[4] + y[0]) - 30 * y[2]) / (12 * step**2),
+            (y[4] - y[0] - 2 * (y[3] - y[1])) / (2 * step**3),
+        ]
+        return [_number(x) for x in found]
+
+
+# --- one point --------------------------------------------------------------------------------------------------------
+
+
+def digits_for(at: Sequence[float]) -> int:
+    """Digits to work with: numerical differentiation has to see every argument's last bit."""
+    decades = max((abs(math.log10(abs(x))) for x in at if x), default=0.0)
+    return DIGITS if decades <= 6 else DIGITS + 40 * math.ceil(decades / 10)
+
+
+def values(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[list[Any], list[Any]]:
+    """Values, and |f| + sum |x df/dx| over the arguments: u times it is what rounding these and the result costs.
+
+    Raises ArithmeticError or ValueError outside the domain.
+    """
+    if kernel == "amplitude":  # Den Hartog's motion has to exist
+        Omega, F_0, mu = (mpf(x) for x in at)
+        if F_0 * abs(definitions.exact_V(Omega)[0]) <= mu * abs(definitions.exact_U(Omega)[0]):
+            raise ValueError("no motion without stops")
+    f, rational = define(module, kernel, names, at)
+    digits = digits_for(at)
+    with workdps(digits):
+        step = EXACT_STEP if rational else STEP
+        x = [fmpq(*value.as_integer_ratio()) if rational else mpf(value) for value in at]
+        found = f(*x)
+        scales = [abs(value) for value in found]
+        for k, value in enumerate(x):
+            if value != 0:
+                moved = f(*x[:k], value * (1 + step), *x[k + 1 :])
+                if len(moved) != len(found):
+                    raise ValueError("the number of coefficients changes here")
+                scales = [s + abs(b - a) / step for s, a, b in zip(scales, found, moved, strict=True)]
+        if rational:
+            found, scales = ([mpf(int(v.p)) / int(v.q) for v in column] for column in (found, scales))
+        if any(isinstance(value, mp.mpc) for value in found):
+            raise ValueError("not real")
+        # what numerical differentiation leaves of a zero
+        noise = mpf(0) if rational or kernel in AVERAGES else mpf(10) ** (15 - digits)
+        found, scales = (
+            [mpf(0) if s < noise else mpf(v) for v, s in zip(column, scales, strict=True)] for column in (found, scales)
+        )
+        if kernel.endswith("_derivative"):  # p and q as doubles with what they lack
+            found, scales = _in_pairs(found, scales)
+        if kernel == "harmonics":  # they act together: the fifth is measured by the third's scale
+            scales = [max(pair) for pair in zip(scales[:4], scales[4:], strict=True)] * 2
+        return found, scales
+
+
+def _in_pairs(found: list[Any], scales: list[Any]) -> tuple[list[Any], list[Any]]:
+    pairs, of_pairs = [], []
+    for value, scale in zip(found[:2], scales[:2], strict=True):
+        high = mpf(float(value))
+        pairs += [high, value - high]
+        of_pairs += [scale, mp.ldexp(scale, -53)]
+    return [*pairs, found[2]], [*of_pairs, scales[2]]
