@@ -7,6 +7,8 @@
 #                 into an environment of its own under .venv-peers
 # make validity   averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
 #                 docs/validity.md, some ten minutes
+# make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, some
+#                 ten minutes
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -17,7 +19,7 @@ DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper test test-fast derive check lint bench bench-peers validity clean
+.PHONY: paper test test-fast derive check lint bench bench-peers validity stress clean
 .DELETE_ON_ERROR:
 
 paper: derive
@@ -53,6 +55,9 @@ validity: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.claims
 	$(BIN)/python -m derivations
 	$(BIN)/python -m benchmarks.validity
+
+stress: $(DEVELOPED)
+	$(BIN)/python -m benchmarks.stress
 
 bench-peers: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.peers

@@ -1,0 +1,150 @@
+"""Numbers of states and folds that an oscillator gives, against proved ones: seeded hard cases in, wrong counts out.
+
+Forcings are drawn next to the levels at which a number changes, from an ulp on, and between them; frequencies next to
+folds and at random. A case whose forcing is a level to within `UNDECIDED` is one that doubles cannot decide, as
+rounding the inputs and h once each moves the level by as much: those are counted apart.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+
+from benchmarks.stress import instead
+from benchmarks.stress.answers import NAMES, design, oscillator
+from benchmarks.stress.domains import ulps
+from benchmarks.stress.search import Point
+from tests.oracles import counts as proved
+from tests.oracles.averaged import Duffing, RodSpring
+
+SEED = 17
+#: in u (1 + kappa) of the level
+UNDECIDED = 4.0
+ORACLES = {"rod_spring": RodSpring, "duffing": Duffing}
+#: forcings to an oscillator and frequency, and to an oscillator
+FORCINGS = {"states": 150, "folds": 60}
+FREQUENCIES = 4
+#: share of the forcings that is asked without compiled code, which takes a hundred times longer
+ON_NUMPY = 0.1
+#: what is counted
+NUMBERS = ("cases", "undecided", "wrong undecided", "unproved")
+#: of them go to what one would write instead
+COMPARED = 1
+
+
+def forcings(number: int, levels: list[float], m: float, rng: np.random.Generator) -> Iterator[float]:
+    """Next to the levels, between them, and an ulp above 4 mu/pi."""
+    for _ in range(number):
+        draw = rng.random()
+        if draw < 0.1 or not levels:
+            F_0 = ulps(m, int(rng.integers(1, 4))) if m and draw < 0.05 else float(10 ** rng.uniform(-4, 1))
+        elif draw < 0.2:
+            F_0 = ulps(float(rng.choice(levels)), int(rng.integers(-3, 4)))
+        elif draw < 0.8:
+            F_0 = float(rng.choice(levels)) * (1 + float(rng.choice([-1, 1])) * 10 ** rng.uniform(-15, -1))
+        else:
+            a, b = rng.choice(levels, 2)
+            F_0 = float(a + (b - a) * rng.random())
+        if F_0 > m and F_0 > 0:
+            yield F_0
+
+
+def cases(mechanism: str, rng: np.random.Generator) -> Iterator[tuple[str, Any, Point, float, Callable[[], Any]]]:
+    """What is asked about one oscillator: states at some frequencies, and folds; each with what proves the number."""
+    _, own = design(mechanism, rng)
+    own[-1] = min(max(own[-1], 1e-4), 0.5)  # the oracle's bounds need some damping
+    iso = oscillator(mechanism, (*own, 1.0, 1.0))
+    given = dict(zip(NAMES[mechanism][:-2], own, strict=True))
+    exact = ORACLES[mechanism](**given)
+    near = [c.Omega for c in iso.cusps(**({} if math.isfinite(iso.model.reach) else {"A_max": 5.0}))]
+    for _ in range(FREQUENCIES):
+        Omega = float(10 ** rng.uniform(-0.7, 0.5))
+        if near and rng.random() < 0.6:
+            Omega = float(rng.choice(near)) * float(1 + 10 ** rng.uniform(-6, -0.5))
+        yield "states", iso, tuple(own), Omega, functools.partial(proved.States, exact, Omega)
+    yield "folds", iso, tuple(own), math.nan, functools.partial(proved.Folds, exact)
+
+
+def found(mechanism: str, kind: str, at: Point) -> int:
+    """The number of states or folds that an oscillator gives."""
+    return _number(kind, oscillator(mechanism, at), at)
+
+
+def _number(kind: str, iso: Any, at: Point) -> int:
+    F_0, Omega = at[-2:]
+    return len(iso.amplitudes(Omega=Omega, F_0=F_0) if kind == "states" else iso.saddle_nodes(F_0))
+
+
+def stress(
+    mechanism: str, part: int, oscillators: int, forcings_share: float = 1.0, compared: bool = True
+) -> dict[str, Any]:
+    """A share of the oscillators: cases and wrong counts, decided and not; `compared` with other ways beside it."""
+    rng = np.random.default_rng([SEED, part, len(mechanism)])
+    table: dict[str, dict[str, Any]] = {
+        kind: {**dict.fromkeys(NUMBERS, 0), "wrong": [], "refused": [], "instead": {}} for kind in ("states", "folds")
+    }
+    for _ in range(oscillators):
+        try:
+            asked = list(cases(mechanism, rng))
+        except (ArithmeticError, ValueError):
+            continue
+        for kind, iso, own, Omega, make in asked:
+            row = table[kind]
+            try:
+                truth = make()
+                levels = [float(level.mid()) for level in truth.levels]
+                levels = [level for level in levels if level > iso.model.m and math.isfinite(level)]
+            except (ArithmeticError, ValueError, NotImplementedError):
+                row["unproved"] += 1
+                continue
+            for k, F_0 in enumerate(forcings(round(FORCINGS[kind] * forcings_share), levels, iso.model.m, rng)):
+                _one(row, kind, iso, (*own, F_0, Omega), truth, compared and k < COMPARED)
+    return {"mechanism": mechanism, "names": NAMES[mechanism], **table}
+
+
+def on_numpy(mechanism: str, part: int, oscillators: int) -> dict[str, Any]:
+    """The same in a process of its own that does without compiled code."""
+    command = [sys.executable, "-m", "benchmarks.stress.counts", mechanism, str(part), str(oscillators)]
+    environment = {**os.environ, "SLOWFLOW_BACKEND": "numpy"}
+    done = subprocess.run(command, capture_output=True, text=True, check=True, env=environment)
+    return dict(json.loads(done.stdout))
+
+
+def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, compared: bool) -> None:
+    F_0, Omega = at[-2:]
+    try:
+        number = truth.count(F_0)
+    except ArithmeticError:
+        row["unproved"] += 1
+        return
+    row["cases"] += 1
+    distance = proved.distance(truth, F_0)
+    undecided = distance[0] < UNDECIDED
+    row["undecided"] += undecided
+    try:
+        given = _number(kind, iso, at)
+    except ArithmeticError as refusal:
+        row["refused"].append((str(refusal), at))
+        return
+    if given != number:
+        if undecided:
+            row["wrong undecided"] += 1
+        else:
+            row["wrong"].append((at, given, number, *distance))
+    if compared and not undecided:
+        for name, count in instead.counts(kind, iso, Omega, F_0).items():
+            tally = row["instead"].setdefault(name, [0, 0])
+            tally[0] += 1
+            tally[1] += count != number
+
+
+if __name__ == "__main__":
+    print(json.dumps(stress(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), ON_NUMPY, compared=False)))

@@ -1,0 +1,456 @@
+"""docs/stability.md and its pictures: measured numbers in, files out. Every number on the page comes from them."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+
+from benchmarks.document import environment_lines, table
+from benchmarks.stress import answers, counts, domains, kernels, roots
+
+mpl.use("Agg")
+import matplotlib.pyplot as plt
+
+Rows = list[tuple[str, ...]]
+Numbers = dict[str, Any]
+GROUPS = {
+    "slow flow": lambda module: module.startswith("slow_flow"),
+    "rod_spring": lambda module: module.startswith("rod_spring") and "untruncated" not in module,
+    "rod_spring_untruncated": lambda module: module.startswith("rod_spring_untruncated"),
+    "the others": lambda module: not module.startswith(("slow_flow", "rod_spring")),
+}
+U = 2.0**-53
+
+HEAD = """# Numerical stability, searched
+
+Written by `make stress`; never edit. Numbers and the exact points: `benchmarks/results/stability.json`. The worst
+points are tests: `tests/data/stability.json`, replayed by `tests/test_stability.py`, where no error may grow.
+
+u = 2^-53. kappa is the relative condition number of a result in all its arguments: rounding each argument once, and the
+result once, costs up to u (1 + kappa). Errors are in this unit, at the points drawn and at those that a search found
+from the worst of them: single coordinates moved by ulps and by factors as long as the error grows. So each figure is a
+lower bound of the true maximum. Exact values: kernels by `tests/oracles/kernels.py` to 40 digits and more, roots by
+FLINT, answers by Newton's method in 420 bits at the solution nearby, counts proved by `tests/oracles/averaged.py`.
+"""
+
+
+def number(x: Any) -> str:
+    """Three digits; JSON has words for what is not finite."""
+    return x if isinstance(x, str) else f"{x:.3g}"
+
+
+def value(x: Any) -> float:
+    """As a number."""
+    return float(x)
+
+
+def where(names: Iterable[str], at: Iterable[float]) -> str:
+    """A point in words."""
+    return ", ".join(f"{name} {x:.4g}" for name, x in zip(names, at, strict=True))
+
+
+def worst_of(row: Numbers) -> Numbers | None:
+    """The worst point of a kernel or kind."""
+    return max(row["worst"], key=lambda w: value(w["error"]), default=None)
+
+
+def by_kernel(found: list[Numbers]) -> Rows:
+    """Every kernel with its worst error and where it occurs."""
+    rows = []
+    for row in found:
+        worst = worst_of(row)
+        if worst is None:
+            rows.append((f"{row['module']}.{row['kernel']}", "0", "-", "-", "-", "no point within the domain"))
+            continue
+        other = row["rows"][row["worst"].index(worst)]["errors"]["numpy"]
+        rows.append(
+            (
+                f"{row['module']}.{row['kernel']}",
+                str(row["points"]),
+                number(worst["error"]) + (" **missed**" if value(worst["error"]) > kernels.TARGET else ""),
+                "-" if other is None else number(other),
+                number(worst["condition"]),
+                f"{worst['place']}: {where(row['names'], worst['at'])}",
+            )
+        )
+    return rows
+
+
+#: heads of tables
+KERNELS = ("kernel", "points", "error / u(1+κ)", "NumPy there", "1 + κ there", "where")
+ROOTS = ("roots", "family", "cases", "wrong number", "error / u(1+κ)", "1 + κ there", "where")
+ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "alone", "where")
+COUNTS = ("asked", "cases", "wrong, decided", "wrong, undecided", "refused", "not proved")
+
+
+def by_group(found: list[Numbers]) -> Rows:
+    """How many kernels of each group keep to the target."""
+    rows = []
+    for name, belongs in GROUPS.items():
+        worst = sorted((value(w["error"]) for r in found if belongs(r["module"]) if (w := worst_of(r))), reverse=True)
+        if worst:
+            within = sum(e <= kernels.TARGET for e in worst)
+            rows.append((name, str(len(worst)), str(within), number(worst[len(worst) // 2]), number(worst[0])))
+    return rows
+
+
+def by_root(found: list[Numbers]) -> Rows:
+    """Every kind and family of roots."""
+    rows = []
+    for row in found:
+        worst = worst_of(row)
+        rows.append(
+            (
+                row["kind"],
+                row["family"],
+                f"{row['cases']:,}",
+                str(len(row["wrong"])),
+                number(worst["error"]) if worst else "-",
+                number(worst["condition"]) if worst else "-",
+                where(row["names"], worst["at"]) if worst else "-",
+            )
+        )
+    return rows
+
+
+def merged(found: list[list[Numbers]]) -> list[Numbers]:
+    """Answers of all shares by mechanism and kind."""
+    table: dict[tuple[str, str], Numbers] = {}
+    for row in itertools.chain(*found):
+        key = row["mechanism"], row["kind"]
+        if key not in table:
+            table[key] = {**row, "alone": list(row["alone"]), "drawn": list(row["drawn"]), "worst": list(row["worst"])}
+        else:
+            table[key]["answers"] += row["answers"]
+            for name in ("alone", "drawn", "worst"):
+                table[key][name] += row[name]
+    return [table[key] for key in sorted(table)]
+
+
+def by_answer(found: list[Numbers]) -> Rows:
+    """Every kind of answer of each mechanism."""
+    rows = []
+    for row in found:
+        worst = worst_of(row)
+        assert worst is not None
+        rows.append(
+            (
+                row["mechanism"],
+                row["kind"],
+                f"{row['answers']:,}",
+                number(worst["error"]) + (" **missed**" if value(worst["error"]) > answers.TARGET else ""),
+                number(worst["condition"]),
+                str(len(row["alone"])),
+                f"{worst['place']}: {where(row['names'], worst['at'])}",
+            )
+        )
+    return rows
+
+
+def summed(found: list[Numbers], kind: str) -> dict[str, Numbers]:
+    """Counts of all shares by mechanism."""
+    out: dict[str, Numbers] = {}
+    for row in found:
+        mine = row[kind]
+        total = out.setdefault(row["mechanism"], {"names": row["names"], "wrong": [], "refused": [], "instead": {}})
+        for name in ("cases", "undecided", "wrong undecided", "unproved"):
+            total[name] = total.get(name, 0) + mine[name]
+        total["wrong"] += mine["wrong"]
+        total["refused"] += mine["refused"]
+        for way, (cases, wrong) in mine["instead"].items():
+            tally = total["instead"].setdefault(way, [0, 0])
+            tally[0] += cases
+            tally[1] += wrong
+    return out
+
+
+def by_count(found: list[Numbers], backend: str = "") -> Rows:
+    """States and folds of each mechanism."""
+    rows = []
+    for kind in ("states", "folds"):
+        for mechanism, total in summed(found, kind).items():
+            decided = total["cases"] - total["undecided"]
+            rows.append(
+                (
+                    f"{mechanism}, {kind}{backend}",
+                    f"{total['cases']:,}",
+                    f"{len(total['wrong'])} of {decided:,}",
+                    f"{total['wrong undecided']} of {total['undecided']:,}",
+                    str(len(total["refused"])),
+                    str(total["unproved"]),
+                )
+            )
+    return rows
+
+
+def wrong_counts(found: list[Numbers]) -> Rows:
+    """Some of the wrong ones, the farthest from a level first."""
+    rows = []
+    for kind in ("states", "folds"):
+        for mechanism, total in summed(found, kind).items():
+            for at, got, proved, units, relative, Omega in sorted(total["wrong"], key=lambda w: -w[3])[:5]:
+                there = where(total["names"], [value(x) for x in at]).removesuffix(", Omega nan")
+                rows.append(
+                    (
+                        f"{mechanism}, {kind}",
+                        str(got),
+                        str(proved),
+                        number(units),
+                        number(relative),
+                        number(Omega),
+                        there,
+                    )
+                )
+    return rows
+
+
+def by_other(numbers: Numbers) -> Rows:
+    """What one would write instead."""
+    rows = []
+    of_roots = {r["family"]: r for r in numbers["roots"] if r["kind"] == "response"}
+    for row in numbers["instead"][0]:
+        mine = of_roots[row["family"]]
+        worst = worst_of(mine)
+        rows.append(
+            (
+                f"roots of (24): {row['family']}",
+                "numpy.roots",
+                f"{row['wrong']:,} of {row['cases']:,}",
+                number(row["error"]),
+                f"{len(mine['wrong'])} of {mine['cases']:,}",
+                number(worst["error"]) if worst else "-",
+            )
+        )
+    for kind in ("states", "folds"):
+        for mechanism, total in summed(numbers["counts"], kind).items():
+            decided = total["cases"] - total["undecided"]
+            for way, (cases, wrong) in total["instead"].items():
+                mine = f"{len(total['wrong'])} of {decided:,}"
+                rows.append((f"{kind}, {mechanism}", way, f"{wrong} of {cases}", "-", mine, "-"))
+    return rows
+
+
+def by_extreme(found: list[Numbers]) -> tuple[Rows, int, int]:
+    """Kernels that lose something at extreme numbers, and how many were tried and kept all."""
+    rows, tried, kept = [], 0, 0
+    for row in found:
+        mine = row["found"]
+        if mine is None or not mine["points"]:
+            continue
+        tried += 1
+        kept += not mine["lost"]
+        if mine["lost"]:
+            worst = mine["worst"]
+            names = kernels.named().get((row["module"], row["kernel"]), [f"x{k}" for k in range(len(worst["at"]))])
+            rows.append(
+                (
+                    f"{row['module']}.{row['kernel']}",
+                    f"{mine['lost']} of {mine['points']}",
+                    number(worst["error"]),
+                    where(names, worst["at"]),
+                )
+            )
+    return rows, tried, kept
+
+
+# --- pictures ---------------------------------------------------------------------------------------------------------
+
+
+def scatter(panels: dict[str, list[list[float]]], target: float) -> Any:
+    """Relative error against 1 + kappa, with the envelopes u (1 + kappa) and the target's."""
+    figure, axes = plt.subplots(1, len(panels), figsize=(3.6 * len(panels), 3.6), sharey=True, layout="constrained")
+    for ax, (title, points) in zip(axes, panels.items(), strict=True):
+        x = [condition for condition, error in points if error > 0]
+        y = [max(condition * error * U, 1e-20) for condition, error in points if error > 0]
+        ax.loglog(x, y, ".", ms=2.5, color="#30638e", alpha=0.5)
+        ends = [1.0, max([*x, 10.0])]
+        ax.loglog(ends, [U * end for end in ends], "k-", lw=1, label="u (1 + κ)")
+        if target != 1:
+            ax.loglog(ends, [target * U * end for end in ends], "k--", lw=0.8, label=f"{target:g} u (1 + κ)")
+        ax.set(title=title, xlabel="1 + κ")
+        ax.grid(alpha=0.2)
+    axes[0].set_ylabel("relative error")
+    axes[0].legend(loc="upper left", fontsize=8)
+    return figure
+
+
+def gathered(rows: Iterable[Numbers], key: Callable[[Numbers], str]) -> dict[str, list[list[float]]]:
+    """Points drawn and worst by panel."""
+    panels: dict[str, list[list[float]]] = {}
+    for row in rows:
+        points = panels.setdefault(key(row), [])
+        points += row["drawn"]
+        points += [[value(w["condition"]), value(w["error"])] for w in row["worst"] if not isinstance(w["error"], str)]
+    return panels
+
+
+def pictures(numbers: Numbers) -> dict[str, Any]:
+    """By file name."""
+
+    def group(row: Numbers) -> str:
+        return next(name for name, belongs in GROUPS.items() if belongs(row["module"]))
+
+    return {
+        "stability_kernels": scatter(gathered(numbers["kernels"], group), kernels.TARGET),
+        "stability_roots": scatter(gathered(numbers["roots"], lambda row: row["kind"]), roots.TARGET),
+        "stability_answers": scatter(
+            gathered(itertools.chain(*numbers["answers"]), lambda row: row["mechanism"]), answers.TARGET
+        ),
+    }
+
+
+# --- the page ---------------------------------------------------------------------------------------------------------
+
+
+def in_short(numbers: Numbers) -> list[str]:
+    """Targets and what was measured."""
+    found = [w for row in numbers["kernels"] if (w := worst_of(row))]
+    beyond = [w for w in found if value(w["error"]) > kernels.TARGET]
+    of_roots = [w for row in numbers["roots"] if (w := worst_of(row))]
+    quartics = sum(row["cases"] for row in numbers["roots"])
+    wrong_roots = sum(len(row["wrong"]) for row in numbers["roots"])
+    of_answers = merged(numbers["answers"])
+    missed = [row for row in of_answers if value(worst_of(row)["error"]) > answers.TARGET]  # type: ignore[index]
+    totals = [t for kind in ("states", "folds") for t in summed(numbers["counts"], kind).values()]
+    cases, undecided = (sum(t[name] for t in totals) for name in ("cases", "undecided"))
+    wrong = sum(len(t["wrong"]) for t in totals)
+    lines = [
+        f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} keep to it; "
+        + (f"{len(beyond)} miss it, named below." if beyond else "none misses it."),
+        f"- **Roots in Omega, target {roots.TARGET:g} u (1 + κ)**: the worst of {quartics:,} is "
+        f"{number(max(value(w['error']) for w in of_roots))}; {wrong_roots} wrong numbers of roots.",
+        f"- **Answers, target {answers.TARGET:g} u (1 + κ)**: {len(of_answers) - len(missed)} of {len(of_answers)} "
+        f"kinds keep to it{'; the others are marked below' if missed else ''}.",
+        f"- **Counts, target none wrong of 10^7**: {wrong:,} wrong of {cases - undecided:,} that doubles decide; "
+        f"{undecided:,} more lie within {counts.UNDECIDED:g} u (1 + κ) of a level and were asked too. "
+        f"{cases:,} is what was tried, not 10^7.",
+    ]
+    return lines
+
+
+def page(numbers: Numbers) -> str:
+    """The whole text."""
+    extreme, tried, kept = by_extreme(numbers["extremes"])
+    misses = [row for row in by_kernel(numbers["kernels"]) if "missed" in row[2]]
+    of_answers = merged(numbers["answers"])
+    box = [
+        (name, f"{low:g}", f"{high:g}", "yes" if negative else "", "yes" if zero else "")
+        for name, (low, high, negative, zero) in domains.BOX.items()
+    ]
+    lines = [
+        HEAD,
+        f"Measured in {numbers['seconds']} s: {environment_lines(numbers['environment'])[0]}",
+        "",
+        "## In short",
+        "",
+        *in_short(numbers),
+        "",
+        "## Kernels",
+        "",
+        "![Errors of kernels against condition](stability_kernels.png)",
+        "",
+        *table(
+            ("kernels", "number", "within the target", "median of the worst", "worst"), by_group(numbers["kernels"])
+        ),
+        "",
+        "Where the target is missed:" if misses else "Every kernel keeps to the target.",
+        "",
+        *(table(KERNELS, misses) if misses else []),
+        "",
+        "The domain: every argument within these sizes, of either sign or zero where it says so, and where the formula",
+        "is defined; derivatives of h are free of h. Hard places are drawn on purpose: " + "; ".join(domains.PLACES),
+        "(one line each in `benchmarks/stress/domains.py`). The parameters of a mechanism come from designs, of",
+        "quasi-zero stiffness to the ulp and negative stiffness among them. The equation of motion, Den Hartog's",
+        "solution and the second approximation are tried in the ranges of `make_kernel_oracle`.",
+        "",
+        *table(("argument", "from", "to", "negative", "zero"), box),
+        "",
+        "### At 1e±150 and subnormal numbers",
+        "",
+        f"Beyond the box, arguments at {', '.join(f'{x:.3g}' for x in domains.EXTREME)}: {kept} of {tried} kernels",
+        "of the general case are as good there wherever the result itself is a normal double. The others overflow, or",
+        "lose digits to underflow, on the way:",
+        "",
+        *table(("kernel", "beyond the target", "worst", "where"), extreme),
+        "",
+        "## Roots in Omega",
+        "",
+        "![Errors of roots against condition](stability_roots.png)",
+        "",
+        *(f"- {kind}: {name}" for kind, name in roots.NAMES.items()),
+        "",
+        "Double and triple roots, where kappa is infinite, count for the number of roots only.",
+        "",
+        *table(ROOTS, by_root(numbers["roots"])),
+        "",
+        "## Answers",
+        "",
+        "![Errors of answers against condition](stability_answers.png)",
+        "",
+        "kappa is the condition in the oscillator's numbers and the forcing, plus that in the values of the kernels.",
+        "*Alone* are answers that Newton's method leads to nothing near: most are at double points, to rounding.",
+        "Bounds: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
+        "",
+        *table(ANSWERS, by_answer(of_answers)),
+        "",
+        *refused_lines(numbers),
+        "## Numbers of states and folds",
+        "",
+        "Forcings from an ulp to a tenth beside the levels at which the number changes, and between them;",
+        f"{counts.FORCINGS['states']} at each frequency, {counts.FORCINGS['folds']} of each oscillator.",
+        f"*Undecided* are forcings within {counts.UNDECIDED:g} u (1 + κ) of a level, κ the level's condition in the",
+        "oscillator's numbers, the frequency and h: rounding these once moves it by as much. zeta is from 1e-4 to 0.5,",
+        "as the proof needs some damping.",
+        "",
+        *table(COUNTS, by_count(numbers["counts"]) + by_count(numbers["counts on NumPy"], " (NumPy)")),
+        "",
+        *wrong_lines(numbers),
+        "## What one would write instead",
+        "",
+        "The same cases, decided ones: `numpy.roots` on the coefficients of (24), a sign change between the points of",
+        "a grid and `brentq`, `fsolve` from a grid of starts, `numpy.roots` on the resultant's coefficients.",
+        "",
+        *table(("asked", "way", "wrong numbers", "error / u(1+κ)", "slowflow: wrong", "error"), by_other(numbers)),
+        "",
+        "## All kernels",
+        "",
+        *table(KERNELS, by_kernel(numbers["kernels"])),
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def refused_lines(numbers: Numbers) -> list[str]:
+    """What was refused in words instead of answered, of each mechanism and kind of words."""
+    refused: dict[tuple[str, str], list[Any]] = {}
+    for group in numbers["answers"]:
+        for row in group[:1]:
+            for words, at in row["failed"]:
+                plain = words.split(" at ")[0]
+                refused.setdefault((row["mechanism"], plain), []).append(where(row["names"], at) if at else "its onset")
+    if not refused:
+        return []
+    rows = [(mechanism, words, str(len(all_)), all_[0]) for (mechanism, words), all_ in refused.items()]
+    return ["Refused in words:", "", *table(("force", "words", "times", "for one"), rows), ""]
+
+
+def wrong_lines(numbers: Numbers) -> list[str]:
+    """The wrong counts, if any."""
+    rows = wrong_counts(numbers["counts"])
+    if not rows:
+        return []
+    head = ("asked", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
+    return ["Wrong ones, the farthest from a level first:", "", *table(head, rows), ""]
+
+
+def write(numbers: Numbers, folder: Path) -> None:
+    """docs/stability.md and docs/stability_*.png."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, figure in pictures(numbers).items():
+        figure.savefig(folder / f"{name}.png", dpi=110, metadata={"Software": None})
+        plt.close(figure)
+    (folder / "stability.md").write_text(page(numbers), encoding="utf-8")

@@ -1,0 +1,119 @@
+"""The worst points that the search of `make stress` found, replayed: no error grows beyond what was measured.
+
+Kernels at stored points against stored exact values; answers and roots against solutions found anew in hundreds of
+bits; numbers of states and folds against proved ones, at the stored wrong cases and at seeded ones.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchmarks.stress import answers, counts, kernels, roots
+from tests import backends
+from tests.oracles import kernels as exact
+from tests.oracles.frequencies import KINDS
+from tests.test_kernels import worst
+
+BASELINE = json.loads((Path(__file__).parent / "data" / "stability.json").read_text())
+# the last digit of a stored error, and of a stored scale
+ROUNDED = 1 + 1e-4
+# Omega below which folds that end at Omega = 0 cannot be told apart by A
+AT_REST = 1e-4
+
+
+def grouped(rows, *names):
+    """Rows of the baseline by some of their entries."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row[name] for name in names), []).append(row)
+    return groups
+
+
+KERNELS = grouped(BASELINE["kernels"], "module", "kernel")
+ANSWERS = grouped(BASELINE["answers"], "mechanism", "kind")
+ROOTS = grouped(BASELINE["roots"], "kind")
+COUNTS = grouped(BASELINE["counts"], "mechanism", "kind")
+
+
+@pytest.fixture(scope="module", params=["numpy", "native"])
+def package(request):
+    """The kernels' modules by name, on one backend, with its name."""
+    try:
+        return request.param, backends.load(request.param)
+    except ImportError as error:
+        pytest.skip(f"no {request.param} backend: {error}")
+
+
+def test_every_kernel_has_worst_points():
+    without_outputs = {("duffing", "breakpoints"), ("duffing", "jumps")}
+    assert set(KERNELS) == set(kernels.named()) - without_outputs
+
+
+@pytest.mark.parametrize(("module", "kernel"), KERNELS)
+def test_no_kernel_is_worse_at_its_worst_points(package, module, kernel):
+    backend, modules = package
+    function = getattr(modules[module], kernel)
+    for row in KERNELS[module, kernel]:
+        before = row["errors"][backend]
+        if before is None or before == "inf":  # lost already: the page says where
+            continue
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            values = np.ravel(np.array(function(*row["at"]), dtype=float))
+        # the arctangent, sine and cube root of another library may differ by an ulp
+        assert worst(values, row) <= max(before * ROUNDED, 0.5), row["at"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_root_is_worse_at_its_worst_points(kind):
+    for row in ROOTS[kind,]:
+        error, _ = roots.error(kind, tuple(row["at"]))
+        assert error <= row["error"] * ROUNDED, row["at"]
+
+
+@pytest.mark.parametrize(("mechanism", "kind"), ANSWERS)
+def test_no_answer_is_worse_at_its_worst_points(mechanism, kind):
+    for row in ANSWERS[mechanism, kind]:
+        found = answers.measure(mechanism, kind)(tuple(row["at"]))
+        assert found is not None, row["at"]
+        assert found[0] <= float(row["error"]) * ROUNDED, row["at"]
+
+
+@pytest.mark.parametrize(("mechanism", "kind"), COUNTS)
+def test_no_more_stored_counts_are_wrong(mechanism, kind):
+    """The stored cases were wrong when they were stored; those that are right by now stay so by the next baseline."""
+    rows = COUNTS[mechanism, kind]
+    wrong = [row for row in rows if counts.found(mechanism, kind, tuple(map(float, row["at"]))) != row["proved"]]
+    assert len(wrong) <= sum(row["found"] != row["proved"] for row in rows)
+
+
+@pytest.mark.parametrize("mechanism", counts.ORACLES)
+def test_seeded_counts_are_proved(mechanism):
+    """Some thousand cases that `make stress` does not ask: no number of states or folds is wrong."""
+    found = counts.stress(mechanism, part=1000, oscillators=8, compared=False)
+    for kind in ("states", "folds"):
+        assert found[kind]["cases"] > 100
+        # two folds next to Omega = 0 may have the same A in doubles
+        assert [case for case in found[kind]["wrong"] if case[-1] > AT_REST] == []
+
+
+def test_the_oracle_of_kernels_agrees_with_the_quadratures():
+    """Two routes to the averaged forces: balls and elliptic integrals, and quadrature of the force."""
+    table = json.loads((Path(__file__).parent / "data" / "kernel_oracle.json").read_text())
+    names = {
+        "rod_spring": "A alpha beta gamma u_cr",
+        "rod_spring_untruncated": "A alpha beta u_cr",
+        "duffing": "A alpha beta",
+    }
+    for module, arguments in names.items():
+        for row in table[module]["averaged"]:
+            values, scales = exact.values(module, "averaged", arguments.split(), row["at"])
+            for value, scale, text, size in zip(values, scales, row["is"], row["scale"], strict=True):
+                assert abs(value - exact.mpf(text)) <= 1e-30 * exact.mpf(size)
+                assert math.isclose(scale, exact.mpf(size), rel_tol=1e-4)
