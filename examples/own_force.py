@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slowflow.mechanism import Mechanism, Parameter
+from slowflow.mechanism import Law, Mechanism, Parameter
 from slowflow.oscillator import Oscillator
 
 
@@ -21,8 +21,8 @@ STOPS = Mechanism(
     name="stops", title="a spring with elastic stops behind a gap", design=NUMBERS, parameters=NUMBERS,
     coefficients=lambda s, gap: (s, gap),
     pieces=(
-        (lambda u, s, gap: 1.0 * u, lambda u, s, gap: 1.0 + 0 * u),
-        (lambda u, s, gap: u + s * (u - gap * np.sign(u)), lambda u, s, gap: 1.0 + s + 0 * u),
+        Law(lambda u, s, gap: 1.0 * u, lambda u, s, gap: 1.0 + 0 * u),
+        Law(lambda u, s, gap: u + s * (u - gap * np.sign(u)), lambda u, s, gap: 1.0 + s + 0 * u),
     ),
     breakpoints=lambda s, gap: (gap,), jumps=lambda s, gap: (0.0,), hardening=lambda s, gap: (s,),
     averaged=averaged, harmonics=lambda A, s, gap: np.nan, harmonics_up_to=0.0,

@@ -52,7 +52,7 @@ def own_force() -> dict[str, Any]:
 def test_the_example_of_ones_own_force_averages_that_force(A: float) -> None:
     """h by quadrature of the pieces, the derivatives by differences of the next lower one."""
     example = own_force()
-    (inner, _), (outer, _) = example["STOPS"].pieces
+    inner, outer = (law.force for law in example["STOPS"].pieces)
     s, gap = 4.0, 0.5
 
     def integrand(psi: float) -> float:

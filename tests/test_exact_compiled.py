@@ -9,7 +9,7 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
-from slowflow.exact.compiled import TaylorIntegrator, default_integrator, law
+from slowflow.exact.compiled import TaylorIntegrator, default_integrator, recurrences
 from slowflow.exact.continuation import _Path
 from slowflow.exact.integrate import Drive
 from slowflow.mechanism import Force
@@ -181,7 +181,7 @@ def test_every_shipped_force_is_compiled():
 
 def test_c_refuses_what_does_not_fit():
     piece = linear().pieces[0]
-    number = law(piece.expression)
+    number = recurrences(piece.law)
     with pytest.raises(ValueError, match="pieces of a force"):
         EXACT.system((number,), (), (), 0.0, 0.1)
     with pytest.raises(ValueError, match="no such law"):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.exact import EquationOfMotion, Force, Piece, linear, steady_state, sweep
+from slowflow.exact import EquationOfMotion, Force, Law, Piece, linear, steady_state, sweep
 from slowflow.exact import compiled as exact_compiled
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Drive, ScipyIntegrator
@@ -81,7 +81,7 @@ def test_random_isolators_by_scipy(states):
 
 def test_scipy_integrates_what_is_not_compiled(monkeypatch):
     """A force that was not generated, or any without the extension."""
-    own = EquationOfMotion(Force((Piece(lambda u: u + u**3, lambda u: 1 + 3 * u**2, ()),), ()), 0.01, 0.02)
+    own = EquationOfMotion(Force((Piece(Law(lambda u: u + u**3, lambda u: 1 + 3 * u**2), ()),), ()), 0.01, 0.02)
     assert default_integrator(own).name == "scipy"
     monkeypatch.setattr(exact_compiled, "EXACT", None)
     assert default_integrator(table_1(exact=False)).name == "scipy"

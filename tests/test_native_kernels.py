@@ -74,7 +74,7 @@ def kernels_of(module) -> list[str]:
     if module.__name__.rpartition(".")[2] in GENERIC:
         return []
     record = getattr(module, "MECHANISM", None)
-    pieces = {function.__name__ for pair in record.pieces for function in pair} if record else set()
+    pieces = {function.__name__ for law in record.pieces for function in law[:2]} if record else set()
     return [name for name in module.__all__ if callable(getattr(module, name)) and name not in pieces]
 
 

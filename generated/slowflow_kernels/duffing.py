@@ -14,7 +14,7 @@ docstring gives equation number, domain and the operations after each pass.
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
 from slowflow_support.broadcast import floats, full, number_by_regime, stacked
-from slowflow_support.record import Mechanism, Parameter
+from slowflow_support.record import Law, Mechanism, Parameter
 
 __all__ = [
     "F_A",
@@ -504,7 +504,9 @@ if NATIVE is not None:
     hardening = in_tuple(hardening)
 
 
-_PIECES = ((force_1, force_1_u),)
+_PIECES = (
+    Law(force_1, force_1_u, "duffing.force_1"),
+)
 _DESIGN = (
     Parameter("alpha", "linear stiffness k_v + k_1; alpha <= 0 is allowed", "k_v"),
     Parameter("beta", "cubic stiffness k_3; beta < 0 softens", "k_v/L^2"),

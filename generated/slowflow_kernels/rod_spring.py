@@ -17,7 +17,7 @@ import numpy as np
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
-from slowflow_support.record import Mechanism, Parameter, nothing
+from slowflow_support.record import Law, Mechanism, Parameter, nothing
 
 __all__ = [
     "F_A",
@@ -1202,7 +1202,10 @@ def _load_untruncated():
     return rod_spring_untruncated.MECHANISM
 
 
-_PIECES = ((force_1, force_1_u), (force_2, force_2_u))
+_PIECES = (
+    Law(force_1, force_1_u, "rod_spring.force_1"),
+    Law(force_2, force_2_u, "rod_spring.force_2"),
+)
 _DESIGN = (
     Parameter("lam", "number of horizontal springs", "1", above=0.0),
     Parameter("r", "stiffness k_h of one of them", "k_v", above=0.0),

@@ -18,7 +18,7 @@ import numpy as np
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime
-from slowflow_support.record import Mechanism, Parameter
+from slowflow_support.record import Law, Mechanism, Parameter
 
 __all__ = [
     "F_A",
@@ -3185,7 +3185,10 @@ if NATIVE is not None:
     hardening = in_tuple(hardening)
 
 
-_PIECES = ((force_1, force_1_u), (force_2, force_2_u))
+_PIECES = (
+    Law(force_1, force_1_u, "rod_spring_untruncated.force_1"),
+    Law(force_2, force_2_u, "rod_spring_untruncated.force_2"),
+)
 _DESIGN = (
     Parameter("lam", "number of horizontal springs", "1", above=0.0),
     Parameter("r", "stiffness k_h of one of them", "k_v", above=0.0),

@@ -3,13 +3,13 @@
 In:  `Mechanism`, the record that the derivation fills for each equation of motion, and a mechanism's parameters.
 Out: `Force` (pieces and breakpoints) and `EquationOfMotion` (force, friction, damping), both immutable and hashable.
 
-A piece's expressions are plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
-numbers and an integrator's symbols. Integrators compile an expression once; constants are run-time parameters.
+A piece's functions are plain arithmetic and NumPy functions of (u, *constants), so one text serves floats, complex
+numbers and an integrator's symbols. Integrators compile a law once; constants are run-time parameters.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,13 +17,13 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow_kernels import duffing
-from slowflow_support.record import Mechanism, Parameter
+from slowflow_support.record import Function, Law, Mechanism, Parameter
 
 __all__ = [
     "EquationOfMotion",
-    "Expression",
     "Floats",
     "Force",
+    "Law",
     "Mechanism",
     "Parameter",
     "Piece",
@@ -31,21 +31,19 @@ __all__ = [
     "told",
 ]
 
-Expression = Callable[..., Any]
 Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Piece:
-    """One smooth piece of the force: f(u) = expression(u, *constants), odd in u, and df/du likewise."""
+    """One smooth piece of the force with its numbers: f(u) = law.force(u, *constants), odd in u, and df/du likewise."""
 
-    expression: Expression
-    by_u: Expression
+    law: Law
     constants: tuple[float, ...]
 
     def __call__(self, u: Any) -> Any:
         """f(u), dimensionless, for whatever kind of number u is."""
-        return self.expression(u, *self.constants)
+        return self.law.force(u, *self.constants)
 
     def value(self, u: float) -> float:
         """f(u), dimensionless."""
@@ -53,7 +51,7 @@ class Piece:
 
     def slope(self, u: float) -> float:
         """df/du, dimensionless."""
-        return float(self.by_u(u, *self.constants))
+        return float(self.law.slope(u, *self.constants))
 
 
 @dataclass(frozen=True)
@@ -75,7 +73,7 @@ class Force:
     @classmethod
     def of(cls, mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:
         """The force of a mechanism with these parameters; a breakpoint at 0 leaves only what lies beyond."""
-        pieces = tuple(Piece(expression, by_u, parameters) for expression, by_u in mechanism.pieces)
+        pieces = tuple(Piece(law, parameters) for law in mechanism.pieces)
         ends = tuple(float(end) for end in mechanism.breakpoints(*parameters))
         kept = [i for i, end in enumerate(ends) if end != 0.0]
         return cls((*(pieces[i] for i in kept), pieces[-1]), tuple(ends[i] for i in kept))
@@ -86,17 +84,17 @@ class Force:
 
     def __call__(self, u: Floats) -> Floats:
         """f(u) at displacements of any shape, dimensionless."""
-        return self._by_piece(u, [piece.expression for piece in self.pieces])
+        return self._by_piece(u, [piece.law.force for piece in self.pieces])
 
     def stiffness(self, u: Floats) -> Floats:
         """df/du at displacements of any shape, dimensionless; at a breakpoint that of the inner piece."""
-        return self._by_piece(u, [piece.by_u for piece in self.pieces])
+        return self._by_piece(u, [piece.law.slope for piece in self.pieces])
 
-    def _by_piece(self, u: Floats, expressions: list[Expression]) -> Floats:
+    def _by_piece(self, u: Floats, functions: list[Function]) -> Floats:
         held = np.searchsorted(self.breakpoints, np.abs(u), side="left")
         values = np.empty_like(u)
-        for number, (expression, piece) in enumerate(zip(expressions, self.pieces, strict=True)):
-            values[held == number] = expression(u[held == number], *piece.constants)
+        for number, (function, piece) in enumerate(zip(functions, self.pieces, strict=True)):
+            values[held == number] = function(u[held == number], *piece.constants)
         return values
 
 

@@ -1,7 +1,7 @@
 """What a mechanism says of itself, as one record that the derivation fills: `MECHANISM` in each generated module.
 
 In:  what the generated modules state.
-Out: `Parameter` and `Mechanism`, both immutable. Everything is dimensionless, in the paper's symbols (3)-(7).
+Out: `Parameter`, `Law` and `Mechanism`, all immutable. Everything is dimensionless, in the paper's symbols (3)-(7).
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 #: a generated function of numbers or arrays that broadcast
 Function = Callable[..., Any]
@@ -35,6 +35,17 @@ class Parameter:
     most: float | None = None
 
 
+class Law(NamedTuple):
+    """One piece of a force and its slope: functions of (u, *parameters), for any kind of number that has arithmetic.
+
+    name -- of its Taylor recurrences in C; empty for a law that none were generated for
+    """
+
+    force: Function
+    slope: Function
+    name: str = ""
+
+
 @dataclass(frozen=True, eq=False)
 class Mechanism:
     """A restoring force u + F_k(u), its average and its parameters.
@@ -43,8 +54,7 @@ class Mechanism:
     design      -- what a user gives beside the damping
     parameters  -- what the functions below take, in their order
     coefficients -- the parameters from the design, as a tuple (5), (7)
-    pieces      -- the force u + F_k(u) and its slope, piece by piece by rising |u|: functions of (u, *parameters), for
-                   any kind of number that has arithmetic; a piece holds up to its breakpoint and there
+    pieces      -- the force u + F_k(u), piece by piece by rising |u|; a piece holds up to its breakpoint and there
     breakpoints -- of the parameters: the |u| at which each piece but the last ends (5)
     jumps       -- of the parameters: what the force loses at each breakpoint, f below less f above
     hardening   -- of the parameters: f(u)/u rises with |u| where none of these numbers is negative
@@ -62,7 +72,7 @@ class Mechanism:
     design: tuple[Parameter, ...]
     parameters: tuple[Parameter, ...]
     coefficients: Function
-    pieces: tuple[tuple[Function, Function], ...]
+    pieces: tuple[Law, ...]
     breakpoints: Function
     jumps: Function
     hardening: Function
@@ -77,7 +87,7 @@ class Mechanism:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # compiled functions cannot be pickled: the module that states the record can be imported again
-        return _stated, (self.pieces[0][0].__module__,)
+        return _stated, (self.pieces[0].force.__module__,)
 
 
 def _stated(module: str) -> Mechanism:

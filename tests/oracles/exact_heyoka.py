@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slowflow.exact.integrate import MOST_STEPS, Array, Drive, spend
-from slowflow.mechanism import Expression, Piece
+from slowflow.mechanism import Law, Piece
 from slowflow_kernels.exact_conventions import FAR, Event
 
 CHUNK = 20_000  # steps between two looks at Ctrl-C: some hundredths of a second
@@ -68,20 +68,20 @@ class HeyokaIntegrator(threading.local):
         # it warns where it cannot separate two stops within one rounding of each other, which is what a border is
         heyoka.set_logger_level_error()
         self._heyoka = heyoka
-        self._compiled: dict[Expression, _Compiled] = {}
+        self._compiled: dict[Law, _Compiled] = {}
         self._by_text: dict[str, _Compiled] = {}
         self._end = heyoka.taylor_outcome.time_limit
 
     def _for(self, piece: Piece) -> _Compiled:
-        found = self._compiled.get(piece.expression)
+        found = self._compiled.get(piece.law)
         if found is None:
             hy = self._heyoka
             constants = [_Traced(hy.par[6 + i]) for i in range(len(piece.constants))]
-            force = piece.expression(_Traced(hy.make_vars("u")), *constants).expression
+            force = piece.law.force(_Traced(hy.make_vars("u")), *constants).expression
             found = self._by_text.get(str(force))
             if found is None:
                 found = self._by_text[str(force)] = self._compile(force)
-            self._compiled[piece.expression] = found
+            self._compiled[piece.law] = found
         return found
 
     def _compile(self, force: Any) -> _Compiled:

@@ -7,12 +7,13 @@ Out: `steady_state`, `exact_response`, `sweep`; motions switch exactly between s
 from slowflow.exact.continuation import Fold, Response, exact_response
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
-from slowflow.mechanism import EquationOfMotion, Force, Piece, linear
+from slowflow.mechanism import EquationOfMotion, Force, Law, Piece, linear
 
 __all__ = [
     "EquationOfMotion",
     "Fold",
     "Force",
+    "Law",
     "Piece",
     "Response",
     "SteadyState",

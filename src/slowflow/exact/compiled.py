@@ -16,37 +16,36 @@ import numpy as np
 
 from slowflow import backend
 from slowflow.exact.integrate import Array, Drive, Integrator, ScipyIntegrator, spend, steps_left
-from slowflow.mechanism import EquationOfMotion, Expression, Piece
+from slowflow.mechanism import EquationOfMotion, Law, Piece
 
 EXACT: Any = backend.EXACT
 PHASE = 10  # numbers of a phase as C gives it
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
-def law(expression: Expression) -> int | None:
-    """The number of a piece's recurrences in C; None for a force that was not generated, or without the extension."""
-    module = getattr(expression, "__module__", "").rpartition(".")[2]
-    found: int | None = None if EXACT is None else EXACT.LAWS.get(f"{module}.{getattr(expression, '__name__', '')}")
+def recurrences(law: Law) -> int | None:
+    """The number of a law's recurrences in C; None for one that was not generated, or without the extension."""
+    found: int | None = None if EXACT is None else EXACT.LAWS.get(law.name)
     return found
 
 
 def compiles(system: EquationOfMotion) -> bool:
     """Whether every piece of the force has recurrences in C."""
-    return all(law(piece.expression) is not None for piece in system.force.pieces)
+    return all(recurrences(piece.law) is not None for piece in system.force.pieces)
 
 
 @functools.lru_cache(maxsize=4096)
 def of_system(system: EquationOfMotion) -> Any:
     """The oscillator for C."""
     pieces = system.force.pieces
-    laws, constants = tuple(law(piece.expression) for piece in pieces), tuple(piece.constants for piece in pieces)
+    laws, constants = tuple(recurrences(piece.law) for piece in pieces), tuple(piece.constants for piece in pieces)
     return EXACT.system(laws, constants, system.force.breakpoints, system.mu, system.zeta)
 
 
 @functools.lru_cache(maxsize=4096)
 def of_piece(piece: Piece) -> Any:
     """An oscillator of that piece alone."""
-    return EXACT.system((law(piece.expression),), (piece.constants,), (), 0.0, 0.0)
+    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0.0, 0.0)
 
 
 class TaylorIntegrator:

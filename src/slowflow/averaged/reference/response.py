@@ -2,7 +2,8 @@
 
 For a given A the frequencies are the roots of a quartic. Their number changes only where the level of the peak locus or
 of the static locus crosses F_0; between those amplitudes each root is an arc, continuous in A, and the folds cut an arc
-into pieces along which Omega is monotone too. So a piece holds at most one state at any frequency, and one stability.
+into segments along which Omega is monotone too. So a segment holds at most one state at any frequency, and has one
+stability.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from slowflow_kernels.conventions import SAME
 
 
 @dataclass(frozen=True)
-class Piece:
+class Segment:
     """A stretch of curve monotone in A and Omega: the `index`-th root by rising Omega, for low[0] <= A <= high[0].
 
     low, high -- (A, Omega) at both ends; Omega is inf at A = 0
@@ -47,20 +48,20 @@ class Piece:
 class Skeleton:
     """All of a response curve but its points.
 
-    curves -- each a list of (piece, upward): pieces in order along the curve, and whether A rises along it
+    curves -- each a list of (segment, upward): segments in order along the curve, and whether A rises along it
     closed -- for each curve whether it is an isola
     """
 
     model: Model
     F_0: float
-    curves: list[list[tuple[Piece, bool]]]
+    curves: list[list[tuple[Segment, bool]]]
     closed: list[bool]
     folds: SaddleNodes
     message: str
 
     @property
-    def pieces(self) -> list[Piece]:
-        return [piece for curve in self.curves for piece, _ in curve]
+    def segments(self) -> list[Segment]:
+        return [segment for curve in self.curves for segment, _ in curve]
 
 
 def _roots(model: Model, A: Floats, F_0: float) -> tuple[Floats, np.ndarray]:
@@ -124,8 +125,8 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
     for i in range(int(counts[last])):
         ends[last, i, True] = (A_max, float(_roots(model, np.array([A_max]), F_0)[0][0, i]))
 
-    pieces = _cut_at_folds(model, arcs, counts, ends, edges, folds)
-    curves, closed = _trace(arcs, joins, pieces)
+    segments = _cut_at_folds(model, arcs, counts, ends, edges, folds)
+    curves, closed = _trace(arcs, joins, segments)
     return Skeleton(model, F_0, curves, closed, folds, remark)
 
 
@@ -156,8 +157,8 @@ def _cut_at_folds(
     ends: dict[tuple[int, int, bool], tuple[float, float]],
     edges: Floats,
     folds: SaddleNodes,
-) -> dict[tuple[int, int], list[Piece]]:
-    """Each arc's pieces by rising A."""
+) -> dict[tuple[int, int], list[Segment]]:
+    """Each arc's segments by rising A."""
     cuts: dict[tuple[int, int], list[tuple[float, float]]] = {arc: [] for arc in arcs}
     roots, n = _roots(model, folds.A, folds.F_0)
     for f in range(len(folds)):
@@ -170,68 +171,68 @@ def _cut_at_folds(
             at_fold = _roots(model, np.array([0.5 * (edges[k] + edges[k + 1])]), folds.F_0)[0][0, : counts[k]]
         nearest = int(np.argmin(np.abs(at_fold - folds.Omega[f])))
         cuts[k, min(nearest, int(counts[k]) - 1)].append((float(folds.A[f]), float(folds.Omega[f])))
-    pieces: dict[tuple[int, int], list[Piece]] = {}
+    segments: dict[tuple[int, int], list[Segment]] = {}
     for k, i in arcs:
         corners = [ends[k, i, False], *sorted(cuts[k, i]), ends[k, i, True]]
         A = np.array([0.5 * (low[0] + high[0]) for low, high in pairwise(corners)])
         Omega, _ = _roots(model, A, folds.F_0)
         stable = F_A(model, Omega[:, i], A) > 0
-        pieces[k, i] = [
-            Piece(i, int(counts[k]), low, high, bool(sign))
+        segments[k, i] = [
+            Segment(i, int(counts[k]), low, high, bool(sign))
             for (low, high), sign in zip(pairwise(corners), stable, strict=True)
         ]
-    return pieces
+    return segments
 
 
 def _trace(
     arcs: list[tuple[int, int]],
     joins: dict[tuple[int, int, bool], tuple[int, int, bool]],
-    pieces: dict[tuple[int, int], list[Piece]],
-) -> tuple[list[list[tuple[Piece, bool]]], list[bool]]:
+    segments: dict[tuple[int, int], list[Segment]],
+) -> tuple[list[list[tuple[Segment, bool]]], list[bool]]:
     """Curves from arcs: open ones from one loose end to the other, at the lower Omega first, then the closed ones."""
     loose = [(k, i, end) for k, i in arcs for end in (False, True) if (k, i, end) not in joins]
     # the main curve first: it is the one that reaches A = 0
     loose.sort(key=lambda end: (end[0] != 0 or end[2], end))
     visited: set[tuple[int, int]] = set()
-    curves: list[list[tuple[Piece, bool]]] = []
+    curves: list[list[tuple[Segment, bool]]] = []
     closed: list[bool] = []
     for start in [*loose, *((k, i, False) for k, i in arcs)]:
         if start[:2] in visited:
             continue
-        curve: list[tuple[Piece, bool]] = []
+        curve: list[tuple[Segment, bool]] = []
         end: tuple[int, int, bool] | None = start
         while end is not None and end[:2] not in visited:
             k, i, at_high = end
             visited.add((k, i))
             upward = not at_high
-            curve += [(piece, upward) for piece in (pieces[k, i] if upward else pieces[k, i][::-1])]
+            curve += [(segment, upward) for segment in (segments[k, i] if upward else segments[k, i][::-1])]
             end = joins.get((k, i, upward))
         is_closed = start not in loose
         first, final = _end(curve[0], first=True), _end(curve[-1], first=False)
         if not is_closed and first[1] > final[1]:
-            curve = [(piece, not upward) for piece, upward in reversed(curve)]
+            curve = [(segment, not upward) for segment, upward in reversed(curve)]
         curves.append(curve)
         closed.append(is_closed)
     return curves, closed
 
 
-def _end(step: tuple[Piece, bool], first: bool) -> tuple[float, float]:
-    piece, upward = step
-    return piece.low if upward == first else piece.high
+def _end(step: tuple[Segment, bool], first: bool) -> tuple[float, float]:
+    segment, upward = step
+    return segment.low if upward == first else segment.high
 
 
 def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarray]:
     """Every state at each of the given frequencies: Omega, A, stable; by the order of `Omega`, then by rising A."""
-    hits: list[tuple[int, Piece]] = []
-    for piece in found.pieces:
-        low, high = piece.range
-        hits += [(int(q), piece) for q in np.flatnonzero((low <= Omega) & (Omega <= high))]
+    hits: list[tuple[int, Segment]] = []
+    for segment in found.segments:
+        low, high = segment.range
+        hits += [(int(q), segment) for q in np.flatnonzero((low <= Omega) & (Omega <= high))]
     which = np.array([q for q, _ in hits], dtype=np.intp)
-    A = solve_pieces(found.model, found.F_0, [piece for _, piece in hits], Omega[which])
-    stable = np.array([piece.stable for _, piece in hits], dtype=bool)
+    A = solve_segments(found.model, found.F_0, [segment for _, segment in hits], Omega[which])
+    stable = np.array([segment.stable for _, segment in hits], dtype=bool)
     order = np.lexsort((A, which))
     which, A, stable = which[order], A[order], stable[order]
-    # a point where two pieces meet belongs to both: it is one state, and a fold is not stable
+    # a point where two segments meet belongs to both: it is one state, and a fold is not stable
     same = (np.diff(which) == 0) & (np.diff(A) <= SAME * A[1:])
     stable[:-1] &= stable[1:] | ~same
     keep = np.concatenate([[True], ~same]) if which.size else np.empty(0, dtype=bool)
@@ -239,15 +240,15 @@ def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarra
     return Omega[which][keep], A[keep], stable[keep]
 
 
-def solve_pieces(model: Model, F_0: float, pieces: list[Piece], Omega: Floats) -> Floats:
-    """The amplitude at which each piece has the given Omega, which must lie in its range."""
-    if not pieces:
+def solve_segments(model: Model, F_0: float, segments: list[Segment], Omega: Floats) -> Floats:
+    """The amplitude at which each segment has the given Omega, which must lie in its range."""
+    if not segments:
         return np.empty(0)
     from scipy.optimize import elementwise
 
-    index = np.array([piece.index for piece in pieces])
-    low = np.array([piece.low[0] for piece in pieces])
-    high = np.array([piece.high[0] for piece in pieces])
+    index = np.array([segment.index for segment in segments])
+    low = np.array([segment.low[0] for segment in segments])
+    high = np.array([segment.high[0] for segment in segments])
     # At A = 0 Omega is infinite: the least amplitude that balances F_0 there is below F_0/(Omega^2 + ...).
     low = np.where(low == 0, np.minimum(0.5 * high, _tail_amplitude(model, F_0, Omega)), low)
 
@@ -261,7 +262,7 @@ def solve_pieces(model: Model, F_0: float, pieces: list[Piece], Omega: Floats) -
     step = SAME * high
     places = np.arange(index.size)
     result = elementwise.find_root(off, (low + step, high - step), args=(places, Omega))
-    at_low, at_high = (_piece_end(pieces, side) for side in ("low", "high"))
+    at_low, at_high = (_segment_end(segments, side) for side in ("low", "high"))
     near_low = np.abs(at_low - Omega) <= np.abs(at_high - Omega)
     A = np.where(result.success, result.x, np.where(near_low, low, high))
     A = _newton_in_A(model, F_0, Omega, A)
@@ -269,8 +270,8 @@ def solve_pieces(model: Model, F_0: float, pieces: list[Piece], Omega: Floats) -
     return np.asarray(np.where(at_low == Omega, low, np.where(at_high == Omega, high, A)))
 
 
-def _piece_end(pieces: list[Piece], side: str) -> Floats:
-    return np.array([getattr(piece, side)[1] for piece in pieces])
+def _segment_end(segments: list[Segment], side: str) -> Floats:
+    return np.array([getattr(segment, side)[1] for segment in segments])
 
 
 def _tail_amplitude(model: Model, F_0: float, Omega: Floats) -> Floats:
@@ -295,43 +296,43 @@ def _newton_in_A(model: Model, F_0: float, Omega: Floats, A: Floats) -> Floats:
     return np.asarray(np.where(np.abs(step) < 1e-8 * A, A - step, A))
 
 
-def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tuple[Piece, bool]], bool]]:
-    """The curves inside a frequency window: pieces cut at its edges, a curve that leaves it split there."""
+def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tuple[Segment, bool]], bool]]:
+    """The curves inside a frequency window: segments cut at its edges, a curve that leaves it split there."""
     low, high = window
-    cut: list[Piece] = []
+    cut: list[Segment] = []
     edges: list[float] = []
-    for piece in found.pieces:
+    for segment in found.segments:
         for edge in window:
-            if piece.range[0] < edge < piece.range[1]:
-                cut.append(piece)
+            if segment.range[0] < edge < segment.range[1]:
+                cut.append(segment)
                 edges.append(edge)
     A_cut = dict(
         zip(
-            ((id(piece), edge) for piece, edge in zip(cut, edges, strict=True)),
-            solve_pieces(found.model, found.F_0, cut, np.array(edges)).tolist(),
+            ((id(segment), edge) for segment, edge in zip(cut, edges, strict=True)),
+            solve_segments(found.model, found.F_0, cut, np.array(edges)).tolist(),
             strict=True,
         )
     )
 
-    def clip(piece: Piece) -> Piece | None:
-        if piece.range[1] <= low or piece.range[0] >= high:
+    def clip(segment: Segment) -> Segment | None:
+        if segment.range[1] <= low or segment.range[0] >= high:
             return None
         ends = []
-        for A, Omega in (piece.low, piece.high):
+        for A, Omega in (segment.low, segment.high):
             edge = min(max(Omega, low), high)
-            ends.append((A, Omega) if edge == Omega else (A_cut[id(piece), edge], edge))
-        return Piece(piece.index, piece.count, ends[0], ends[1], piece.stable)
+            ends.append((A, Omega) if edge == Omega else (A_cut[id(segment), edge], edge))
+        return Segment(segment.index, segment.count, ends[0], ends[1], segment.stable)
 
-    out: list[tuple[list[tuple[Piece, bool]], bool]] = []
+    out: list[tuple[list[tuple[Segment, bool]], bool]] = []
     for curve, closed in zip(found.curves, found.closed, strict=True):
-        runs: list[list[tuple[Piece, bool]]] = [[]]
-        for piece, upward in curve:
-            inside = clip(piece)
+        runs: list[list[tuple[Segment, bool]]] = [[]]
+        for segment, upward in curve:
+            inside = clip(segment)
             if inside is None:
                 runs.append([])
                 continue
             runs[-1].append((inside, upward))
-            if _end((inside, upward), first=False) != _end((piece, upward), first=False):
+            if _end((inside, upward), first=False) != _end((segment, upward), first=False):
                 runs.append([])
         if closed and len(runs) > 1 and runs[0] and runs[-1]:  # the start of a closed curve is no end
             runs[0] = runs.pop() + runs[0]
@@ -344,20 +345,20 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     """About `samples` points along every branch in the window; ends, folds, peaks, corners are among them exactly."""
     found = skeleton(model, F_0)
     curves = _clipped(found, window)
-    steps = [(number, piece, upward) for number, (curve, _) in enumerate(curves) for piece, upward in curve]
-    weights = _weights([piece for _, piece, _ in steps])
+    steps = [(number, segment, upward) for number, (curve, _) in enumerate(curves) for segment, upward in curve]
+    weights = _weights([segment for _, segment, _ in steps])
     inner = np.ceil(samples * weights / weights.sum()).astype(int) if steps else np.empty(0, dtype=int)
 
-    # Points crowd towards the ends of a piece, where A or Omega may stand still.
+    # Points crowd towards the ends of a segment, where A or Omega may stand still.
     grids, indices = [], []
-    for (_, piece, upward), n in zip(steps, inner, strict=True):
+    for (_, segment, upward), n in zip(steps, inner, strict=True):
         share = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n) / n)
-        low, high = piece.low[0], piece.high[0]
+        low, high = segment.low[0], segment.high[0]
         # in orders of magnitude where there are many, as Omega changes with each
         many = low > 0 and high > 100 * low
         grid = low * np.exp(share * np.log(high / low)) if many else low + (high - low) * share
         grids.append(grid if upward else grid[::-1])
-        indices.append(np.full(grid.size, piece.index))
+        indices.append(np.full(grid.size, segment.index))
     A_inner = np.concatenate(grids) if grids else np.empty(0)
     roots, _ = _roots(model, A_inner, F_0)
     index = np.concatenate(indices) if indices else np.empty(0, dtype=int)
@@ -368,8 +369,8 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     stable: list[Any] = []
     branch: list[Any] = []
     at = 0
-    for k, ((number, piece, upward), n) in enumerate(zip(steps, inner, strict=True)):
-        first, final = _end((piece, upward), True), _end((piece, upward), False)
+    for k, ((number, segment, upward), n) in enumerate(zip(steps, inner, strict=True)):
+        first, final = _end((segment, upward), True), _end((segment, upward), False)
         inside = slice(at, at + max(n - 1, 0))
         at = inside.stop
         resolved = ~np.isnan(Omega_inner[inside])
@@ -377,7 +378,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         Omega += [[first[1]] if starts else [], Omega_inner[inside][resolved], [final[1]]]
         A += [[first[0]] if starts else [], A_inner[inside][resolved], [final[0]]]
         points = int(starts) + int(resolved.sum()) + 1
-        stable.append(np.full(points, piece.stable))
+        stable.append(np.full(points, segment.stable))
         branch.append(np.full(points, number))
     if not steps:
         empty = np.empty(0)
@@ -395,12 +396,12 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     )
 
 
-def _weights(pieces: list[Piece]) -> Floats:
-    """Weights of pieces in the sharing out of points: their extents in Omega and A, with a floor for short ones.
+def _weights(segments: list[Segment]) -> Floats:
+    """Weights of segments in the sharing out of points: their extents in Omega and A, with a floor for short ones.
 
     A frequency and an amplitude of 1 count as much, or half the highest frequency and the highest amplitude of all.
     """
-    A, Omega = (np.array([(piece.low[k], piece.high[k]) for piece in pieces]).reshape(-1, 2) for k in (0, 1))
+    A, Omega = (np.array([(segment.low[k], segment.high[k]) for segment in segments]).reshape(-1, 2) for k in (0, 1))
     of_Omega, of_A = np.ptp(Omega, axis=1) / max(1.0, 0.5 * Omega.max(initial=0)), np.ptp(A, axis=1) / A.max(initial=1)
     return np.asarray(of_Omega + of_A + 1e-3)
 
