@@ -105,7 +105,7 @@ class Model:
         """Whether the averaged force is proportional to the amplitude."""
         if self.breakpoints:
             return False
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore", invalid="ignore"):
             return bool(self.averaged(1.0)[2] == 0)
 
     @cached_property
@@ -117,7 +117,7 @@ class Model:
     @cached_property
     def negative_stiffness(self) -> bool:
         """Whether the stiffness at rest is negative, which is -h_A there."""
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore", invalid="ignore"):
             return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
 
     @property

@@ -6,6 +6,8 @@ Which of them is decided when the model is made, see `Model.native`.
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
+import numpy as np
+
 from slowflow.averaged import compiled
 from slowflow.averaged.reference import folds, locus, response
 from slowflow.model import Model
@@ -15,7 +17,11 @@ Question = TypeVar("Question", bound=Callable[..., Any])
 
 def _either(on_compiled: Question, on_numpy: Question) -> Question:
     def ask(model: Model, *arguments: Any) -> Any:
-        return (on_numpy if model.native is None else on_compiled)(model, *arguments)
+        if model.native is not None:
+            return on_compiled(model, *arguments)
+        # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
+        with np.errstate(all="ignore"):
+            return on_numpy(model, *arguments)
 
     return cast(Question, ask)
 

@@ -209,4 +209,6 @@ def peak(model: Model, F_0: float) -> Peak:
     A, Omega = peaks.crossings(F_0, rows[rising == upper])
     if not A.size:
         A, Omega = spans(static_locus(model), A_max).crossings(F_0)
+    if not A.size:
+        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the samples")
     return Peak(float(A[-1]), float(Omega[-1]), F_0, "")
