@@ -12,6 +12,7 @@ from functools import cached_property
 
 from derivations import elliptic, resultants
 from derivations.averaging import Averaged, averaged
+from derivations.bounds import Bounds, bounds
 from derivations.den_hartog import DenHartog, den_hartog
 from derivations.frequencies import Frequencies, frequencies
 from derivations.harmonics import Harmonics, harmonics
@@ -62,6 +63,7 @@ class Results:
     frequencies -- the quartics whose roots are the frequencies at an amplitude
     loci       -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
+    bounds     -- what no state at a forcing exceeds
     detachment -- (34), by scene
     second     -- the second approximation
     den_hartog -- (35)-(37)
@@ -75,6 +77,7 @@ class Results:
     frequencies: Frequencies
     loci: dict[str, Along]
     slopes: Slopes
+    bounds: Bounds
     detachment: dict[str, Elimination]
     second: SecondApproximation
     den_hartog: DenHartog
@@ -110,6 +113,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         frequencies(flows[""]),
         {scene: along(flow) for scene, flow in flows.items()},
         slopes(flows[""]),
+        bounds(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         den_hartog(),

@@ -513,4 +513,15 @@ static inline double slow_flow_tail(double Omega, double F_0, double m)
     return sqrt(square) / (Omega * Omega + 1.0);
 }
 
+/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
+   Operations: 6 structured, 6 common subexpressions, 6 power chains
+ */
+static inline double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
+{
+    const double c = -0.5 * (-F_0 + m) / zeta;
+    const double fastest = c / A;
+    return F_0 + c * fastest;
+}
+
 #endif

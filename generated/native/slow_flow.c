@@ -793,6 +793,24 @@ static const sf_loop slow_flow_tail_loops[] = {
     slow_flow_tail_loop,
 };
 
+static SF_WIDE void slow_flow_most_restoring_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict F_0 = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_most_restoring(A[i], F_0[i], m[i], zeta[i]);
+    }
+}
+
+static const sf_loop slow_flow_most_restoring_loops[] = {
+    slow_flow_most_restoring_loop,
+};
+
 static const sf_kernel kernels[] = {
     {"friction",
      "Dry friction's share of I. Equation (23). Domain: mu >= 0.",
@@ -922,6 +940,10 @@ static const sf_kernel kernels[] = {
     {"tail",
      "An amplitude of the size of that far above resonance. Equation from (24). Domain: Omega > 0, F_0 >= m.",
      3, 1, 1, NULL, slow_flow_tail_loops},
+    {"most_restoring",
+     "The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega. Equation from (23). "
+     "Domain: A > 0, F_0 >= m, zeta > 0.",
+     4, 1, 1, NULL, slow_flow_most_restoring_loops},
 };
 
 const sf_module sf_module_slow_flow = {"slow_flow", kernels, sizeof kernels / sizeof kernels[0]};

@@ -48,6 +48,7 @@ __all__ = [
     "level_rise",
     "limit_envelope",
     "mean_stiffness",
+    "most_restoring",
     "offset_stiffness",
     "peak",
     "peak_cubic",
@@ -632,6 +633,18 @@ def tail(Omega, F_0, m):
     return np.sqrt(square) / (Omega * Omega + 1.0)
 
 
+def most_restoring(A, F_0, m, zeta):
+    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+
+    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
+    Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    """
+    A, F_0, m, zeta = floats(A, F_0, m, zeta)
+    c = -0.5 * (-F_0 + m) / zeta
+    fastest = c / A
+    return F_0 + c * fastest
+
+
 if NATIVE is not None:
     (
         friction,
@@ -671,5 +684,6 @@ if NATIVE is not None:
         isola_bend,
         hessian,
         tail,
+        most_restoring,
     ) = NATIVE.slow_flow()
     detachment = coefficients_of(detachment)

@@ -402,12 +402,19 @@ def tail(Omega, F_0, m):
     return mp.findroot(lambda a: response(Omega, a, F_0, m, 0, a), F_0 / Omega**2)
 
 
+def most_restoring(A, F_0, m, zeta):
+    """F_0 + A Omega^2 at the Omega for which damping takes all of the forcing, from its values at 0 and 1."""
+    at_0, at_1 = (balances(w, A, m, zeta, 0)[1] for w in (0, 1))
+    return F_0 + A * ((F_0 - at_0) / (at_1 - at_0)) ** 2
+
+
 SLOPES: dict[str, tuple[str, Function]] = {
     "Omega_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_frequency(*x)]),
     "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [level_rise(*x)]),
     "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [cusp_bend(*x)]),
     "isola_bend": ("Omega A m zeta h h_A h_AA", lambda *x: [partials([(2, 0)], *x)[0] * hessian(*x)]),
     "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [hessian(*x)]),
+    "most_restoring": ("A F_0 m zeta", lambda *x: [most_restoring(*x)]),
     "tail": ("Omega F_0 m", lambda *x: [tail(*x)]),
 }
 LOCI: dict[str, tuple[str, Function, int]] = {

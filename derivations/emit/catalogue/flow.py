@@ -12,6 +12,7 @@ from functools import partial
 
 import sympy as sp
 
+from derivations.bounds import Bounds
 from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
 from derivations.loci import X_, Along, Damped, T, Undamped, k, k_A, root
 from derivations.offset import mean_stiffness, offset_stiffness
@@ -77,7 +78,7 @@ def told(flow: SlowFlow, scene: str) -> str:
 def kernels_of(results: Results, scene: str) -> list[Kernel]:
     """All of them, in one scene."""
     flow = results.flows[scene]
-    general = [] if scene else slope_kernels(flow, results.slopes)
+    general = [] if scene else [*slope_kernels(flow, results.slopes), bound_kernel(results.bounds)]
     return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene]), *general]
 
 
@@ -284,6 +285,19 @@ def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
             lets=slopes.tail_lets,
         ),
     ]
+
+
+def bound_kernel(bounds: Bounds) -> Kernel:
+    """What bounds the amplitudes."""
+    return plain(
+        "most_restoring",
+        (A, F_0, m, zeta),
+        bounds.restoring,
+        "The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.",
+        "from (23)",
+        "A > 0, F_0 >= m, zeta > 0",
+        lets=bounds.restoring_lets,
+    )
 
 
 def damped_kernels(loci: Damped) -> list[Kernel]:

@@ -25,14 +25,13 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
     return level < at_rest ? level : at_rest;
 }
 
-/* Whether no amplitude from A on is that of a steady state at F_0 or less. I <= F_0 limits A Omega by c, and with it the
- * restoring force that R <= F_0 leaves: |h| <= F_0 + c^2/A. Beyond the last breakpoint h is followed to where it has no
- * bound in doubles: there |h| must rise. */
-static int sf_bounds(const sf_model *model, double F_0, double c, double A) {
+/* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large. Beyond the last breakpoint h
+ * is followed to where it has no bound in doubles: there |h| must rise. */
+static int sf_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at, far;
     sf_cell cell;
     sf_sample_at(model, A, &at);
-    if (!(fabs(at.h) > F_0 + c * (c / A)))
+    if (!(fabs(at.h) > slow_flow_most_restoring(A, F_0, model->m, model->zeta)))
         return 0;
     sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
     sf_make_cell(&at, &far, &cell);
@@ -41,13 +40,12 @@ static int sf_bounds(const sf_model *model, double F_0, double c, double A) {
 
 /* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow. */
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
-    const double c = slow_flow_limit_envelope(1, F_0, model->m, model->zeta);
     double A = F_0, step = 2;
     int i;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (i = 0; i < SF_RUNGS; i++) {
-        if (sf_bounds(model, F_0, c, A)) {
+        if (sf_bounds(model, F_0, A)) {
             *A_max = A;
             return SF_OK;
         }

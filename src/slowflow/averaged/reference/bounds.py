@@ -6,6 +6,7 @@ import numpy as np
 
 from slowflow.averaged.reference.roots import peak_roots
 from slowflow.model import Floats, Model
+from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import STATIC_MULTIPLE
 
 #: multiples of the least amplitude that are tried as a bound
@@ -41,13 +42,12 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     """
     if model.zeta == 0:
         return cut(model, F_0)
-    # I <= F_0 limits A Omega, and with it the restoring force that R <= F_0 leaves: |h| <= F_0 + (A Omega)^2/A. From
-    # the bound on this fails, and h keeps its sign: where it changes between two rungs, |h| is small.
-    c = float(model.flow.limit_envelope(1.0, F_0, model.m, model.zeta))
+    # From the bound on |h| is too large for a state, and h keeps its sign: where it changes between two rungs, |h| is
+    # small.
     ladder = max(2 * max(model.breakpoints, default=0.0), F_0, 1e-6) * RUNGS
     h = model.averaged(ladder)[0]
     with np.errstate(over="ignore"):
-        holds = ~(np.abs(h) > 1.01 * F_0 + c * (c / ladder))
+        holds = ~(np.abs(h) > slow_flow.most_restoring(ladder, F_0, model.m, model.zeta) + 0.01 * F_0)
     if holds[-1]:
         raise OverflowError(f"no amplitude up to {ladder[-1]:g} bounds the response to F_0 = {F_0}")
     below = np.flatnonzero(holds[:-1] | ((h[1:] > 0) != (h[:-1] > 0)))
