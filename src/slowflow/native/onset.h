@@ -98,20 +98,25 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
     double F_0 = best->F_SN, A_max;
     sf_stretch piece;
     int i;
-    piece.first = *first;
+    piece.last = *first;
     if (!(F_0 < HUGE_VAL))
         F_0 = SF_RAISE * fmax(model->m, 1e-6);
     for (i = 0; i < SF_RAISES; i++) {
         const sf_status status = sf_amplitude_bound(model, F_0, &A_max);
         if (status != SF_OK)
             return status;
-        sf_sample_at(model, A_max, &piece.last);
-        if (first->A == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
-            return SF_NONE; /* linear */
-        sf_clear_zeros(&work->zeros);
-        sf_consider_piece(model, &piece, &work->zeros, best);
-        if (work->zeros.status != SF_OK || best->F_SN <= F_0)
-            return work->zeros.status;
+        if (A_max > piece.last.A) { /* what lies below has been looked through */
+            piece.first = piece.last;
+            sf_sample_at(model, A_max, &piece.last);
+            if (first->A == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
+                return SF_NONE; /* linear */
+            sf_clear_zeros(&work->zeros);
+            sf_consider_piece(model, &piece, &work->zeros, best);
+            if (work->zeros.status != SF_OK)
+                return work->zeros.status;
+        }
+        if (best->F_SN <= F_0)
+            return SF_OK;
         F_0 = best->F_SN < HUGE_VAL ? best->F_SN : SF_RAISE * F_0;
     }
     return SF_NONE;
