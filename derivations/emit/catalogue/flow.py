@@ -53,7 +53,15 @@ def slow_flow_modules(results: Results) -> list[Module]:
             Module(
                 name=GENERAL + suffix(scene),
                 title="Slow flow of any mechanism, in h = H - A and its derivatives" + in_words(scene),
-                inputs=("averaging.py", "slow_flow.py", "offset.py", "loci.py", "resultants.py"),
+                inputs=(
+                    "averaging.py",
+                    "slow_flow.py",
+                    "offset.py",
+                    "loci.py",
+                    "slopes.py",
+                    "bounds.py",
+                    "resultants.py",
+                ),
                 kernels=tuple(
                     replace(kernel, enclosed=kernel.name in enclosed)
                     for kernel in kernels
