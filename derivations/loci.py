@@ -48,6 +48,7 @@ class Damped:
     cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
     cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
     peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
+    peak_Omega_A -- dOmega/dA along F_Omega = 0
     """
 
     fold_lets: tuple[Let, ...]
@@ -61,6 +62,7 @@ class Damped:
     cusp: tuple[sp.Expr, ...]
     peak_lets: tuple[Let, ...]
     peak: tuple[sp.Expr, ...]
+    peak_Omega_A: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -140,6 +142,7 @@ def _damped(flow: SlowFlow) -> Damped:
         cusp=cusp,
         peak_lets=peak_lets,
         peak=peak,
+        peak_Omega_A=-flow.F_AOmega / flow.F_OmegaOmega,
     )
 
 

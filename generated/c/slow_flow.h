@@ -408,6 +408,20 @@ static inline void slow_flow_peak(double Omega, double A, double F_0, double m, 
     out[1] = -2.0 * R * (Omega * Omega - h_A);
 }
 
+/* dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
+   Equation from (34). Domain: Omega > 0, A > 0.
+   Operations: 33 structured, 24 common subexpressions, 24 power chains
+ */
+static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A)
+{
+    const double t0 = 2.0 * A;
+    const double t1 = t0 * zeta * zeta;
+    const double R = -t1 - m * zeta / Omega;
+    const double I_ = Omega * t0 * zeta + m;
+    const double t2 = Omega * Omega;
+    return -(A * Omega * (h_A + t2) + I_ * zeta + Omega * R + Omega * t1) / (A * (R + t0 * t2 + t1));
+}
+
 /* dOmega/dA along the response.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 21 structured, 18 common subexpressions, 18 power chains

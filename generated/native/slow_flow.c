@@ -671,6 +671,25 @@ static const sf_loop slow_flow_peak_loops[] = {
     slow_flow_peak_loop,
 };
 
+static SF_WIDE void slow_flow_peak_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict Omega = in[0];
+    const double *restrict A = in[1];
+    const double *restrict m = in[2];
+    const double *restrict zeta = in[3];
+    const double *restrict h_A = in[4];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = slow_flow_peak_Omega_A(Omega[i], A[i], m[i], zeta[i], h_A[i]);
+    }
+}
+
+static const sf_loop slow_flow_peak_Omega_A_loops[] = {
+    slow_flow_peak_Omega_A_loop,
+};
+
 static SF_WIDE void slow_flow_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict Omega = in[0];
@@ -920,6 +939,10 @@ static const sf_kernel kernels[] = {
      "F where F_Omega = 0: an extremum of F over Omega, and its slope along A. Equation from (24), (34). Domain: "
      "Omega > 0, A > 0.",
      6, 2, 1, NULL, slow_flow_peak_loops},
+    {"peak_Omega_A",
+     "dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak. Equation from (34). Domain: Omega > "
+     "0, A > 0.",
+     5, 1, 1, NULL, slow_flow_peak_Omega_A_loops},
     {"Omega_A",
      "dOmega/dA along the response. Equation from (24). Domain: Omega > 0, A > 0.",
      6, 1, 1, NULL, slow_flow_Omega_A_loops},

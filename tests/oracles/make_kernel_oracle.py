@@ -331,13 +331,24 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, root):
     return [half_F_A, half_F_A - A * half_F_AA, along, mp.sqrt(R**2 + I**2 - A * half_F_A)]
 
 
-def peak(Omega, A, F_0, m, zeta, h_A):
-    """F, and its slope along A, for the h that makes F stationary over Omega."""
+def stationary(Omega, A, m, zeta):
+    """The h that makes F stationary over Omega."""
 
     def by_Omega(h):
         return mp.diff(lambda w: response(w, A, 0, m, zeta, h), Omega)
 
-    h = mp.findroot(by_Omega, (-A * Omega**2, -A * Omega**2 - 1))
+    return mp.findroot(by_Omega, (-A * Omega**2, -A * Omega**2 - 1))
+
+
+def peak_slope(Omega, A, m, zeta, h_A):
+    """dOmega/dA where F stays stationary over Omega."""
+    F_AOmega, F_OmegaOmega = partials([(1, 1), (0, 2)], Omega, A, m, zeta, stationary(Omega, A, m, zeta), h_A)
+    return -F_AOmega / F_OmegaOmega
+
+
+def peak(Omega, A, F_0, m, zeta, h_A):
+    """F, and its slope along A, for the h that makes F stationary over Omega."""
+    h = stationary(Omega, A, m, zeta)
     return [response(Omega, A, F_0, m, zeta, h), slope_of_response(1, Omega, A, m, zeta, h, h_A)]
 
 
@@ -430,6 +441,7 @@ DAMPED: dict[str, tuple[str, Function, int]] = {
     "cusps": ("A zeta h h_A h_AA intercept", cusps, 0),
     "cusp": ("A m zeta h_AA h_AAA intercept X T root", cusp, 0),
     "peak": ("Omega A F_0 m zeta h_A", peak, 0),
+    "peak_Omega_A": ("Omega A m zeta h_A", lambda *x: [peak_slope(*x)], 0),
 }
 UNDAMPED: dict[str, tuple[str, Function, int]] = {
     "undamped_Omega": ("h_A", lambda h_A: [undamped_frequency(h_A)], -1),
@@ -1097,7 +1109,7 @@ def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
 #: a scene takes these from the general module: nothing vanishes in them; or has them not
 SAME_IN_SCENES = {
     *("friction", "R", "backbone", "transmissibility", "jacobian", "mean_stiffness", "offset_stiffness"),
-    *("rest", "intercept", "isola_Omega", "cusps", "cusp", "peak"),
+    *("rest", "intercept", "isola_Omega", "cusps", "cusp", "peak", "peak_Omega_A"),
     "F_OmegaOmega",
 }
 

@@ -356,6 +356,14 @@ def damped_kernels(loci: Damped) -> list[Kernel]:
             "from (24), (34)",
             lets=loci.peak_lets,
         ),
+        plain(
+            "peak_Omega_A",
+            (Omega, A, m, zeta, h_A),
+            loci.peak_Omega_A,
+            "dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.",
+            "from (34)",
+            lets=loci.peak_lets,
+        ),
     ]
 
 

@@ -38,6 +38,7 @@ typedef enum {
 typedef struct {
     int exists[2];
     double y[2], dy[2], Omega[2], level[2];
+    double Omega_A[2]; /* dOmega/dA, where it is known; else 0 */
 } sf_answer;
 
 typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
@@ -176,6 +177,7 @@ static inline void sf_ask_peak(const sf_model *model, double F_0, const sf_sampl
         slow_flow_peak(w[i], at->A, F_0, model->m, model->zeta, at->h_A, peak);
         out->exists[channel] = 1;
         out->Omega[channel] = w[i];
+        out->Omega_A[channel] = slow_flow_peak_Omega_A(w[i], at->A, model->m, model->zeta, at->h_A);
         out->y[channel] = peak[0], out->dy[channel] = peak[1];
     }
 }

@@ -39,6 +39,15 @@ static int sf_is_negative(const sf_probe *probe, int channel, int edge) {
     return probe->answer.exists[channel] ? probe->answer.y[channel] < 0 : edge < 0;
 }
 
+/* Omega at the zero itself, which lies within roundings of A: where h_A is large that moves Omega by much. */
+static double sf_Omega_at_zero(const sf_probe *probe, int channel) {
+    const double Omega_A = probe->answer.Omega_A[channel];
+    const double beyond = probe->answer.y[channel] / probe->answer.dy[channel];
+    if (Omega_A != 0 && fabs(beyond) <= 0x1p-50 * probe->at.A)
+        return probe->answer.Omega[channel] - Omega_A * beyond;
+    return probe->answer.Omega[channel];
+}
+
 /* The zero between two probes with values on either side of it: Newton's steps, kept in the bracket. */
 static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_probe *b, int c, int edge) {
     const int rising = sf_is_negative(a, c, edge);
@@ -68,7 +77,7 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     }
     if (!probe.answer.exists[c])
         probe = lo.answer.exists[c] ? lo : hi;
-    zero.A = probe.at.A, zero.Omega = probe.answer.Omega[c], zero.low = lo.at.A, zero.high = hi.at.A;
+    zero.A = probe.at.A, zero.Omega = sf_Omega_at_zero(&probe, c), zero.low = lo.at.A, zero.high = hi.at.A;
     zero.question = search->asked.question, zero.channel = c, zero.rising = rising;
     sf_add_zero(search->found, zero);
 }
