@@ -12,6 +12,7 @@ from slowflow.exact import EquationOfMotion, exact_response, linear, steady_stat
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator, recurrences
 from slowflow.exact.continuation import _Path
 from slowflow.exact.integrate import Drive
+from slowflow.exact.motion import Forced, follow
 from slowflow.mechanism import Force
 from slowflow_kernels import rod_spring
 from slowflow_kernels.exact_conventions import Event
@@ -132,6 +133,12 @@ def test_a_graze_is_told_from_a_stop():
         under = OURS.until(piece, drive, 1, 1e6, 0.0, float(V * F_0), float(touching) - depth, Omega * 1.3)
         assert over[3] == Event.TIME, depth
         assert under[3] == Event.STOP and abs(under[0] / Omega - float(where)) <= 4 * math.sqrt(depth), depth
+
+    # no double is nearer: whether the mass stops cannot be said, and it is said so
+    for depth, told in ((0.0, True), (1e-9, False), (-1e-9, False)):
+        forced = Forced(EquationOfMotion(linear(), 0.0, 1e-300), Omega, F_0, OURS)
+        first = follow(forced, 0.0, float(V * F_0), float(touching) + depth, Omega * 1.3)[0]
+        assert first.undecided is told, depth
 
 
 def test_200_random_motions_by_heyoka():

@@ -6,7 +6,6 @@ zeros put in.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -22,6 +21,9 @@ from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scenes import flow_of
 
 __all__ = ["Floats", "Model", "check_names"]
+
+#: of a force's parameters: beyond it a force of ordinary amplitudes is beyond the range of doubles
+LARGEST = 1e300
 
 
 def check_names(mechanism: Mechanism, values: Mapping[str, Any]) -> list[str]:
@@ -88,11 +90,11 @@ class Model:
         *design, mu, zeta = (validate.within(domain, values[domain.name]) for domain in domains)
         with np.errstate(all="ignore"):
             model = cls(mechanism, tuple(float(value) for value in mechanism.coefficients(*design)), mu, zeta)
-        named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
-        for name, value in (*named, ("4 mu/pi", model.m)):
-            if not math.isfinite(value):
-                given = ", ".join(f"{domain.name} = {values[domain.name]!r}" for domain in domains)
-                raise ValueError(f"{given}: not allowed together, {name} is beyond the range of doubles")
+        if not all(abs(value) <= LARGEST for value in (*model.parameters, model.m)):
+            named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
+            name = next(name for name, value in (*named, ("4 mu/pi", model.m)) if not abs(value) <= LARGEST)
+            given = ", ".join(f"{domain.name} = {values[domain.name]!r}" for domain in domains)
+            raise ValueError(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
         return model
 
     @property
@@ -105,8 +107,7 @@ class Model:
         """Whether the averaged force is proportional to the amplitude."""
         if self.breakpoints:
             return False
-        with np.errstate(over="ignore", invalid="ignore"):
-            return bool(self.averaged(1.0)[2] == 0)
+        return bool(self.averaged(1.0)[2] == 0)
 
     @cached_property
     def hardens(self) -> bool:
@@ -117,8 +118,7 @@ class Model:
     @cached_property
     def negative_stiffness(self) -> bool:
         """Whether the stiffness at rest is negative, which is -h_A there."""
-        with np.errstate(over="ignore", invalid="ignore"):
-            return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
+        return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
 
     @property
     def reach(self) -> float:

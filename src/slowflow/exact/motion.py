@@ -32,7 +32,13 @@ STALLS = (
 
 
 class Phase(NamedTuple):
-    """A stretch of smooth motion. slip: sign of the velocity, 0 at rest; region: index of the piece, signed like u."""
+    """A stretch of smooth motion.
+
+    slip      -- sign of the velocity, 0 at rest
+    region    -- index of the piece, signed like u
+    undecided -- the velocity comes so near to zero on the way that rounding hides whether it gets there; only the
+                 compiled integrator can tell
+    """
 
     slip: int
     region: int
@@ -43,6 +49,7 @@ class Phase(NamedTuple):
     u_end: float
     v_end: float
     event: int
+    undecided: bool = False
 
 
 class Forced(NamedTuple):
@@ -127,8 +134,8 @@ def follow(
     if isinstance(integrator, TaylorIntegrator):
         outcome, rows = integrator.follow(system, forced.Omega, forced.F_0, (theta, u, v), end, start)
         phases = [
-            Phase(int(slip), int(region), theta, u, v, end, u_end, v_end, int(event))
-            for slip, region, theta, u, v, end, u_end, v_end, event, _ in rows
+            Phase(int(slip), int(region), theta, u, v, end, u_end, v_end, int(event), bool(undecided))
+            for slip, region, theta, u, v, end, u_end, v_end, event, undecided in rows
         ]
         _refuse(outcome, forced, phases[-1] if phases else None)
         return phases

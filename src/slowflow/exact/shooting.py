@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.compiled import default_integrator
+from slowflow.exact.compiled import TaylorIntegrator, default_integrator
 from slowflow.exact.cycle import Cycle, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
@@ -68,6 +68,16 @@ class SteadyState:
     def phases(self) -> list[Phase]:
         """The phases of one cycle, from its highest turning point."""
         return self.cycle.phases(self.unknowns, self.F_0)[: len(self.cycle.signature)]
+
+    @property
+    def undecided(self) -> bool | None:
+        """Whether rounding hides if the mass stops once more: its velocity touches zero within a slip.
+
+        None where that was not looked for, without the compiled integrator.
+        """
+        if not isinstance(self.cycle.integrator, TaylorIntegrator):
+            return None
+        return any(phase.undecided for phase in self.phases)
 
     def series(self, samples: int = 400) -> tuple[Array, Array, Array]:
         """tau, u, v = du/dtau at `samples` equal steps of one period from tau = 0, where the forcing is largest."""
