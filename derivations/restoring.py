@@ -50,12 +50,14 @@ class Regime:
     far    -- those among them that it exceeds `FAR` times; if there are any the form is a truncated series
     lets   -- intermediate quantities (symbol, expression) in order of evaluation
     derivatives -- the average and its derivatives with respect to A, in A, the parameters and the lets
+    intercept -- the average less A times its slope, from which linear terms are gone; None where no form is known
     """
 
     passed: tuple[sp.Symbol, ...]
     far: tuple[sp.Symbol, ...]
     lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
     derivatives: tuple[sp.Expr, ...]
+    intercept: sp.Expr | None = None
 
     def closed_form(self, order: int = 0) -> sp.Expr:
         """The average, or a derivative, with the lets put back."""
@@ -258,10 +260,10 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
 
-    def under_the_integral(order: int) -> sp.Expr:
+    def under_the_integral(order: int, forces: Sequence[sp.Expr] = pieces) -> sp.Expr:
         """int f^(order)(A sin t) sin^(order + 1) t dt over the quarter cycle, piece by piece."""
         total = sp.Integer(0)
-        for k, piece in enumerate(pieces[: count + 1]):
+        for k, piece in enumerate(forces[: count + 1]):
             for (degree,), coefficient in sp.Poly(sp.diff(piece, u, order), u).terms():
                 if coefficient != 0:
                     power = degree + order + 1
@@ -275,6 +277,9 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
         jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
         return -at_breakpoint(jump, end.b) * end.b ** (order + 2) / (A ** (order + 2) * end.root)
 
+    def times_factor(total: sp.Expr) -> sp.Expr:
+        return sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
+
     derivatives = []
     for order in range(ORDERS + 1):
         total = under_the_integral(order)
@@ -284,15 +289,17 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
                 for _ in range(order - 1 - lower):
                     term = slope(term, end.root)
                 total += term
-        derivatives.append(
-            sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
-        )
+        derivatives.append(times_factor(total))
+    # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
+    bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
+    intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
     used = set().union(*(value.free_symbols for value in moments.values()))
     powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 2)
     lets = [let for end in ends for let in end.lets([power for power in powers if end.from_zero(power) in used])]
     if count:
         lets += moments.items()
-    return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), tuple(derivatives))
+    passed, passed_far = tuple(breakpoints[:count]), tuple(breakpoints[:far])
+    return Regime(passed, passed_far, tuple(lets), tuple(derivatives), times_factor(intercept))
 
 
 def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Restoring:

@@ -194,7 +194,7 @@ def test_more_than_can_be_shown_is_refused_by_its_name():
 # ---- at the ends of the range ----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("F_0", [1e-10, 1e-16, 1e-30])
+@pytest.mark.parametrize("F_0", [1e-10, 1e-16, 1e-30, 1e-60, 1e-100])
 def test_a_softening_spring_has_its_fold_at_rest_at_any_forcing(F_0):
     """h = 0 at A^2 = 8/3; next to it F_A = 0 leaves R of second order, so that I = 2 zeta A Omega is F_0."""
     folds = Duffing(1, -0.5, 0, 0.1).saddle_nodes(F_0)
@@ -247,3 +247,24 @@ def test_the_peak_at_the_detachment_is_the_higher_static_state(delta_h, zeta):
     highest = above.max() if above.size else oscillator.u_cr
     assert peak.Omega == 0 and peak.A == pytest.approx(highest, rel=1e-4)
     assert len(oscillator.second_approximation.saddle_nodes(F_cr)) == 0
+
+
+@pytest.mark.parametrize("zeta", [1e-1, 1e-3, 1e-6, 1e-9, 1e-12])
+def test_the_onset_keeps_its_digits_as_damping_vanishes(zeta):
+    """F_A = F_AA = 0 by Newton with 60 digits."""
+    onset = Duffing(1, 1, 0, zeta).saddle_node_onset()
+    with mpmath.workdps(60):
+        damping = mpmath.mpf(zeta)
+
+        def parts(A, Omega):
+            return A * Omega**2 - A - 3 * A**3 / 4, Omega**2 - 1 - 9 * A**2 / 4, 2 * damping * A * Omega
+
+        def both(A, Omega):
+            R, R_A, I = parts(A, Omega)
+            return [R * R_A + 2 * damping * Omega * I, R_A**2 - 9 * A / 2 * R + 4 * damping**2 * Omega**2]
+
+        guess = mpmath.mpf(onset.A), mpmath.mpf(onset.Omega)
+        A, Omega = mpmath.findroot(both, guess, tol=1e-90, maxsteps=200, verify=False)
+        R, _, I = parts(A, Omega)
+        assert abs(onset.F_SN / mpmath.hypot(R, I) - 1) < 1e-15
+        assert abs(onset.A / A - 1) < 1e-15 and abs(onset.Omega / Omega - 1) < 1e-15

@@ -61,6 +61,18 @@ static inline void duffing_averaged_H(double A, const double *p, double *out)
     out[1] = -2.25 * t0 - t1;
 }
 
+/* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
+ */
+static inline double duffing_intercept(double A, double alpha, double beta)
+{
+    (void)(alpha);
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    return 1.5 * A3 * beta;
+}
+
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0.
    Operations: 10 structured, 9 common subexpressions, 8 power chains

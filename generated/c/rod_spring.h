@@ -377,6 +377,83 @@ static inline void rod_spring_averaged_H(double A, const double *p, double *out)
     rod_spring_averaged_H_passed_1_far_1(A, p, out);
 }
 
+/* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Operations where passed_0: 8 structured, 8 common subexpressions, 7 power chains
+   Operations where passed_1: 51 structured, 48 common subexpressions, 45 power chains
+   Operations where passed_1_far_1: 140 structured, 92 common subexpressions, 83 power chains
+ */
+static inline double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    (void)(alpha);
+    (void)(u_cr);
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    return A3 * (2.5 * A2 * gamma + 1.5 * beta);
+}
+
+static inline double rod_spring_intercept_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double theta = angles_atan2_swapped(root, u_cr);
+    const double t1 = x * x;
+    const double t2 = x * y;
+    const double M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta;
+    const double M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double u_cr2 = u_cr * u_cr;
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    const double A4 = A2 * A2;
+    const double A5 = A * A4;
+    const double u_cr3 = u_cr * u_cr2;
+    return 1.2732395447351628 * (2.0 * A3 * M4 * beta + 4.0 * A5 * M6 * gamma - t0 * u_cr3 * (alpha + u_cr2 *
+        (beta + gamma * u_cr2) - 1.0) / root);
+}
+
+static inline double rod_spring_intercept_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double s = x / sqrt(2.0 * y + 2.0);
+    const double s2 = s * s;
+    const double s4 = s2 * s2;
+    const double s3 = s * s2;
+    const double s6 = s3 * s3;
+    const double s7 = s * s6;
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
+    const double x2 = x * x;
+    const double x4 = x2 * x2;
+    const double x5 = x * x4;
+    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
+    const double u_cr2 = u_cr * u_cr;
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    const double A4 = A2 * A2;
+    const double A5 = A * A4;
+    const double u_cr3 = u_cr * u_cr2;
+    return 1.2732395447351628 * (2.0 * A3 * M4 * beta + 4.0 * A5 * M6 * gamma - t0 * u_cr3 * (alpha + u_cr2 *
+        (beta + gamma * u_cr2) - 1.0) / root);
+}
+
+static inline double rod_spring_intercept(double A, double alpha, double beta, double gamma, double u_cr)
+{
+    if (A <= u_cr)
+        return rod_spring_intercept_passed_0(A, alpha, beta, gamma, u_cr);
+    if (A <= 1.25 * u_cr)
+        return rod_spring_intercept_passed_1(A, alpha, beta, gamma, u_cr);
+    return rod_spring_intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr);
+}
+
 /* The first piece alone: h, h_A, h_AA, h_AAA together.
    Equation (20), (21). Domain: 0 <= A <= u_cr.
    Operations: 28 structured, 19 common subexpressions, 19 power chains

@@ -78,6 +78,23 @@ static const sf_loop duffing_averaged_H_loops[] = {
     duffing_averaged_H_loop,
 };
 
+static SF_WIDE void duffing_intercept_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = duffing_intercept(A[i], alpha[i], beta[i]);
+    }
+}
+
+static const sf_loop duffing_intercept_loops[] = {
+    duffing_intercept_loop,
+};
+
 static SF_WIDE void duffing_harmonics_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -261,6 +278,10 @@ static const sf_kernel kernels[] = {
     {"averaged_H",
      "H, H_A together. Equation (20)-(22), (31). Domain: A >= 0.",
      3, 2, 1, NULL, duffing_averaged_H_loops},
+    {"intercept",
+     "h - A h_A, where the tangent of h meets A = 0; linear terms are none. Equation (20)-(22), (31). Domain: A >= "
+     "0.",
+     3, 1, 1, NULL, duffing_intercept_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
      "Equation beyond (20). Domain: A >= 0.",

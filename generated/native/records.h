@@ -114,6 +114,11 @@ static void duffing_record_averaged_2(ptrdiff_t n, const double *A, const double
     }
 }
 
+static double duffing_record_intercept(double A, const double *p)
+{
+    return duffing_intercept(A, p[0], p[1]);
+}
+
 _Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "duffing needs higher limits in mechanism.h");
 static const sf_mechanism duffing_record = {
@@ -132,6 +137,7 @@ static const sf_mechanism duffing_record = {
     .jumps = records_no_breakpoint,
     .averaged = duffing_record_averaged,
     .averaged_2 = duffing_record_averaged_2,
+    .intercept = duffing_record_intercept,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -167,6 +173,11 @@ static void rod_spring_attached_record_averaged_2(ptrdiff_t n, const double *A, 
     }
 }
 
+static double rod_spring_attached_record_intercept(double A, const double *p)
+{
+    return rod_spring_intercept_passed_0(A, p[0], p[1], p[2], p[3]);
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "rod_spring_attached needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_attached_record = {
@@ -185,6 +196,7 @@ static const sf_mechanism rod_spring_attached_record = {
     .jumps = records_no_breakpoint,
     .averaged = rod_spring_attached_record_averaged,
     .averaged_2 = rod_spring_attached_record_averaged_2,
+    .intercept = rod_spring_attached_record_intercept,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -220,6 +232,11 @@ static void rod_spring_record_averaged_2(ptrdiff_t n, const double *A, const dou
     }
 }
 
+static double rod_spring_record_intercept(double A, const double *p)
+{
+    return rod_spring_intercept(A, p[0], p[1], p[2], p[3]);
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_record = {
@@ -238,6 +255,7 @@ static const sf_mechanism rod_spring_record = {
     .jumps = rod_spring_jumps,
     .averaged = rod_spring_record_averaged,
     .averaged_2 = rod_spring_record_averaged_2,
+    .intercept = rod_spring_record_intercept,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -291,6 +309,7 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .jumps = rod_spring_untruncated_jumps,
     .averaged = rod_spring_untruncated_record_averaged,
     .averaged_2 = rod_spring_untruncated_record_averaged_2,
+    .intercept = NULL,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,

@@ -254,6 +254,69 @@ static const sf_loop rod_spring_averaged_H_loops[] = {
     rod_spring_averaged_H_passed_1_far_1_loop,
 };
 
+static SF_WIDE void rod_spring_intercept_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict gamma = in[3];
+    const double *restrict u_cr = in[4];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_intercept_passed_0(A[i], alpha[i], beta[i], gamma[i], u_cr[i]);
+    }
+}
+
+static SF_WIDE void rod_spring_intercept_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict gamma = in[3];
+    const double *restrict u_cr = in[4];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_intercept_passed_1(A[i], alpha[i], beta[i], gamma[i], u_cr[i]);
+    }
+}
+
+static SF_WIDE void rod_spring_intercept_passed_1_far_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict alpha = in[1];
+    const double *restrict beta = in[2];
+    const double *restrict gamma = in[3];
+    const double *restrict u_cr = in[4];
+    double *restrict out_0 = out[0];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        out_0[i] = rod_spring_intercept_passed_1_far_1(A[i], alpha[i], beta[i], gamma[i], u_cr[i]);
+    }
+}
+
+static SF_WIDE void rod_spring_intercept_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+{
+    const double *restrict A_ = in[0];
+    const double *restrict u_cr_ = in[4];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = A_[i];
+        const double u_cr = u_cr_[i];
+        regime[i] = A <= u_cr ? 0 : A <= 1.25 * u_cr ? 1 : 2;
+    }
+}
+
+static const sf_loop rod_spring_intercept_loops[] = {
+    rod_spring_intercept_passed_0_loop,
+    rod_spring_intercept_passed_1_loop,
+    rod_spring_intercept_passed_1_far_1_loop,
+};
+
 static SF_WIDE void rod_spring_attached_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -660,6 +723,10 @@ static const sf_kernel kernels[] = {
     {"averaged_H",
      "H, H_A together. Equation (20)-(22), (31). Domain: A >= 0.",
      5, 2, 3, rod_spring_averaged_H_regime, rod_spring_averaged_H_loops},
+    {"intercept",
+     "h - A h_A, where the tangent of h meets A = 0; linear terms are none. Equation (20)-(22), (31). Domain: A >= "
+     "0.",
+     5, 1, 3, rod_spring_intercept_regime, rod_spring_intercept_loops},
     {"attached",
      "The first piece alone: h, h_A, h_AA, h_AAA together. Equation (20), (21). Domain: 0 <= A <= u_cr.",
      5, 4, 1, NULL, rod_spring_attached_loops},

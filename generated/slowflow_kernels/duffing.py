@@ -41,6 +41,7 @@ __all__ = [
     "h_AAA",
     "hardening",
     "harmonics",
+    "intercept",
     "jacobian",
     "jumps",
     "level",
@@ -100,6 +101,18 @@ def averaged_H(A, alpha, beta):
         A * (-0.75 * t0 - t1),
         -2.25 * t0 - t1,
     )
+
+
+def intercept(A, alpha, beta):
+    """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
+
+    Equation (20)-(22), (31). Domain: A >= 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    A, alpha, beta = floats(A, alpha, beta)
+    A2 = A * A
+    A3 = A * A2
+    return full(1.5 * A3 * beta, (A, alpha, beta))
 
 
 def harmonics(A, alpha, beta):
@@ -492,6 +505,7 @@ if NATIVE is not None:
         averaged,
         averaged_2,
         averaged_H,
+        intercept,
         harmonics,
         coefficients,
         hardening,

@@ -47,6 +47,7 @@ __all__ = [
     "h_AAA",
     "hardening",
     "harmonics",
+    "intercept",
     "jacobian",
     "jumps",
     "level",
@@ -383,6 +384,80 @@ def averaged_H(A, alpha, beta, gamma, u_cr):
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_averaged_H_passed_0, _averaged_H_passed_1, _averaged_H_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 2)
+
+
+def _intercept_passed_0(A, alpha, beta, gamma, u_cr):
+    # operations: 8 structured, 8 common subexpressions, 7 power chains
+    A2 = A * A
+    A3 = A * A2
+    return A3 * (2.5 * A2 * gamma + 1.5 * beta)
+
+
+def _intercept_passed_1(A, alpha, beta, gamma, u_cr):
+    # operations: 51 structured, 48 common subexpressions, 45 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    theta = np.arctan2(u_cr, root)
+    t1 = x * x
+    t2 = x * y
+    M4 = -t2 * (0.25 * t1 + 0.375) + 0.375 * theta
+    M6 = -t2 * (t1 * (0.16666666666666666 * t1 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    u_cr2 = u_cr * u_cr
+    A2 = A * A
+    A3 = A * A2
+    A4 = A2 * A2
+    A5 = A * A4
+    u_cr3 = u_cr * u_cr2
+    return 1.2732395447351628 * (2.0 * A3 * M4 * beta + 4.0 * A5 * M6 * gamma - t0 * u_cr3 * (alpha + u_cr2 * (beta
+        + gamma * u_cr2) - 1.0) / root)
+
+
+def _intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr):
+    # operations: 140 structured, 92 common subexpressions, 83 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / np.sqrt(2.0 * y + 2.0)
+    s2 = s * s
+    s4 = s2 * s2
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
+        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
+        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
+        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
+        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    u_cr2 = u_cr * u_cr
+    A2 = A * A
+    A3 = A * A2
+    A4 = A2 * A2
+    A5 = A * A4
+    u_cr3 = u_cr * u_cr2
+    return 1.2732395447351628 * (2.0 * A3 * M4 * beta + 4.0 * A5 * M6 * gamma - t0 * u_cr3 * (alpha + u_cr2 * (beta
+        + gamma * u_cr2) - 1.0) / root)
+
+
+def intercept(A, alpha, beta, gamma, u_cr):
+    """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
+
+    Equation (20)-(22), (31). Domain: A >= 0.
+    """
+    arguments = floats(A, alpha, beta, gamma, u_cr)
+    A, alpha, beta, gamma, u_cr = arguments
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_intercept_passed_0, _intercept_passed_1, _intercept_passed_1_far_1)
+    return number_by_regime(guards, bodies, arguments)
 
 
 def attached(A, alpha, beta, gamma, u_cr):
@@ -1180,6 +1255,7 @@ if NATIVE is not None:
         averaged,
         averaged_2,
         averaged_H,
+        intercept,
         attached,
         harmonics,
         coefficients,

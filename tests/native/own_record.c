@@ -64,6 +64,8 @@ static void averaged_2(ptrdiff_t n, const double *A, const double *p, double *ou
     }
 }
 
+static double intercept(double A, const double *p) { return A * (A * A * (1.5 * p[0])); }
+
 static double dissipation(double Omega, double A, const double *damping) {
     return slow_flow_I(Omega, A, THRESHOLD * damping[0], damping[1]);
 }
@@ -95,6 +97,7 @@ const sf_mechanism own_record = {
     .jumps = jumps,
     .averaged = averaged,
     .averaged_2 = averaged_2,
+    .intercept = intercept,
     .dissipation = dissipation,
     .level = level,
     .mean_offset = mean_offset,

@@ -34,6 +34,7 @@ class Mechanism(ctypes.Structure):
         ("jumps", Fill),
         ("averaged", Averages),
         ("averaged_2", Averages),
+        ("intercept", ctypes.c_void_p),
         ("dissipation", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles)),
         ("level", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles, ctypes.c_double)),
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),

@@ -1171,7 +1171,11 @@ TOGETHER = {
     "averaged_all": ("h", "h_A", "h_AA", "h_AAA", "H", "H_A"),
     "attached": ("h", "h_A", "h_AA", "h_AAA"),
 }
-NOT_OF = {"averaged_all": ("rod_spring", "duffing"), "attached": ("rod_spring_untruncated", "duffing")}
+NOT_OF = {
+    "averaged_all": ("rod_spring", "duffing"),
+    "attached": ("rod_spring_untruncated", "duffing"),
+    "intercept": ("rod_spring_untruncated",),
+}
 
 
 def has(name: str, kernel: str, p: Sequence) -> bool:
@@ -1200,6 +1204,13 @@ def family_table(name: str, amplitudes: Amplitudes) -> dict:
 
         for output in values:
             add(output, (output,))
+        if has(name, "intercept", p):
+
+            def intercept(*x, n=passed):
+                h, h_A, *_ = family(name, n, False, *x)
+                return [h - x[0] * h_A]
+
+            table.setdefault("intercept", []).append(entry(intercept, [A, *p]))
         for kernel, outputs in TOGETHER.items():
             if has(name, kernel, p) and not (kernel == "attached" and passed):
                 add(kernel, outputs)

@@ -36,8 +36,8 @@ from derivations.symbols import F_0, A, mu, u, zeta
 
 #: What is emitted for each mechanism, and for whom.
 #:
-#: For the solvers, by the record: `averaged`, `averaged_2`, `attached`, `harmonics`, `coefficients`, `breakpoints`,
-#: `jumps`, `hardening`, and the pieces of the force with their slopes.
+#: For the solvers, by the record: `averaged`, `averaged_2`, `intercept`, `attached`, `harmonics`, `coefficients`,
+#: `breakpoints`, `jumps`, `hardening`, and the pieces of the force with their slopes.
 #: For users, who import them: `force`, the resultants `saddle_node_onset` (33) and `saddle_nodes`, and, thin because
 #: each only calls another:
 #:     h, H and derivatives     out of `averaged`, `averaged_2` and `averaged_H`
@@ -63,6 +63,7 @@ def mechanism_module(results: Results, name: str, flow: Module) -> Module:
         inputs=(f"mechanisms/{name}.py",),
         kernels=(
             *averages.kernels,
+            *intercept_kernels(derived),
             *((attached_kernel(derived),) if has_attached(derived) else ()),
             harmonics_kernel(derived),
             *data_kernels(derived),
@@ -170,6 +171,24 @@ def together(derived: OfMechanism) -> Averages:
         return Selection(name, kernel, chosen, f"{', '.join(outputs)} together.", kernel.equation)
 
     return Averages(some("averaged", OF_H), some("averaged_2", OF_H[:2]), some("averaged_H", OF_BESIDE))
+
+
+def intercept_kernels(derived: OfMechanism) -> list[Kernel]:
+    """h - A h_A, if it is known in a form of its own: not where the average is an algorithm."""
+    if is_spelled_out(derived):
+        return []
+    of_cases = tuple(
+        replace(branch, outputs=(derived.whole.regimes[passed].intercept,))
+        if not far
+        else replace(branch, outputs=(derived.whole.far_regimes[passed, far].intercept,))
+        for branch, (_, _, passed, far) in zip(
+            regime_branches(derived.whole, 1), forms(derived.whole.breakpoints), strict=True
+        )
+    )
+    kernel = averaged_kernel(derived, "intercept", ("h - A h_A",), of_cases)
+    return [
+        replace(kernel, doc="h - A h_A, where the tangent of h meets A = 0; linear terms are none.", returns="scalar")
+    ]
 
 
 def attached_kernel(derived: OfMechanism) -> Kernel:

@@ -14,6 +14,8 @@
 
 /* kernels are right to a few units of rounding; this many are taken for granted on either side */
 #define SF_DOUBT 0x1p-48
+/* below this share of h the difference h - A h_A has lost too many digits */
+#define SF_CANCELLED 0.25
 
 /* A piece of the force: from its first amplitude (0 or a breakpoint, as its own side has it) to its last. */
 typedef struct {
@@ -33,6 +35,8 @@ static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) 
     at->A = A;
     model->mechanism->averaged(1, &at->A, model->p, at->averages);
     at->k = at->h - A * at->h_A;
+    if (fabs(at->k) < SF_CANCELLED * fabs(at->h) && model->mechanism->intercept != NULL)
+        at->k = model->mechanism->intercept(A, model->p);
 }
 
 /* The limit from above at breakpoint i: the force's jump makes h_A infinite there, a jump of its slope h_AA. */

@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 enum {
-    SF_FORM = 1, /* of the record below; one of another form is refused */
+    SF_FORM = 2, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -39,6 +39,8 @@ typedef struct sf_mechanism {
      * averaged gives h, h_A, h_AA, h_AAA, averaged_2 the first two. */
     void (*averaged)(ptrdiff_t n, const double *A, const double *p, double *out);
     void (*averaged_2)(ptrdiff_t n, const double *A, const double *p, double *out);
+    /* h - A h_A without what cancels in it; or NULL where no form is known. */
+    double (*intercept)(double A, const double *p);
 
     /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
     double (*dissipation)(double Omega, double A, const double *damping);

@@ -31,6 +31,7 @@ class Spring:
     prefix      -- of the record, and its name
     whole       -- the module that holds the mechanism's functions
     averaged, averaged_2 -- what averages the force
+    intercept   -- what gives h - A h_A, or ""
     attached    -- prefix of the record of the first piece alone, or ""
     breakpoints -- how many
     domain      -- C condition: the design lies inside its domain
@@ -40,6 +41,7 @@ class Spring:
     whole: Module
     averaged: str
     averaged_2: str
+    intercept: str
     attached: str
     breakpoints: int
     domain: str
@@ -65,12 +67,15 @@ def springs_of(whole: Module) -> list[Spring]:
     name, mechanism = whole.name, whole.record.mechanism
     first = f"{name}_attached" if whole.record.attached else ""
     domain = within(mechanism.design, DESIGN)
-    functions = (f"{name}_averaged", f"{name}_averaged_2")
+    own = any(kernel.name == "intercept" for kernel in whole.kernels)
+    functions = (f"{name}_averaged", f"{name}_averaged_2", f"{name}_intercept" if own else "")
     found = [Spring(name, whole, *functions, first, len(mechanism.breakpoints), domain)]
     if first:
         # the first regime's functions
         regime = next(kernel for kernel in whole.kernels if kernel.name == "averaged").branches[0].name
-        found.insert(0, Spring(first, whole, *(f"{function}_{regime}" for function in functions), "", 0, domain))
+        found.insert(
+            0, Spring(first, whole, *(function and f"{function}_{regime}" for function in functions), "", 0, domain)
+        )
     return found
 
 
