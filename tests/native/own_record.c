@@ -64,7 +64,7 @@ static void averaged_2(ptrdiff_t n, const double *A, const double *p, double *ou
     }
 }
 
-static double intercept(double A, const double *p) { return A * (A * A * (1.5 * p[0])); }
+static double intercept(double A, const double *p) { return 1.5 * (A * (A * A)) * p[0]; }
 
 static double dissipation(double Omega, double A, const double *damping) {
     return slow_flow_I(Omega, A, THRESHOLD * damping[0], damping[1]);
