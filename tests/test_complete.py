@@ -268,3 +268,23 @@ def test_the_onset_keeps_its_digits_as_damping_vanishes(zeta):
         R, _, I = parts(A, Omega)
         assert abs(onset.F_SN / mpmath.hypot(R, I) - 1) < 1e-15
         assert abs(onset.A / A - 1) < 1e-15 and abs(onset.Omega / Omega - 1) < 1e-15
+
+
+@pytest.mark.parametrize("off", [-1e-10, -1e-14, 0.0, 2.0**-52, 1e-12])
+def test_a_fold_lies_where_F_A_vanishes_and_not_on_the_other_side_of_the_curve(off):
+    """At zeta = 1e-12 I does not tell Omega any more; Newton on F = F_A = 0 with 40 digits does."""
+    values = {"lam": 1.0, "r": 0.6878572059222127, "delta_h": 0.44989683991903934, "mu": 0.030948100247472007}
+    oscillator, F_0 = Isolator(**values, zeta=1e-12), 0.03942103354886267 * (1 + off)
+    folds = oscillator.saddle_nodes(F_0)
+    with mpmath.workdps(40):
+        alpha, beta, gamma, _ = map(mpmath.mpf, oscillator.model.parameters)
+        m, zeta = 4 * mpmath.mpf(values["mu"]) / mpmath.pi, mpmath.mpf(1e-12)
+
+        def both(A, Omega):
+            h = -(alpha * A + 3 * beta * A**3 / 4 + 5 * gamma * A**5 / 8)
+            h_A = -(alpha + 9 * beta * A**2 / 4 + 25 * gamma * A**4 / 8)
+            R, I = A * Omega**2 + h, 2 * zeta * A * Omega + m
+            return [R**2 + I**2 - mpmath.mpf(F_0) ** 2, R * (Omega**2 + h_A) + 2 * zeta * Omega * I]
+
+        A, Omega = mpmath.findroot(both, (mpmath.mpf(folds.A[0]), mpmath.mpf(folds.Omega[0])), verify=False)
+        assert abs(folds.A[0] / A - 1) < 1e-9 and abs(folds.Omega[0] / Omega - 1) < 1e-9

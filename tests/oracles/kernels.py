@@ -112,6 +112,8 @@ def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[flo
         raise ValueError("the harmonics are derived for u_cr <= 3/4")
     if kernel in AVERAGES:
         return lambda *x: _outputs(AVERAGES[kernel], name, passed, *x), False
+    if kernel == "intercept":
+        return lambda *x: [h - x[0] * h_A for h, h_A in [_outputs(("h", "h_A"), name, passed, *x)]], False
     if kernel == "harmonics":
         harmonic = definitions.harmonic_by_quadrature
         return lambda *x: [v for n in (3, 5) for v in harmonic(name, n, passed, *x)], False

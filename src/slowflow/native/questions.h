@@ -75,6 +75,16 @@ static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
     out->y[1] = at->h_A, out->dy[1] = at->h_AA;
 }
 
+/* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding moves
+ * less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
+static inline double sf_fold_Omega(const sf_asked *asked, const sf_sample *at, double Omega, double y) {
+    const double lag = 2 * asked->model->zeta * at->A * Omega, square = Omega * Omega - y / at->A;
+    const double least = asked->least / at->k;
+    const double of_I = (lag + asked->model->m) / (lag * (1 - least) * (1 + least));
+    const double of_R = (2 * fabs(at->h) + at->A * square) / (at->A * square);
+    return square > 0 && !(of_R >= of_I) ? sqrt(square) : Omega;
+}
+
 static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
     const sf_model *model = asked->model;
     double fold[3], tangent[2];
@@ -89,7 +99,7 @@ static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_an
             slow_flow_mu0_fold(at->A, asked->F_0, 0, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
         else
             slow_flow_fold(at->A, asked->F_0, model->m, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
-        out->Omega[0] = fold[2];
+        out->Omega[0] = sf_fold_Omega(asked, at, fold[2], fold[0]);
     }
     out->exists[0] = 1;
     out->y[0] = fold[0], out->dy[0] = fold[1];
