@@ -24,8 +24,6 @@ from tests.test_kernels import worst
 BASELINE = json.loads((Path(__file__).parent / "data" / "stability.json").read_text())
 # the last digit of a stored error, and of a stored scale
 ROUNDED = 1 + 1e-4
-# Omega below which folds that end at Omega = 0 cannot be told apart by A
-AT_REST = 1e-4
 
 
 def grouped(rows, *names):
@@ -101,7 +99,7 @@ def test_seeded_counts_are_proved(mechanism):
     for kind in ("states", "folds"):
         assert found[kind]["cases"] > 100
         # two folds next to Omega = 0 may have the same A in doubles
-        assert [case for case in found[kind]["wrong"] if case[-1] > AT_REST] == []
+        assert [case for case in found[kind]["wrong"] if case[-1] > counts.AT_REST] == []
 
 
 @pytest.mark.parametrize(

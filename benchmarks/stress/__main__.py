@@ -66,22 +66,25 @@ def extremes(module: str, kernel: str, count: int) -> dict[str, Any]:
     return {"module": module, "kernel": kernel, "found": kernels.extremes(module, kernel, count)}
 
 
-def run(job: tuple[str, Job]) -> tuple[str, Any]:
-    """One job, with what it belongs to."""
+def run(job: tuple[str, Job]) -> tuple[str, Any, float]:
+    """One job, with what it belongs to and the processor's seconds."""
     what, (function, arguments) = job
-    return what, function(*arguments)
+    start = time.process_time()
+    return what, function(*arguments), time.process_time() - start
 
 
-def measure(size: float, only: list[str]) -> dict[str, Any]:
-    """Results by what they are about, in the order of the jobs."""
+def measure(size: float, only: list[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Results by what they are about, in the order of the jobs; and for each the size and the processor's seconds."""
     listed = [(what, job) for what, group in jobs(size).items() if what in only for job in group]
     found: dict[str, list[Any]] = {}
+    seconds = dict.fromkeys(only, 0.0)
     with multiprocessing.Pool() as pool:
-        for k, (what, result) in enumerate(pool.imap(run, listed)):
+        for k, (what, result, cost) in enumerate(pool.imap(run, listed)):
             found.setdefault(what, []).append(result)
+            seconds[what] += cost
             if k % 50 == 0:
                 print(f"{k} of {len(listed)} ({what})", file=sys.stderr, flush=True)
-    return found
+    return found, {what: {"size": size, "seconds": round(cost)} for what, cost in seconds.items()}
 
 
 def plain(value: Any) -> Any:
@@ -112,10 +115,9 @@ def main() -> None:
     results = RESULTS / "stability.json"
     known = json.loads(results.read_text(encoding="utf-8")) if results.exists() else {}
     if not options.draw:
-        start = time.monotonic()
-        found = plain(measure(options.size, options.only))
-        about = {"environment": environment.describe(), "seconds": round(time.monotonic() - start)}
-        known = {**known, **about, **found}
+        found, cost = measure(options.size, options.only)
+        about = {"environment": environment.describe(), "cost": {**known.get("cost", {}), **cost}}
+        known = {**known, **about, **plain(found)}
         baseline.save(results, known)
     baseline.write(known)
     page.write(known, options.docs)

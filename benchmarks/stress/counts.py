@@ -34,6 +34,8 @@ FORCINGS = {"states": 150, "folds": 60}
 FREQUENCIES = 4
 #: share of the forcings that is asked without compiled code, which takes a hundred times longer
 ON_NUMPY = 0.1
+#: Omega of a level below which the folds that end at Omega = 0 may have the same A in doubles
+AT_REST = 1e-4
 #: what is counted
 NUMBERS = ("cases", "undecided", "wrong undecided", "unproved")
 #: of them go to what one would write instead
