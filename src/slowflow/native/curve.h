@@ -340,15 +340,25 @@ static long sf_show(const sf_model *model, double F_0, double low, double high, 
     return points + shown->curves;
 }
 
-/* The amplitude at a share of a piece: in orders of magnitude where it has many, as Omega changes with each. */
-static double sf_amplitude_at(const sf_piece *piece, double share) {
+/* How far along a piece the k-th of n - 1 points inside lies: they crowd towards its ends, where A or Omega may stand
+ * still. */
+static double sf_share_at(int k, int n) { return 0.5 - 0.5 * cos(3.14159265358979312 * k / n); }
+
+/* n - 1 rising amplitudes inside a piece. Where it spans orders of magnitude half of them are shared out among these, as
+ * Omega changes with each; the others follow its top. */
+static void sf_amplitudes_inside(const sf_piece *piece, int n, double *A) {
     const double low = piece->A[0], high = piece->A[1];
-    if (low > 0 && high > 100 * low)
-        return low * exp(share * log(high / low));
-    return low + (high - low) * share;
+    const int many = low > 0 && high > 100 * low, orders = many ? n / 2 : 1, plain = n + 1 - orders;
+    int i = 1, j = 1, k;
+    for (k = 0; k < n - 1; k++) {
+        const double of_plain = i < plain ? low + (high - low) * sf_share_at(i, plain) : HUGE_VAL;
+        const double of_orders = j < orders ? low * exp(sf_share_at(j, orders) * log(high / low)) : HUGE_VAL;
+        A[k] = of_plain <= of_orders ? of_plain : of_orders;
+        of_plain <= of_orders ? i++ : j++;
+    }
 }
 
-/* Points of all shown pieces in order; they crowd towards the ends of a piece, where A or Omega may stand still. */
+/* Points of all shown pieces in order. */
 static void sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, double *Omega,
                        double *A, unsigned char *stable, long long *branch) {
     const sf_curve curve = {model, F_0};
@@ -362,10 +372,13 @@ static void sf_draw(const sf_model *model, double F_0, double samples, const sf_
         const long first = at;
         if (starts)
             A[at] = sf_first_of(piece, piece->A), Omega[at++] = sf_first_of(piece, piece->Omega);
+        sf_amplitudes_inside(piece, n, A + at);
+        for (k = 0; !piece->upward && k < (n - 1) / 2; k++) {
+            const double kept = A[at + k];
+            A[at + k] = A[at + n - 2 - k], A[at + n - 2 - k] = kept;
+        }
         for (k = 1; k < n; k++) {
-            const double share = 0.5 - 0.5 * cos(3.14159265358979312 * (piece->upward ? k : n - k) / n);
             sf_sample sample;
-            A[at] = sf_amplitude_at(piece, share);
             sf_sample_at(model, A[at], &sample);
             Omega[at++] = sf_branch_at(&curve, &sample, piece->count, piece->index);
         }

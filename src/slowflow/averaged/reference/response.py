@@ -349,14 +349,9 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     weights = _weights([segment for _, segment, _ in steps])
     inner = np.ceil(samples * weights / weights.sum()).astype(int) if steps else np.empty(0, dtype=int)
 
-    # Points crowd towards the ends of a segment, where A or Omega may stand still.
     grids, indices = [], []
     for (_, segment, upward), n in zip(steps, inner, strict=True):
-        share = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n) / n)
-        low, high = segment.low[0], segment.high[0]
-        # in orders of magnitude where there are many, as Omega changes with each
-        many = low > 0 and high > 100 * low
-        grid = low * np.exp(share * np.log(high / low)) if many else low + (high - low) * share
+        grid = _inside(segment, int(n))
         grids.append(grid if upward else grid[::-1])
         indices.append(np.full(grid.size, segment.index))
     A_inner = np.concatenate(grids) if grids else np.empty(0)
@@ -394,6 +389,19 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         tuple(closed for _, closed in curves),
         F_0,
     )
+
+
+def _inside(segment: Segment, n: int) -> Floats:
+    """n - 1 rising amplitudes inside a segment; they crowd towards its ends, where A or Omega may stand still.
+
+    Where it spans orders of magnitude half of them are shared out among these, as Omega changes with each; the others
+    follow its top.
+    """
+    low, high = segment.low[0], segment.high[0]
+    orders = n // 2 if low > 0 and high > 100 * low else 1
+    plain = n + 1 - orders
+    shares, of_orders = (0.5 - 0.5 * np.cos(np.pi * np.arange(1, count) / count) for count in (plain, max(orders, 1)))
+    return np.sort(np.concatenate((low + (high - low) * shares, low * np.exp(of_orders * np.log(high / (low or 1.0))))))
 
 
 def _weights(segments: list[Segment]) -> Floats:
