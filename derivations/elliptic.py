@@ -43,6 +43,8 @@ Let = tuple[sp.Symbol, sp.Expr]
 FEW = sp.Rational(7, 10)
 #: breakpoint up to which Gauss's rule serves
 MODERATE = sp.Rational(3, 4)
+#: the largest breakpoint whose double still says how far from 1 it is: u/(1 - b), the error of that, is 5e-13 here
+STEEPEST = sp.Rational(9998, 10000)
 #: multiple of the breakpoint from which on it lies far below
 AWAY = sp.Rational(21, 20)
 #: steps of the mean up to A = FEW, and up to the last double below 1: its differences fall quadratically

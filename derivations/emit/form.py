@@ -139,6 +139,7 @@ class Record:
     parameters      -- what its kernels take, in their order
     pieces          -- names of the generic kernels of each piece of the force and of its slope
     harmonics_up_to -- the largest breakpoint for which the harmonics hold
+    digits_up_to    -- the largest breakpoint for which averages keep their digits
     truncated       -- whether the force is a Taylor polynomial that stands for another
     untruncated     -- name of the mechanism with that other force; "" where there is none
     attached        -- whether the kernel `attached` averages the first piece alone
@@ -148,6 +149,7 @@ class Record:
     parameters: tuple[Parameter, ...]
     pieces: tuple[tuple[str, str], ...]
     harmonics_up_to: sp.Expr
+    digits_up_to: sp.Expr
     truncated: bool
     untruncated: str
     attached: bool

@@ -542,6 +542,7 @@ MECHANISM = Mechanism(
     averaged=averaged,
     harmonics=harmonics,
     harmonics_up_to=float("inf"),
+    digits_up_to=float("inf"),
     reach=float("inf"),
     reach_reason="",
     truncated=False,

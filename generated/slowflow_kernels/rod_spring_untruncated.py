@@ -3212,6 +3212,7 @@ MECHANISM = Mechanism(
     averaged=averaged,
     harmonics=harmonics,
     harmonics_up_to=0.75,
+    digits_up_to=0.9998,
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=False,

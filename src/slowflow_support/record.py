@@ -61,6 +61,7 @@ class Mechanism:
     averaged    -- h = H - A and its first three derivatives at (A, *parameters) (20)-(22), (31)
     harmonics   -- h_3, h_5, each with its first three derivatives, at (A, *parameters)
     harmonics_up_to -- the largest breakpoint for which `harmonics` holds
+    digits_up_to -- the largest breakpoint for which `averaged` keeps its digits
     reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there
     truncated   -- whether the force is a Taylor polynomial that stands for another
     attached    -- the first piece alone, as if it held everywhere; None where there is but one, or no such average
@@ -79,6 +80,7 @@ class Mechanism:
     averaged: Function
     harmonics: Function
     harmonics_up_to: float
+    digits_up_to: float
     reach: float
     reach_reason: str
     truncated: bool

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from derivations.elliptic import evaluable, parts
+from derivations.elliptic import STEEPEST, evaluable, parts
 from derivations.emit.compensated import copysign
 from derivations.emit.form import (
     AVERAGED,
@@ -385,6 +385,7 @@ def record(results: Results, derived: OfMechanism, pieces: tuple[tuple[str, str]
         described(derived.oscillator),
         pieces,
         derived.harmonics.most,
+        STEEPEST if is_spelled_out(derived) else sp.oo,
         truncated,
         twins[0] if twins else "",
         has_attached(derived),

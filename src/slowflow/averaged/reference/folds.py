@@ -107,20 +107,25 @@ def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     if model.zeta == 0:
         return _onset_without_viscous_damping(model)
-    F_0 = RAISE * max(model.m, 1e-6)
+    F_0, rest = RAISE * max(model.m, 1e-6), math.inf
     for _ in range(RAISES):
         A_max, _ = amplitude_bound(model, F_0)
-        located = spans(fold_locus(model), A_max)
-        best = _lowest(model, located)
+        best, at_rest = _lowest(model, spans(fold_locus(model), A_max))
+        # samples up to a larger amplitude may pass what these have found
+        rest = min(rest, at_rest)
         # Every fold at a forcing up to F_0 lies below A_max.
         if best.F_SN is not None and best.F_SN <= F_0:
-            return best
+            return with_folds_at_rest(best, rest)
         F_0 *= RAISE
-    return best if best.remarks else SaddleNodeOnset(None, None, None, "", f"no saddle node up to F_0 = {F_0:g}")
+    nothing = SaddleNodeOnset(None, None, None, "", f"no saddle node up to F_0 = {F_0:g}")
+    return with_folds_at_rest(nothing, rest)
 
 
-def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
-    """Lowest minimum of the level along the fold locus and over the corners, joints of both included."""
+def _lowest(model: Model, located: Spans) -> tuple[SaddleNodeOnset, float]:
+    """Lowest minimum of the level along the fold locus and over the corners, joints of both included.
+
+    Beside it the lowest level at which the locus ends at Omega = 0, inf for none.
+    """
     candidates: list[tuple[float, float, float, str]] = []
     for kind, is_minimum in (("cusp", cusp_is_minimum), ("isola", isola_is_minimum)):
         rows = located.marked(kind)
@@ -135,9 +140,9 @@ def _lowest(model: Model, located: Spans) -> SaddleNodeOnset:
     if np.isclose(rest, model.m, rtol=1e-6, atol=1e-8):  # where h vanishes, not known to the last place
         rest = model.m
     if not candidates:
-        return with_folds_at_rest(SaddleNodeOnset(None, None, None, "", NO_ONSET), rest)
+        return SaddleNodeOnset(None, None, None, "", NO_ONSET), rest
     F_SN, Omega, A, kind = min(candidates)
-    return with_folds_at_rest(SaddleNodeOnset(F_SN, Omega, A, kind, ""), rest)
+    return SaddleNodeOnset(F_SN, Omega, A, kind, ""), rest
 
 
 def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
