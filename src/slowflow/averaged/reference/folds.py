@@ -17,6 +17,7 @@ from slowflow.averaged.reference.roots import fold_roots, peak_roots, response_r
 from slowflow.averaged.reference.spans import Spans, fold_locus, peak_locus, spans, static_locus
 from slowflow.model import Floats, Model
 from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SaddleNodes
+from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.conventions import RAISE, RAISES
 
 #: what is said where there is no answer
@@ -127,16 +128,17 @@ def _lowest(model: Model, located: Spans) -> tuple[SaddleNodeOnset, float]:
     Beside it the lowest level at which the locus ends at Omega = 0, inf for none.
     """
     candidates: list[tuple[float, float, float, str]] = []
+    # a softening force has folds at rest: the locus ends at Omega = 0 where h or h_A vanishes
+    rest = float(located.level[located.mark == "zero"].min(initial=math.inf))
     for kind, is_minimum in (("cusp", cusp_is_minimum), ("isola", isola_is_minimum)):
         rows = located.marked(kind)
         level, Omega, A = located.level[rows, 1], located.Omega[rows, 1], located.A[rows, 1]
         least = is_minimum(model, Omega, A)
         candidates += [(*point, kind) for point in np.stack([level, Omega, A], axis=-1)[least].tolist()]
     for b, jump in zip(model.breakpoints, model.jumps, strict=True):
-        points = _corner_candidates(model, b, located) if jump != 0 else _joints(model, b)
+        points, at_rest = _on_breakpoint(model, b, jump)
         candidates += [(*point, b, "corner") for point in points]
-    # a softening force has folds at rest: the locus ends at Omega = 0 where h or h_A vanishes
-    rest = float(located.level[located.mark == "zero"].min(initial=math.inf))
+        rest = min(rest, at_rest)
     if np.isclose(rest, model.m, rtol=1e-6, atol=1e-8):  # where h vanishes, not known to the last place
         rest = model.m
     if not candidates:
@@ -153,37 +155,37 @@ def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
     return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
 
 
-def _joints(model: Model, b: float) -> list[tuple[float, float]]:
-    """Level and Omega of the folds at a breakpoint where the force does not jump.
+def _on_breakpoint(model: Model, b: float, jump: float) -> tuple[list[tuple[float, float]], float]:
+    """Level and Omega where folds on a breakpoint have their lowest level, and the level of those at Omega = 0.
 
-    The locus goes on there, but its level may turn: h_AA jumps.
+    Where the force jumps by J folds sit on the breakpoint where F_A has there the other sign than R J, which it has
+    next to it: from where the locus below ends, and, for J < 0, from R = 0 on, where the locus above comes in; both
+    lead to a higher Omega and level. Between, the level may be stationary. Where only the slope jumps the locus goes
+    on, but its level may turn, as F_AA above is infinite. As in native/onset.h.
     """
-    A = np.array([b])
-    h, h_A, _, _ = model.averaged(A)
-    roots, count = fold_roots(A, h, h_A, model.m, model.zeta)
-    Omega = roots[0, : count[0]]
-    level = model.flow.level(Omega, b, model.m, model.zeta, h)
-    return list(zip(level.tolist(), Omega.tolist(), strict=True))
+    flow, m, zeta = model.flow, model.m, model.zeta
+    h, h_A, h_AA, _ = model.averaged(b)
+    sign = jump if jump != 0 else float(model.averaged(np.nextafter(b, np.inf))[2] - h_AA)
 
+    def level(Omega: Floats) -> Floats:
+        return np.asarray(flow.level(Omega, b, m, zeta, h))
 
-def _corner_candidates(model: Model, b: float, located: Spans) -> list[tuple[float, float]]:
-    """Level and Omega where the folds that sit on a breakpoint may have their lowest level.
-
-    They fill the Omega for which F_A changes its sign at b: from where the locus below b ends, or from R = 0, where the
-    locus above b comes in with h_A infinite; in between the level may be stationary (F_Omega = 0).
-    """
-    flow, A = model.flow, np.array([b])
-    h = model.averaged(A)[0]
-    Omegas = located.Omega[located.A == b].tolist()
-    if h[0] < 0:
-        Omegas.append(float(flow.backbone(A, h)[0]))
-    stationary, count = peak_roots(A, h, model.m, model.zeta)
-    at = stationary[0, : count[0]]
-    below, above = (F_A(model, at, np.full_like(at, side)) for side in (b, float(np.nextafter(b, np.inf))))
-    Omegas += at[(below > 0) != (above > 0)].tolist()
-    Omega = np.array(Omegas)
-    level = flow.level(Omega, b, model.m, model.zeta, h)
-    return list(zip(level.tolist(), Omegas, strict=True))
+    roots, count = fold_roots(np.array([b]), np.array([h]), np.array([h_A]), m, zeta)
+    w = roots[0, : count[0]]
+    side = flow.F_Omega(w, b, m, zeta, h) * flow.F_AOmega(w, b, m, zeta, h, h_A) * flow.R(w, b, h) * sign
+    falls = general_flow.level_rise(w, b, m, zeta, h, h_A, h_AA) < 0
+    Omega = w[np.asarray(falls & (side < 0))].tolist()
+    if jump == 0:
+        return list(zip(level(np.array(Omega)).tolist(), Omega, strict=True)), math.inf
+    if h < 0 and jump < 0:
+        Omega.append(float(flow.backbone(b, h)))
+    stationary, number = peak_roots(np.array([b]), np.array([h]), m, zeta)
+    w = stationary[0, : number[0]]
+    inside = flow.F_A(w, b, m, zeta, h, h_A) * flow.R(w, b, h) * jump < 0
+    Omega += w[np.asarray(inside & (general_flow.F_OmegaOmega(w, b, zeta, h) > 0))].tolist()
+    ends = h_A * jump < 0 and (m > 0 or general_flow.F_OmegaOmega(0.0, b, zeta, h) >= 0)
+    rest = float(level(np.array(0.0))) if ends else math.inf
+    return list(zip(level(np.array(Omega)).tolist(), Omega, strict=True)), rest
 
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
