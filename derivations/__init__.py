@@ -10,5 +10,15 @@ Out: exact SymPy expressions, which `emit/` prints as kernels and `ledger/` hold
     resultants     (33), (34) critical forcings by elimination
     den_hartog     (35)-(37)  the exact solution of the linear oscillator with dry friction
 
+Beside the paper, for the solvers and the further depths:
+
+    motion         (3), (A1)  the equation of motion as it is followed in time
+    elliptic       (20)       the averaged force that is not truncated
+    frequencies, along, slopes, bounds   what is solved at an amplitude, and what vanishes, rises, is bounded along it
+    monotone                  proof of what the search along the amplitude stands on
+    offset                    whether a motion about the centre stays there
+    harmonics, second_approximation      the higher harmonics and what they add
+    conventions               words and numbers that both languages share
+
 `python -m derivations` runs all of it and writes `generated/`.
 """

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derivations import elliptic, resultants
+from derivations.along import Along, along
 from derivations.averaging import Averaged, averaged
 from derivations.bounds import Bounds, bounds
 from derivations.den_hartog import DenHartog, den_hartog
 from derivations.frequencies import Frequencies, frequencies
 from derivations.harmonics import Harmonics, harmonics
-from derivations.loci import Along, along
 from derivations.mechanisms import Mechanism, all_mechanisms
 from derivations.monotone import prove_monotone
 from derivations.motion import Motion, Smoothed, motion, smoothed
@@ -61,7 +61,7 @@ class Results:
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
     frequencies -- the quartics whose roots are the frequencies at an amplitude
-    loci       -- what vanishes along the amplitude, by scene
+    along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
     detachment -- (34), by scene
@@ -75,7 +75,7 @@ class Results:
     averaged: Averaged
     flows: dict[str, SlowFlow]
     frequencies: Frequencies
-    loci: dict[str, Along]
+    along: dict[str, Along]
     slopes: Slopes
     bounds: Bounds
     detachment: dict[str, Elimination]

@@ -12,9 +12,9 @@ from functools import partial
 
 import sympy as sp
 
+from derivations.along import X_, Along, Damped, T, Undamped, k, k_A, root
 from derivations.bounds import Bounds
 from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
-from derivations.loci import X_, Along, Damped, T, Undamped, k, k_A, root
 from derivations.offset import mean_stiffness, offset_stiffness
 from derivations.resultants import Elimination
 from derivations.results import Results
@@ -57,7 +57,7 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     "averaging.py",
                     "slow_flow.py",
                     "offset.py",
-                    "loci.py",
+                    "along.py",
                     "slopes.py",
                     "bounds.py",
                     "resultants.py",
@@ -87,7 +87,7 @@ def kernels_of(results: Results, scene: str) -> list[Kernel]:
     """All of them, in one scene."""
     flow = results.flows[scene]
     general = [] if scene else [*slope_kernels(flow, results.slopes), bound_kernel(results.bounds)]
-    return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.loci[scene]), *general]
+    return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.along[scene]), *general]
 
 
 def of_R_and_I(
@@ -222,7 +222,7 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
     ]
 
 
-def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
+def locus_kernels(flow: SlowFlow, along: Along) -> list[Kernel]:
     """What the solvers along the amplitude ask: second derivatives, and what vanishes where a curve changes."""
     of_flow = partial(of_R_and_I, flow)
     common = [
@@ -230,7 +230,7 @@ def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
         of_flow(
             "level",
             (Omega, A, m, zeta, h),
-            loci.level,
+            along.level,
             "The forcing F_0 for which (Omega, A) is a steady state.",
             "(24)",
             "Omega >= 0, A > 0",
@@ -238,23 +238,23 @@ def locus_kernels(flow: SlowFlow, loci: Along) -> list[Kernel]:
         plain(
             "rest",
             (F_0, m, h, h_A),
-            loci.rest,
+            along.rest,
             "F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.",
             "from (24)",
             "F_0 >= m",
-            lets=loci.rest_lets,
+            lets=along.rest_lets,
         ),
         plain(
             "intercept",
             (A, h, h_A, h_AA),
-            loci.intercept,
+            along.intercept,
             "k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.",
             "from (24), (30)",
             "A >= 0",
         ),
     ]
-    damped = damped_kernels(loci.damped) if loci.damped else []
-    return [*common, *damped, *(undamped_kernels(loci.undamped) if loci.undamped else [])]
+    damped = damped_kernels(along.damped) if along.damped else []
+    return [*common, *damped, *(undamped_kernels(along.undamped) if along.undamped else [])]
 
 
 def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
@@ -308,82 +308,82 @@ def bound_kernel(bounds: Bounds) -> Kernel:
     )
 
 
-def damped_kernels(loci: Damped) -> list[Kernel]:
+def damped_kernels(along: Damped) -> list[Kernel]:
     """Cusps, isola points and extrema over Omega for zeta > 0."""
     return [
         plain(
             "fold",
             (A, F_0, m, zeta, h, h_A, k, k_A),
-            loci.fold,
+            along.fold,
             "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.",
             "from (24), (30)",
             "A > 0, F_0 > m, k^2 >= F_0^2 - m^2",
-            lets=loci.fold_lets,
+            lets=along.fold_lets,
         ),
-        plain("isola_Omega", (h_A,), loci.isola_Omega, "Omega at an isola point.", "from (30), (34)", "h_A >= 0"),
+        plain("isola_Omega", (h_A,), along.isola_Omega, "Omega at an isola point.", "from (30), (34)", "h_A >= 0"),
         plain(
             "isola",
             (A, m, zeta, h, h_A, h_AA),
-            loci.isola,
+            along.isola,
             "Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.",
             "from (30), (34)",
             "A > 0, h_A > 0; for m = 0 any h_A",
-            lets=loci.isola_lets,
+            lets=along.isola_lets,
         ),
         plain(
             "cusps",
             (A, zeta, h, h_A, h_AA, k),
-            loci.cusps,
+            along.cusps,
             "F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.",
             "from (33)",
             "A > 0",
-            lets=loci.cusps_lets,
+            lets=along.cusps_lets,
         ),
         plain(
             "cusp",
             (A, m, zeta, h_AA, h_AAA, k, X_, T, root),
-            loci.cusp,
+            along.cusp,
             "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.",
             "from (33)",
             "A > 0, X > 0",
-            lets=loci.cusp_lets,
+            lets=along.cusp_lets,
         ),
         plain(
             "peak",
             (Omega, A, F_0, m, zeta, h_A),
-            loci.peak,
+            along.peak,
             "F where F_Omega = 0: an extremum of F over Omega, and its slope along A.",
             "from (24), (34)",
-            lets=loci.peak_lets,
+            lets=along.peak_lets,
         ),
         plain(
             "peak_Omega_A",
             (Omega, A, m, zeta, h_A),
-            loci.peak_Omega_A,
+            along.peak_Omega_A,
             "dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.",
             "from (34)",
-            lets=loci.peak_lets,
+            lets=along.peak_lets,
         ),
     ]
 
 
-def undamped_kernels(loci: Undamped) -> list[Kernel]:
+def undamped_kernels(along: Undamped) -> list[Kernel]:
     """The fold locus for zeta = 0."""
     return [
-        plain("undamped_Omega", (h_A,), loci.Omega, "Omega of the folds.", "from (30)", "h_A <= 0"),
+        plain("undamped_Omega", (h_A,), along.Omega, "Omega of the folds.", "from (30)", "h_A <= 0"),
         plain(
             "fold",
             (F_0, m, k, k_A),
-            loci.fold,
+            along.fold,
             "Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.",
             "from (24), (30)",
             "F_0 > m",
-            lets=loci.fold_lets,
+            lets=along.fold_lets,
         ),
         plain(
             "undamped",
             (A, h, h_A, h_AA, h_AAA),
-            loci.factors,
+            along.factors,
             "The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.",
             "from (30), (33)",
             "A > 0",

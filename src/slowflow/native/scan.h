@@ -2,7 +2,7 @@
  *
  * None is missed: an interval of A is left only when it is proved to hold no zero of a channel, because the function has
  * one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise it is
- * cut in two. What bounds a function and its slope on the interval is said in cells.h and questions.h.
+ * cut in two. What bounds a function and its slope on the interval is said in cells.h and along.h.
  *
  * Where that goes on until no amplitude lies between the ends (a double zero to rounding), the signs at the ends decide.
  */

@@ -1,7 +1,7 @@
 """Saddle-node bifurcations: in goes a model, out come its folds at a forcing, their onset, and the detachment.
 
-Folds at F_0 are level crossings of the fold locus, which is explicit in A (see `loci`), and corners: at a breakpoint b
-of a force that jumps there, F_A changes sign between b and the next amplitude above, without passing zero.
+Folds at F_0 are level crossings of the fold locus, which is explicit in A (see derivations/along.py), and corners: at a
+breakpoint b of a force that jumps there, F_A changes sign between b and the next amplitude above, without passing zero.
 """
 
 from __future__ import annotations

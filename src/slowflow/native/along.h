@@ -12,10 +12,10 @@
  *   SF_PEAK       F = F_Omega = 0                F at its two critical points in Omega
  *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
  *
- * The functions are generated, for numbers and for intervals: derivations/loci.py eliminates Omega.
+ * The functions are generated, for numbers and for intervals: derivations/along.py eliminates Omega.
  */
-#ifndef SF_QUESTIONS_H
-#define SF_QUESTIONS_H
+#ifndef SF_ALONG_H
+#define SF_ALONG_H
 
 #include "cells.h"
 #include "slow_flow_intervals.h"
