@@ -44,10 +44,12 @@ def project(tmp_path_factory):
 def run(folder: Path, *command: str, **environment: str) -> str:
     """What Python prints in that project."""
     paths = os.pathsep.join(str(folder / part) for part in ("src", "generated", "."))
+    # a pytest within takes itself for a worker of this one otherwise, and its C for its own
+    outside = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
     done = subprocess.run(
         [sys.executable, *command],
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": paths, **environment},
+        env={**outside, "PYTHONPATH": paths, **environment},
         capture_output=True,
         text=True,
     )
