@@ -51,7 +51,7 @@ Isolator.many(lam=3, r=r[:10], delta_h=0.08, mu=0.012, zeta=zeta[:10]).detachmen
 before = pages("VmRSS")
 found = Isolator.many(lam=3, r=r, delta_h=0.08, mu=0.012, zeta=zeta).detachment()
 beyond = pages("VmHWM") - before
-answers = sum(array.nbytes for array in vars(found).values())
+answers = sum(value.nbytes for value in vars(found).values() if isinstance(value, np.ndarray))
 assert not found.status.any()
 print(max(0, beyond - answers), answers)
 """
