@@ -67,7 +67,7 @@ def wanted(samples: int) -> dict[str, list[list[list[Any]]]]:
     """By scene: lists of certified vectors, one list for each amplitude of the response."""
     table_1 = certified.Table1()
     return {
-        "response": [[[Omega] for Omega in table_1.response(A)] for A in jobs.amplitudes(Omega=samples).tolist()],
+        "response": [[[Omega] for Omega in table_1.response(A)] for A in jobs.amplitudes(samples).tolist()],
         "folds": [[list(fold) for fold in certified.folds()]],
         "onset": [[list(certified.onset())]],
     }
