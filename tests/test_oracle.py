@@ -25,6 +25,7 @@ from tests.oracles.averaged import (
     _res_quadratic_quartic,
 )
 from tests.oracles.certified_roots import isolate, polynomial_roots, precision
+from tests.oracles.kernels import Truncated
 
 DATA = Path(__file__).parent / "data"
 FILES = ("table_1", "random_isolators", "random_duffing", "negative_stiffness")
@@ -134,20 +135,9 @@ def test_isolation_of_known_roots() -> None:
     assert [float(r.mid()) for r in polynomial_roots(polynomial)] == pytest.approx([1 / 3, 2**0.5])
 
 
-class Wild(RodSpring):
-    """A force of any coefficients that jumps up at u_cr: it has cusps beyond the corner, as no isolator drawn has."""
-
-    def _stiffness(self) -> tuple[fmpq, fmpq, fmpq]:
-        return self.parameters["alpha"], self.parameters["beta"], self.parameters["gamma"]
-
-    @property
-    def u_cr(self) -> arb:
-        return arb(self.parameters["u"])
-
-
 def test_folds_and_their_count_agree_for_a_wild_force() -> None:
-    """Up to ten folds, extrema of every kind: the two ways to count share only h."""
-    model = Wild(alpha=-0.929, beta=182.9, gamma=-2176.5, u=0.28626, mu=0.0315, zeta=0.1612)
+    """It jumps up at u_cr: up to ten folds, extrema of every kind. The two ways to count share only h."""
+    model = Truncated(alpha=-0.929, beta=182.9, gamma=-2176.5, u=0.28626, mu=0.0315, zeta=0.1612)
     levels = [float(p.F_0.mid()) for p in model.extrema]
     assert {(p.kind, p.regime) for p in model.extrema} == {
         ("cusp", "attached"),

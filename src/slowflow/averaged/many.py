@@ -273,10 +273,6 @@ def _share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> N
 # ---- one design, None for a blank answer
 
 
-def _or_nan(value: float | None) -> float:
-    return np.nan if value is None else value
-
-
 def _detachment(oscillator: Any, _: int) -> tuple[Any, ...]:
     found = oscillator and oscillator.detachment()
     if not found or found.F_cr is None:

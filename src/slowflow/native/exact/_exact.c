@@ -213,12 +213,7 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     else if (system != NULL) {
         sf_forced forced = {system, 0.0, F_0, left};
         const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
-        double *const buffer = out.buf;
-        sf_equations found = {.residual = buffer,
-                              .jacobian = buffer + (k + 2),
-                              .of_A = buffer + (k + 2) + (k + 2) * n,
-                              .gradients = buffer + (k + 2) + (k + 3) * n,
-                              .border = at};
+        sf_equations found = sf_equations_in(out.buf, at, k);
         const sf_extra extra = {kind, row.buf, value, border};
         sf_outcome outcome;
         Py_BEGIN_ALLOW_THREADS
@@ -272,12 +267,8 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
     else if (system != NULL) {
         sf_forced forced = {system, 0.0, F_0, left};
         const sf_cycle cycle = {k, signature.buf, half_turns, half_turns % 2 ? -1 : 1};
-        double *const buffer = work + of_newton + 3 * (size_t)size, *const z = point.buf;
-        sf_equations found = {.residual = buffer,
-                              .jacobian = buffer + (k + 2),
-                              .of_A = buffer + (k + 2) + (k + 2) * n,
-                              .gradients = buffer + (k + 2) + (k + 3) * n,
-                              .border = at};
+        double *const z = point.buf;
+        sf_equations found = sf_equations_in(work + of_newton + 3 * (size_t)size, at, k);
         sf_phases phases = {0};
         const long room = (long)((size_t)rows.len / sizeof(double) / sf_numbers_of_point(k));
         if (first.len)

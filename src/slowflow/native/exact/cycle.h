@@ -31,6 +31,17 @@ typedef struct {
  * derivatives and one of theta's. */
 static inline size_t sf_numbers(long k) { return (size_t)(k + 2) + (k + 2) * (k + 4) + (k + 4) + 2 * k * (k + 4); }
 
+/* Equations with their arrays one after the other in sf_numbers(k) numbers. */
+static inline sf_equations sf_equations_in(double *numbers, sf_border *at, long k)
+{
+    const long n = k + 4;
+    return (sf_equations){.residual = numbers,
+                          .jacobian = numbers + (k + 2),
+                          .of_A = numbers + (k + 2) + (k + 2) * n,
+                          .gradients = numbers + (k + 2) + (k + 3) * n,
+                          .border = at};
+}
+
 static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, const double *z, sf_equations *out,
                                      double *work)
 {
