@@ -25,16 +25,16 @@ from derivations.symbols import F_0, A, Omega, h, h_A, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 
-#: Omega^2 and dR/dA where F_AA = 0, and the root of the discriminant that gives them, with its sign
+#: Omega^2, R and dR/dA where F_AA = 0, and the root of the discriminant that gives them, with its sign
 X_ = sp.Symbol("X", nonnegative=True)
-T, root = sp.symbols("T root", real=True)
+R_, T, root = sp.symbols("R T root", real=True)
 #: h - A h_A, where the tangent of h meets A = 0, and its slope along A
 k, k_A = sp.symbols("k k_A", real=True)
 
 _w, _bracket, _bracket_A = sp.symbols("w bracket bracket_A", real=True)
 _product = sp.Symbol("product", nonnegative=True)
 _c, _X = sp.symbols("c X", real=True)
-_half_e, _R = sp.symbols("half_e R", real=True)
+_half_e = sp.Symbol("half_e", real=True)
 _excess, _least, _share, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
 
 
@@ -46,6 +46,7 @@ class Damped:
     isola_Omega -- Omega where F_A = F_Omega = 0
     isola     -- F_Omega/(4 A) there and its slope; for m = 0 without the factor Omega, which then is common
     cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
+    cusp_R    -- R where F_AA = 0, by its tangent and from F_AA = 0 itself, where nothing cancels if h_AA has its sign
     cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
     peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
     peak_Omega_A -- dOmega/dA along F_Omega = 0
@@ -58,6 +59,7 @@ class Damped:
     isola: tuple[sp.Expr, ...]
     cusps_lets: tuple[Let, ...]
     cusps: tuple[sp.Expr, ...]
+    cusp_R: tuple[sp.Expr, ...]
     cusp_lets: tuple[Let, ...]
     cusp: tuple[sp.Expr, ...]
     peak_lets: tuple[Let, ...]
@@ -128,7 +130,7 @@ def along(flow: SlowFlow) -> Along:
 def _damped(flow: SlowFlow) -> Damped:
     fold_lets, fold = _fold(flow)
     isola_lets, isola = _isola(flow)
-    cusps_lets, cusps, cusp_lets, cusp = _cusps(flow)
+    cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
     peak_lets, peak = _peak(flow)
     return Damped(
         fold_lets=fold_lets,
@@ -138,6 +140,7 @@ def _damped(flow: SlowFlow) -> Damped:
         isola=isola,
         cusps_lets=cusps_lets,
         cusps=cusps,
+        cusp_R=cusp_R,
         cusp_lets=cusp_lets,
         cusp=cusp,
         peak_lets=peak_lets,
@@ -218,21 +221,23 @@ def _isola(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     return ((_w, w), *lets), (value, slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)}))
 
 
-def _cusps(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[Let, ...], tuple[sp.Expr, ...]]:
+def _cusps(
+    flow: SlowFlow,
+) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...], tuple[Let, ...], tuple[sp.Expr, ...]]:
     """F_AA/2 is a quadratic in X = Omega^2, and one in T = dR/dA, which is X + h_A; R is k + A T.
 
     Both have the same discriminant. In T the square of h_A, which cancels there, never enters it. Where F_AA vanishes
     F_A/2 may be taken less A F_AA/2, and its slope is -F_AOmega F_AAA/(2 F_AAOmega).
     """
     X = sp.solve(slope(flow.R).subs(Omega, sp.sqrt(X_)) - T, X_)[0]
-    of_T = {R: _R, h_A: T - _w**2, Omega: _w, I: flow.I.subs(Omega, _w)}
-    of_flow = {_R: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
+    of_T = {R: R_, h_A: T - _w**2, Omega: _w, I: flow.I.subs(Omega, _w)}
+    of_flow = {R_: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
     half_F_AA, half_F_A, half_F_AAA = (sp.expand((f / 2).subs(of_T)) for f in (flow.F_AA, flow.F_A, flow.F_AAA))
     by_Omega = sp.expand(flow.F_AOmega.subs(of_T) / (4 * _w))
-    _vanishes((_R - k - A * T).subs(of_flow), "R by k and T")
+    _vanishes((R_ - k - A * T).subs(of_flow), "R by k and T")
 
     in_T, in_X = (
-        sp.Poly(sp.expand(half_F_AA.subs(_R, R_value).subs(_w, sp.sqrt(square)).subs(T, unknown)), variable)
+        sp.Poly(sp.expand(half_F_AA.subs(R_, R_value).subs(_w, sp.sqrt(square)).subs(T, unknown)), variable)
         for R_value, square, unknown, variable in ((k + A * T, X, T, T), (h + A * X_, X_, X_ + h_A, X_))
     )
     for quadratic in (in_T, in_X):
@@ -248,10 +253,10 @@ def _cusps(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[
     # F_AAOmega is 8 Omega times the root of the discriminant, with its sign
     F_AAOmega = 8 * Omega * (slope(flow.R) + half_e)
     _vanishes((flow.F_AAOmega - F_AAOmega).subs({R: flow.R, I: flow.I}), "F_AAOmega where F_AA = 0")
-    less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(_R, k + A * T)), T)
+    less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(R_, k + A * T)), T)
     along = -by_Omega * half_F_AAA / (2 * root)
     expected = -flow.F_AOmega * flow.F_AAA / (2 * F_AAOmega)
-    level = sp.sqrt(k * _R + sp.expand(_intercept(flow.I) * flow.I.subs(Omega, _w)))
+    level = sp.sqrt(k * R_ + sp.expand(_intercept(flow.I) * flow.I.subs(Omega, _w)))
     for one, whole, words in (
         (half_F_A, flow.F_A / 2, "F_A"),
         (less, (flow.F_A - A * flow.F_AA) / 2, "F_A less A F_AA"),
@@ -259,8 +264,14 @@ def _cusps(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[
         (level**2, flow.F + F_0**2 - A * flow.F_A / 2, "the forcing at a cusp"),
     ):
         _vanishes((one.subs(of_flow) - whole).subs({R: flow.R, I: flow.I}), words)
-    lets = ((_w, sp.sqrt(X_)), (_R, k + A * T))
-    return ((_half_e, half_e),), quadratics, lets, (half_F_A.subs(_w**2, X_), less, along, level)
+    of_R = sp.solve(half_F_AA, R_)[0].subs(_w**2, X_)
+    return (
+        ((_half_e, half_e),),
+        quadratics,
+        (k + A * T, of_R),
+        ((_w, sp.sqrt(X_)),),
+        (half_F_A.subs(_w**2, X_), less, along, level),
+    )
 
 
 def _peak(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:

@@ -377,22 +377,30 @@ static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, 
     out[4] = half_e * half_e + t1;
 }
 
+/* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
+   Equation from (33). Domain: A > 0, X >= 0.
+   Operations: 8 structured, 8 common subexpressions, 8 power chains
+ */
+static inline void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, double X, double T, double *out)
+{
+    out[0] = A * T + k;
+    out[1] = (-T * T - 4.0 * X * zeta * zeta) / h_AA;
+}
+
 /* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
    Equation from (33). Domain: A > 0, X > 0.
-   Operations: 49 structured, 38 common subexpressions, 38 power chains
+   Operations: 47 structured, 37 common subexpressions, 37 power chains
  */
-static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double root, double *out)
+static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double R, double root, double *out)
 {
     const double w = sqrt(X);
-    const double t0 = A * T;
-    const double R = k + t0;
-    const double t1 = m * zeta;
-    const double t2 = 2.0 * t1 * w;
-    const double t3 = 4.0 * A * zeta * zeta;
-    out[0] = R * T + X * t3 + t2;
-    out[1] = -A * h_AA * k + T * (-A * A * h_AA + k) + t2;
-    out[2] = 0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-R - t0 - t1 / w - t3) / root;
-    out[3] = sqrt(A * t2 + R * k + m * m);
+    const double t0 = m * zeta;
+    const double t1 = 2.0 * t0 * w;
+    const double t2 = 4.0 * A * zeta * zeta;
+    out[0] = R * T + X * t2 + t1;
+    out[1] = -A * h_AA * k + T * (-A * A * h_AA + k) + t1;
+    out[2] = 0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-A * T - R - t0 / w - t2) / root;
+    out[3] = sqrt(A * t1 + R * k + m * m);
 }
 
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.

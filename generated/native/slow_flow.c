@@ -616,6 +616,30 @@ static const sf_loop slow_flow_cusps_loops[] = {
     slow_flow_cusps_loop,
 };
 
+static SF_WIDE void slow_flow_cusp_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    const double *restrict A = in[0];
+    const double *restrict zeta = in[1];
+    const double *restrict h_AA = in[2];
+    const double *restrict k = in[3];
+    const double *restrict X = in[4];
+    const double *restrict T = in[5];
+    double *restrict out_0 = out[0];
+    double *restrict out_1 = out[1];
+    n = SF_WHOLE(n);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double values[2];
+        slow_flow_cusp_R(A[i], zeta[i], h_AA[i], k[i], X[i], T[i], values);
+        out_0[i] = values[0];
+        out_1[i] = values[1];
+    }
+}
+
+static const sf_loop slow_flow_cusp_R_loops[] = {
+    slow_flow_cusp_R_loop,
+};
+
 static SF_WIDE void slow_flow_cusp_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -626,7 +650,8 @@ static SF_WIDE void slow_flow_cusp_loop(ptrdiff_t n, const double *const *in, do
     const double *restrict k = in[5];
     const double *restrict X = in[6];
     const double *restrict T = in[7];
-    const double *restrict root = in[8];
+    const double *restrict R = in[8];
+    const double *restrict root = in[9];
     double *restrict out_0 = out[0];
     double *restrict out_1 = out[1];
     double *restrict out_2 = out[2];
@@ -635,7 +660,7 @@ static SF_WIDE void slow_flow_cusp_loop(ptrdiff_t n, const double *const *in, do
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         double values[4];
-        slow_flow_cusp(A[i], m[i], zeta[i], h_AA[i], h_AAA[i], k[i], X[i], T[i], root[i], values);
+        slow_flow_cusp(A[i], m[i], zeta[i], h_AA[i], h_AAA[i], k[i], X[i], T[i], R[i], root[i], values);
         out_0[i] = values[0];
         out_1[i] = values[1];
         out_2[i] = values[2];
@@ -931,10 +956,14 @@ static const sf_kernel kernels[] = {
      "F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d. "
      "Equation from (33). Domain: A > 0.",
      6, 5, 1, NULL, slow_flow_cusps_loops},
+    {"cusp_R",
+     "R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself. Equation from (33). Domain: A "
+     "> 0, X >= 0.",
+     6, 2, 1, NULL, slow_flow_cusp_R_loops},
     {"cusp",
      "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0. "
      "Equation from (33). Domain: A > 0, X > 0.",
-     9, 4, 1, NULL, slow_flow_cusp_loops},
+     10, 4, 1, NULL, slow_flow_cusp_loops},
     {"peak",
      "F where F_Omega = 0: an extremum of F over Omega, and its slope along A. Equation from (24), (34). Domain: "
      "Omega > 0, A > 0.",

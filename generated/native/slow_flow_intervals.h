@@ -103,22 +103,28 @@ static inline void slow_flow_intervals_cusps(sf_interval A, sf_interval zeta, sf
     out[4] = sfi_add(sfi_square(half_e), t1);
 }
 
+/* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
+   Equation from (33). Domain: A > 0, X >= 0. */
+static inline void slow_flow_intervals_cusp_R(sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval X, sf_interval T, sf_interval *out)
+{
+    out[0] = sfi_add(sfi_mul(A, T), k);
+    out[1] = sfi_div(sfi_sub(sfi_neg(sfi_square(T)), sfi_times(4.0, sfi_mul(X, sfi_square(zeta)))), h_AA);
+}
+
 /* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
    Equation from (33). Domain: A > 0, X > 0. */
-static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval X, sf_interval T, sf_interval root, sf_interval *out)
+static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval k, sf_interval X, sf_interval T, sf_interval R, sf_interval root, sf_interval *out)
 {
     const sf_interval w = sfi_sqrt(X);
-    const sf_interval t0 = sfi_mul(A, T);
-    const sf_interval R = sfi_add(k, t0);
-    const sf_interval t1 = sfi_mul(m, zeta);
-    const sf_interval t2 = sfi_times(2.0, sfi_mul(t1, w));
-    const sf_interval t3 = sfi_times(4.0, sfi_mul(A, sfi_square(zeta)));
-    out[0] = sfi_add(sfi_add(sfi_mul(R, T), sfi_mul(X, t3)), t2);
+    const sf_interval t0 = sfi_mul(m, zeta);
+    const sf_interval t1 = sfi_times(2.0, sfi_mul(t0, w));
+    const sf_interval t2 = sfi_times(4.0, sfi_mul(A, sfi_square(zeta)));
+    out[0] = sfi_add(sfi_add(sfi_mul(R, T), sfi_mul(X, t2)), t1);
     out[1] = sfi_add(sfi_add(sfi_neg(sfi_mul(sfi_mul(A, h_AA), k)), sfi_mul(T,
-        sfi_add(sfi_neg(sfi_mul(sfi_square(A), h_AA)), k))), t2);
+        sfi_add(sfi_neg(sfi_mul(sfi_square(A), h_AA)), k))), t1);
     out[2] = sfi_div(sfi_times(0.5, sfi_mul(sfi_add(sfi_mul(R, h_AAA), sfi_times(3.0, sfi_mul(T, h_AA))),
-        sfi_sub(sfi_sub(sfi_sub(sfi_neg(R), t0), sfi_div(t1, w)), t3))), root);
-    out[3] = sfi_sqrt(sfi_add(sfi_add(sfi_mul(A, t2), sfi_mul(R, k)), sfi_square(m)));
+        sfi_sub(sfi_sub(sfi_sub(sfi_neg(sfi_mul(A, T)), R), sfi_div(t0, w)), t2))), root);
+    out[3] = sfi_sqrt(sfi_add(sfi_add(sfi_mul(A, t1), sfi_mul(R, k)), sfi_square(m)));
 }
 
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.

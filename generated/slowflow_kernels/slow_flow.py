@@ -31,6 +31,7 @@ __all__ = [
     "R",
     "backbone",
     "cusp",
+    "cusp_R",
     "cusp_bend",
     "cusps",
     "detachment",
@@ -484,25 +485,37 @@ def cusps(A, zeta, h, h_A, h_AA, k):
     )
 
 
-def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, root):
+def cusp_R(A, zeta, h_AA, k, X, T):
+    """R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
+
+    Equation from (33). Domain: A > 0, X >= 0.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    """
+    A, zeta, h_AA, k, X, T = floats(A, zeta, h_AA, k, X, T)
+    arguments = (A, zeta, h_AA, k, X, T)
+    return (
+        full(A * T + k, arguments),
+        full((-T * T - 4.0 * X * zeta * zeta) / h_AA, arguments),
+    )
+
+
+def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     """Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
 
     Equation from (33). Domain: A > 0, X > 0.
-    Operations: 49 structured, 38 common subexpressions, 38 power chains.
+    Operations: 47 structured, 37 common subexpressions, 37 power chains.
     """
-    A, m, zeta, h_AA, h_AAA, k, X, T, root = floats(A, m, zeta, h_AA, h_AAA, k, X, T, root)
+    A, m, zeta, h_AA, h_AAA, k, X, T, R, root = floats(A, m, zeta, h_AA, h_AAA, k, X, T, R, root)
     w = np.sqrt(X)
-    t0 = A * T
-    R = k + t0
-    t1 = m * zeta
-    t2 = 2.0 * t1 * w
-    t3 = 4.0 * A * zeta * zeta
-    arguments = (A, m, zeta, h_AA, h_AAA, k, X, T, root)
+    t0 = m * zeta
+    t1 = 2.0 * t0 * w
+    t2 = 4.0 * A * zeta * zeta
+    arguments = (A, m, zeta, h_AA, h_AAA, k, X, T, R, root)
     return (
-        full(R * T + X * t3 + t2, arguments),
-        full(-A * h_AA * k + T * (-A * A * h_AA + k) + t2, arguments),
-        0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-R - t0 - t1 / w - t3) / root,
-        full(np.sqrt(A * t2 + R * k + m * m), arguments),
+        full(R * T + X * t2 + t1, arguments),
+        full(-A * h_AA * k + T * (-A * A * h_AA + k) + t1, arguments),
+        full(0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-A * T - R - t0 / w - t2) / root, arguments),
+        full(np.sqrt(A * t1 + R * k + m * m), arguments),
     )
 
 
@@ -692,6 +705,7 @@ if NATIVE is not None:
         isola_Omega,
         isola,
         cusps,
+        cusp_R,
         cusp,
         peak,
         peak_Omega_A,

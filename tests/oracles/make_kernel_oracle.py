@@ -320,8 +320,20 @@ def cusps(A, zeta, h, h_A, h_AA, k):
     return [a, b, *quadratic(lambda X: half_F_AA(X, h)), a**2 - b]
 
 
-def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, root):
-    """By differentiating F along A and Omega; F_AA/2 = (X - X_1)(X - X_2), root = (X_1 - X_2)/2, at X = X_1."""
+def cusp_R(A, zeta, h_AA, k, X, T):
+    """k + A T, and the R for which F_AA, which is linear in it, vanishes."""
+
+    def F_AA(R):
+        return slope_of_response(2, mp.sqrt(X), A, 0, zeta, R - A * X, T - X, h_AA)
+
+    return [k + A * T, F_AA(mpf(0)) / (F_AA(mpf(0)) - F_AA(mpf(1)))]
+
+
+def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
+    """By differentiating F along A and Omega; F_AA/2 = (X - X_1)(X - X_2), root = (X_1 - X_2)/2, at X = X_1.
+
+    R is k + A T, exactly.
+    """
     w, h_A = mp.sqrt(X), T - X
     values = (k + A * T - A * X, h_A, h_AA, h_AAA)
     half_F_A, half_F_AA, half_F_AAA = (slope_of_response(n, w, A, m, zeta, *values) / 2 for n in (1, 2, 3))
@@ -439,7 +451,8 @@ DAMPED: dict[str, tuple[str, Function, int]] = {
     "isola": ("A m zeta h h_A h_AA", isola, 1),
     "fold": ("A F_0 m zeta h h_A intercept k_A", fold, 0),
     "cusps": ("A zeta h h_A h_AA intercept", cusps, 0),
-    "cusp": ("A m zeta h_AA h_AAA intercept X T root", cusp, 0),
+    "cusp_R": ("A zeta h_AA intercept X T", cusp_R, 0),
+    "cusp": ("A m zeta h_AA h_AAA intercept X T R root", cusp, 0),
     "peak": ("Omega A F_0 m zeta h_A", peak, 0),
     "peak_Omega_A": ("Omega A m zeta h_A", lambda *x: [peak_slope(*x)], 0),
 }
@@ -1039,6 +1052,7 @@ RANGES = {
     "k_A": (-3.0, 3.0),
     "X": (0.1, 4.0),
     "T": (-0.9, 0.9),
+    "R": (1.0, 3.0),  # in place of k + A T
     **dict.fromkeys(("cosine", "sine", "slip"), (-0.99, 0.99)),
     **dict.fromkeys(("v", "f", "inner", "outer"), (-1.0, 1.0)),
     **dict.fromkeys(("f_u", "inner_u", "outer_u"), (-0.5, 2.0)),
@@ -1109,7 +1123,7 @@ def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
 #: a scene takes these from the general module: nothing vanishes in them; or has them not
 SAME_IN_SCENES = {
     *("friction", "R", "backbone", "transmissibility", "jacobian", "mean_stiffness", "offset_stiffness"),
-    *("rest", "intercept", "isola_Omega", "cusps", "cusp", "peak", "peak_Omega_A"),
+    *("rest", "intercept", "isola_Omega", "cusps", "cusp_R", "cusp", "peak", "peak_Omega_A"),
     "F_OmegaOmega",
 }
 
@@ -1142,6 +1156,11 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
             intercept = names.split().index("intercept")
             for x in chosen[::2]:
                 x[intercept] *= -1
+        if "R" in names.split():  # k + A T in so few digits that it is a double
+            k, A, T, R = (names.split().index(x) for x in ("intercept", "A", "T", "R"))
+            for x in chosen:
+                x[k], x[A], x[T] = (round(x[i] * 2**20) / 2**20 for i in (k, A, T))
+                x[R] = x[k] + x[A] * x[T]
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
     return table
 

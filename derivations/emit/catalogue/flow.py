@@ -12,7 +12,7 @@ from functools import partial
 
 import sympy as sp
 
-from derivations.along import X_, Along, Damped, T, Undamped, k, k_A, root
+from derivations.along import R_, X_, Along, Damped, T, Undamped, k, k_A, root
 from derivations.bounds import Bounds
 from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
 from derivations.offset import mean_stiffness, offset_stiffness
@@ -35,7 +35,7 @@ IN_SCENES = (
 
 #: what the solvers ask on whole intervals of the amplitude, by scene: the general form where it holds for zeros too
 ENCLOSED = {
-    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp", "peak"),
+    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak"),
     "mu0": ("isola",),
     "zeta0": ("fold",),
 }
@@ -340,8 +340,16 @@ def damped_kernels(along: Damped) -> list[Kernel]:
             lets=along.cusps_lets,
         ),
         plain(
+            "cusp_R",
+            (A, zeta, h_AA, k, X_, T),
+            along.cusp_R,
+            "R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.",
+            "from (33)",
+            "A > 0, X >= 0",
+        ),
+        plain(
             "cusp",
-            (A, m, zeta, h_AA, h_AAA, k, X_, T, root),
+            (A, m, zeta, h_AA, h_AAA, k, X_, T, R_, root),
             along.cusp,
             "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.",
             "from (33)",

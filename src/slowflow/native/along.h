@@ -51,17 +51,19 @@ typedef struct {
     int edge;
 } sf_range;
 
-/* A question with what it needs. F_0: of cusps, those at a higher forcing may be left out */
+/* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST. most: of SF_CUSP, where only the lowest minimum of
+ * the level is wanted, a forcing above which cusps may be left out: each minimum found lowers it; NULL for all cusps */
 typedef struct {
     sf_question question;
     const sf_model *model;
     double F_0;
     double least; /* of |k| at a fold: sqrt(F_0^2 - m^2) */
+    double *most;
 } sf_asked;
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
-    asked.question = question, asked.model = model, asked.F_0 = F_0;
+    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL;
     asked.least = question == SF_FOLD_AT ? sqrt(F_0 - model->m) * sqrt(F_0 + model->m) : 0;
     return asked;
 }
@@ -142,11 +144,13 @@ static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_an
     slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->k, q);
     for (i = 0; i < 2 && q[4] >= 0; i++) {
         const double root = sqrt(q[4]), X = sf_quadratic_root(q[2], q[3], root, i == 0);
-        double cusp[4];
+        const double T = sf_quadratic_root(q[0], q[1], root, i == 0);
+        double R[2], cusp[4];
         if (!(X > 0))
             continue;
-        slow_flow_cusp(at->A, model->m, model->zeta, at->h_AA, at->h_AAA, at->k, X,
-                       sf_quadratic_root(q[0], q[1], root, i == 0), i == 0 ? root : -root, cusp);
+        slow_flow_cusp_R(at->A, model->zeta, at->h_AA, at->k, X, T, R);
+        slow_flow_cusp(at->A, model->m, model->zeta, at->h_AA, at->h_AAA, at->k, X, T, R[0], i == 0 ? root : -root,
+                       cusp);
         out->exists[i] = 1;
         out->Omega[i] = sqrt(X);
         out->y[i] = cusp[0], out->dy[i] = cusp[2];
@@ -246,6 +250,14 @@ static inline void sf_ask(const sf_asked *asked, const sf_sample *at, sf_answer 
     }
 }
 
+/* Whether the level has a minimum along the fold locus at a cusp or an isola point, from its second derivative. */
+static inline int sf_is_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w) {
+    const double m = model->m, zeta = model->zeta;
+    if (question == SF_ISOLA)
+        return slow_flow_isola_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA) > 0;
+    return slow_flow_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
+}
+
 static inline int sf_channels(sf_question question) { return question == SF_ISOLA || question == SF_FOLD_AT ? 1 : 2; }
 
 /* ==== On a cell ==================================================================================================== */
@@ -313,7 +325,8 @@ static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, 
 
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
  * other one. */
-static inline void sf_range_cusp(const sf_model *model, double most, const sf_cell *cell, int open, sf_range out[2]) {
+static inline void sf_range_cusp(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
+    const sf_model *model = asked->model;
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
     const int alike = (cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0);
     sf_interval q[5], root;
@@ -326,7 +339,7 @@ static inline void sf_range_cusp(const sf_model *model, double most, const sf_ce
         return;
     root = sfi_sqrt(q[4]);
     for (i = 0; i < 2; i++) {
-        sf_interval X, T, cusp[4];
+        sf_interval X, T, R[2], cusp[4];
         sf_where where;
         if (!(open & 1 << i))
             continue;
@@ -334,10 +347,12 @@ static inline void sf_range_cusp(const sf_model *model, double most, const sf_ce
         where = sf_where_positive(X);
         if (where == SF_NOWHERE)
             continue;
+        X.lo = sfi_most(X.lo, 0);
         T = sf_quadratic_root_range(q[0], q[1], root, i == 0);
-        slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, sfi_of(sfi_most(X.lo, 0), X.hi), T,
+        slow_flow_intervals_cusp_R(cell->A, zeta, cell->h_AA, cell->k, X, T, R);
+        slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, X, T, sfi_both(R[0], R[1]),
                                  i == 0 ? root : sfi_neg(root), cusp);
-        if (cusp[3].lo > most)
+        if (asked->most != NULL && cusp[3].lo > *asked->most)
             continue;
         sf_range_simple(sfi_both(cusp[0], cusp[1]), cusp[2], q[4].lo > 0 ? where : SF_PARTLY, &out[i]);
     }
@@ -460,7 +475,7 @@ static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, int
         sf_range_isola(model, cell, out);
         break;
     case SF_CUSP:
-        sf_range_cusp(model, asked->F_0, cell, open, out);
+        sf_range_cusp(asked, cell, open, out);
         break;
     case SF_TURN:
         sf_range_turn(model, cell, open, out);

@@ -231,7 +231,7 @@ static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_ze
         sf_ask_all(model, SF_UNDAMPED, 0, piece, found);
     } else {
         sf_ask_all(model, SF_ISOLA, 0, piece, found);
-        sf_ask_all(model, SF_CUSP, HUGE_VAL, piece, found);
+        sf_ask_all(model, SF_CUSP, 0, piece, found);
         sf_ask_all(model, SF_TURN, 0, piece, found);
     }
     sf_sort_zeros(found);
@@ -376,14 +376,6 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
 }
 
 /* ==== The locus itself ============================================================================================= */
-
-/* Whether the level has a minimum along the fold locus at a cusp or an isola point, from its second derivative. */
-static int sf_is_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w) {
-    const double m = model->m, zeta = model->zeta;
-    if (question == SF_ISOLA)
-        return slow_flow_isola_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA) > 0;
-    return slow_flow_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
-}
 
 /* The forcing at an extremum: at a cusp in the form that loses no digits where damping is small. */
 static double sf_extremum_level(const sf_model *model, const sf_zero *zero, const sf_sample *at) {

@@ -33,10 +33,13 @@ static void sf_consider_end(const sf_model *model, const sf_sample *at, double l
 
 /* Where the level may be least inside a piece: cusps, isola points, ends. */
 static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
+    sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
+    double most = best->F_SN;
     int i;
     sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
     sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
-    sf_ask_all(model, SF_CUSP, best->F_SN, piece, zeros);
+    cusps.most = &most;
+    sf_find_zeros(&cusps, piece, zeros);
     for (i = 0; i < zeros->n; i++) {
         const sf_zero *zero = &zeros->at[i];
         sf_sample at;

@@ -80,6 +80,8 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     zero.A = probe.at.A, zero.Omega = sf_Omega_at_zero(&probe, c), zero.low = lo.at.A, zero.high = hi.at.A;
     zero.question = search->asked.question, zero.channel = c, zero.rising = rising;
     sf_add_zero(search->found, zero);
+    if (search->asked.most != NULL && sf_is_minimum(search->asked.model, zero.question, &probe.at, zero.Omega))
+        *search->asked.most = fmin(*search->asked.most, probe.answer.level[c]);
 }
 
 /* Whether a channel is settled on an interval, its zero being found if it has one; `last`: settled anyway. */
