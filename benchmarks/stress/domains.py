@@ -44,6 +44,7 @@ BOX: dict[str, tuple[float, float, bool, bool]] = {
     "k_A": (1e-9, 1e6, True, True),
     "X": (1e-6, 1e6, False, False),
     "T": (1e-9, 1e6, True, True),
+    "R": (1e-9, 1e6, True, True),
 }
 #: modules whose numbers have no scale to vary over: the ranges of the kernels' oracle serve
 PLAIN = ("motion", "den_hartog", "second_approximation")
@@ -75,6 +76,8 @@ def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
             return False
     x = dict(zip(names, at, strict=True))
     if "h_3" in x and not -0.5 < -x["h"] / (x["A"] * x["Omega"] ** 2) < 8:
+        return False
+    if "T" in x and "R" not in x and x["h_AA"] == 0:  # one form of R divides by it
         return False
     return "tau" not in x or x["tau"] <= math.pi / (2 * x["Omega"])
 

@@ -188,6 +188,7 @@ class Module:
     constants  -- Python constants (name, value)
     twofolds   -- kernels in double-double
     record     -- of a mechanism's own module
+    cells      -- kernels that are wanted on intervals only
     """
 
     name: str
@@ -201,6 +202,7 @@ class Module:
     constants: dict[str, object] = field(default_factory=dict)
     twofolds: tuple[TwofoldKernel, ...] = ()
     record: Record | None = None
+    cells: tuple[Kernel, ...] = ()
 
     @property
     def loops(self) -> bool:

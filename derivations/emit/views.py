@@ -113,7 +113,7 @@ def programs(module: Module) -> Code:
     """The straight-line code of every branch, by kernel."""
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
-        for kernel in module.kernels
+        for kernel in (*module.kernels, *module.cells)
     }
 
 

@@ -138,4 +138,42 @@ static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf
     out[1] = sfi_neg(sfi_times(2.0, sfi_mul(R, sfi_sub(sfi_square(Omega), h_A))));
 }
 
+/* F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.
+   Equation from (33). Domain: A > 0, h_AA other than 0. */
+static inline void slow_flow_intervals_cusps_scaled(sf_interval A, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval kappa, sf_interval *out)
+{
+    const sf_interval t0 = sfi_square(zeta);
+    const sf_interval half_e = sfi_add(sfi_point(0.5), sfi_div(sfi_times(2.0, t0), sfi_mul(A, h_AA)));
+    const sf_interval t1 = sfi_div(sfi_times(4.0, sfi_mul(h_A, t0)), sfi_mul(sfi_square(A), sfi_square(h_AA)));
+    out[0] = half_e;
+    out[1] = sfi_sub(kappa, t1);
+    out[2] = sfi_add(sfi_sub(sfi_square(half_e), kappa), t1);
+}
+
+/* Omega^2 by t (`cusps_scaled`).
+   Equation from (33). Domain: A > 0. */
+static inline sf_interval slow_flow_intervals_cusp_X(sf_interval A, sf_interval h_A, sf_interval h_AA, sf_interval t)
+{
+    return sfi_sub(sfi_mul(sfi_mul(A, h_AA), t), h_A);
+}
+
+/* Where F_AA = 0 (`cusps_scaled`; root = a + t, rho = A h_AAA/h_AA): F_A/2, its slope, F_0 if it is 0.
+   Equation from (33). Domain: A > 0, X > 0, h_AA other than 0. */
+static inline void slow_flow_intervals_cusp_scaled(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval rho, sf_interval X, sf_interval t, sf_interval root, sf_interval *out)
+{
+    const sf_interval w = sfi_sqrt(X);
+    const sf_interval sum = sfi_add(kappa, t);
+    const sf_interval t0 = sfi_mul(m, zeta);
+    const sf_interval t1 = sfi_times(2.0, sfi_mul(t0, w));
+    const sf_interval t2 = sfi_times(4.0, sfi_mul(A, sfi_square(zeta)));
+    const sf_interval t3 = sfi_mul(sfi_square(h_AA), sum);
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval A3 = sfi_mul(A, A2);
+    const sf_interval A4 = sfi_square(A2);
+    out[0] = sfi_add(sfi_add(sfi_mul(sfi_mul(A3, t), t3), sfi_mul(X, t2)), t1);
+    out[1] = sfi_neg(sfi_div(sfi_times(0.5, sfi_mul(sfi_mul(h_AA, sfi_add(sfi_mul(rho, sum), sfi_times(3.0, t))),
+        sfi_add(sfi_add(sfi_mul(sfi_mul(A2, h_AA), sfi_add(sum, t)), sfi_div(t0, w)), t2))), root));
+    out[2] = sfi_sqrt(sfi_add(sfi_add(sfi_mul(A, t1), sfi_mul(sfi_mul(A4, kappa), t3)), sfi_square(m)));
+}
+
 #endif

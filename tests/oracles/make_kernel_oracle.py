@@ -332,15 +332,16 @@ def cusp_R(A, zeta, h_AA, k, X, T):
 def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     """By differentiating F along A and Omega; F_AA/2 = (X - X_1)(X - X_2), root = (X_1 - X_2)/2, at X = X_1.
 
-    R is k + A T, exactly.
+    R is k + A T, which the second uses; the forcing is that of R (k + A T) in place of R^2.
     """
     w, h_A = mp.sqrt(X), T - X
-    values = (k + A * T - A * X, h_A, h_AA, h_AAA)
-    half_F_A, half_F_AA, half_F_AAA = (slope_of_response(n, w, A, m, zeta, *values) / 2 for n in (1, 2, 3))
+    values, tangent = (((r - A * X, h_A, h_AA, h_AAA)) for r in (R, k + A * T))
+    half_F_A, half_F_AAA = (slope_of_response(n, w, A, m, zeta, *values) / 2 for n in (1, 3))
+    by_tangent = [slope_of_response(n, w, A, m, zeta, *tangent) / 2 for n in (1, 2)]
     half_F_AAOmega = mp.diff(lambda v: (v**2 - X) * (v**2 - X + 2 * root), w)
     along = -mixed_slope(w, A, m, zeta, *values[:2]) / 2 * half_F_AAA / half_F_AAOmega
-    R, I = balances(w, A, m, zeta, values[0])
-    return [half_F_A, half_F_A - A * half_F_AA, along, mp.sqrt(R**2 + I**2 - A * half_F_A)]
+    I = balances(w, A, m, zeta, values[0])[1]
+    return [half_F_A, by_tangent[0] - A * by_tangent[1], along, mp.sqrt(R * (k + A * T) + I**2 - A * half_F_A)]
 
 
 def stationary(Omega, A, m, zeta):
@@ -1052,7 +1053,7 @@ RANGES = {
     "k_A": (-3.0, 3.0),
     "X": (0.1, 4.0),
     "T": (-0.9, 0.9),
-    "R": (1.0, 3.0),  # in place of k + A T
+    "R": (0.1, 4.0),
     **dict.fromkeys(("cosine", "sine", "slip"), (-0.99, 0.99)),
     **dict.fromkeys(("v", "f", "inner", "outer"), (-1.0, 1.0)),
     **dict.fromkeys(("f_u", "inner_u", "outer_u"), (-0.5, 2.0)),
@@ -1153,14 +1154,10 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
             for x in chosen:
                 x[h_A] = sign * abs(x[h_A])
         if "intercept" in names:
-            intercept = names.split().index("intercept")
+            with_it = [k for k, argument in enumerate(names.split()) if argument in ("intercept", "R")]
             for x in chosen[::2]:
-                x[intercept] *= -1
-        if "R" in names.split():  # k + A T in so few digits that it is a double
-            k, A, T, R = (names.split().index(x) for x in ("intercept", "A", "T", "R"))
-            for x in chosen:
-                x[k], x[A], x[T] = (round(x[i] * 2**20) / 2**20 for i in (k, A, T))
-                x[R] = x[k] + x[A] * x[T]
+                for k in with_it:
+                    x[k] *= -1
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
     return table
 

@@ -12,7 +12,21 @@ from functools import partial
 
 import sympy as sp
 
-from derivations.along import R_, X_, Along, Damped, T, Undamped, k, k_A, root
+from derivations.along import (
+    R_,
+    X_,
+    Along,
+    Damped,
+    T,
+    Undamped,
+    k,
+    k_A,
+    kappa,
+    rho,
+    root,
+    scaled_root,
+    t,
+)
 from derivations.bounds import Bounds
 from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
 from derivations.offset import mean_stiffness, offset_stiffness
@@ -68,6 +82,7 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     if kernel.name not in borrowed
                 ),
                 borrowed=borrowed,
+                cells=() if scene else cell_kernels(results.along[scene].damped),
                 constants={"SCENE": told(results.flows[scene], scene)},
             )
         )
@@ -373,6 +388,31 @@ def damped_kernels(along: Damped) -> list[Kernel]:
             lets=along.peak_lets,
         ),
     ]
+
+
+def cell_kernels(along: Damped) -> tuple[Kernel, ...]:
+    """Cusps in numbers without scale: on a cell of amplitudes they hold less beside the values than `cusps`, `cusp`."""
+    return (
+        plain(
+            "cusps_scaled",
+            (A, zeta, h_A, h_AA, kappa),
+            along.cusps_scaled,
+            "F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.",
+            "from (33)",
+            "A > 0, h_AA other than 0",
+            lets=along.cusps_scaled_lets,
+        ),
+        plain("cusp_X", (A, h_A, h_AA, t), along.cusp_X, "Omega^2 by t (`cusps_scaled`).", "from (33)", "A > 0"),
+        plain(
+            "cusp_scaled",
+            (A, m, zeta, h_AA, kappa, rho, X_, t, scaled_root),
+            along.cusp_scaled,
+            "Where F_AA = 0 (`cusps_scaled`; root = a + t, rho = A h_AAA/h_AA): F_A/2, its slope, F_0 if it is 0.",
+            "from (33)",
+            "A > 0, X > 0, h_AA other than 0",
+            lets=along.cusp_scaled_lets,
+        ),
+    )
 
 
 def undamped_kernels(along: Undamped) -> list[Kernel]:

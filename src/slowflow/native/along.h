@@ -263,7 +263,7 @@ static inline int sf_channels(sf_question question) { return question == SF_ISOL
 /* ==== On a cell ==================================================================================================== */
 
 static inline sf_where sf_where_positive(sf_interval x) {
-    return x.lo > 0 ? SF_THROUGHOUT : x.hi > 0 ? SF_PARTLY : SF_NOWHERE;
+    return x.lo > 0 ? SF_THROUGHOUT : x.hi <= 0 ? SF_NOWHERE : SF_PARTLY;
 }
 
 static inline void sf_range_simple(sf_interval y, sf_interval dy, sf_where where, sf_range *out) {
@@ -323,38 +323,82 @@ static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, 
     return direct;
 }
 
-/* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
- * other one. */
-static inline void sf_range_cusp(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
-    const sf_model *model = asked->model;
-    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
-    const int alike = (cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0);
-    sf_interval q[5], root;
-    int i;
-    out[0].where = out[1].where = SF_NOWHERE;
-    if (alike)
-        return;
+/* Of a cusp on a cell, nowhere at first: where its Omega^2 is real and positive, F_A/2 with its slope, and the forcing. */
+typedef struct {
+    sf_where where;
+    sf_interval y, dy, level;
+} sf_cusp_range;
+
+static inline sf_where sf_where_both(sf_interval discriminant, sf_interval X) {
+    const sf_where where = sf_where_positive(X);
+    return where == SF_THROUGHOUT && !(discriminant.lo > 0) ? SF_PARTLY : where;
+}
+
+static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval zeta, int larger, sf_cusp_range *out) {
+    sf_interval q[5], root, X, T, R[2], cusp[4];
     slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, q);
     if (q[4].hi < 0)
         return;
     root = sfi_sqrt(q[4]);
+    X = sf_quadratic_root_range(q[2], q[3], root, larger);
+    out->where = sf_where_both(q[4], X);
+    if (out->where == SF_NOWHERE)
+        return;
+    X.lo = sfi_most(X.lo, 0);
+    T = sf_quadratic_root_range(q[0], q[1], root, larger);
+    slow_flow_intervals_cusp_R(cell->A, zeta, cell->h_AA, cell->k, X, T, R);
+    slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, X, T, sfi_both(R[0], R[1]),
+                             larger ? root : sfi_neg(root), cusp);
+    out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3];
+}
+
+/* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. */
+static inline void sf_cusp_scaled_on(const sf_cell *cell, sf_interval rho, sf_interval kappa, sf_interval m,
+                                     sf_interval zeta, int larger, sf_cusp_range *out) {
+    const int larger_t = larger == (cell->h_AA.lo > 0);
+    sf_interval q[3], root, X, t, cusp[3];
+    slow_flow_intervals_cusps_scaled(cell->A, zeta, cell->h_A, cell->h_AA, kappa, q);
+    if (q[2].hi < 0)
+        return;
+    root = sfi_sqrt(q[2]);
+    t = sf_quadratic_root_range(q[0], q[1], root, larger_t);
+    X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
+    if (!(X.lo > 0)) { /* near Omega = 0 that cancels */
+        sf_interval by_X[5];
+        slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, by_X);
+        X = sfi_both(X, sf_quadratic_root_range(by_X[2], by_X[3], sfi_sqrt(by_X[4]), larger));
+    }
+    out->where = sf_where_both(q[2], X);
+    if (out->where == SF_NOWHERE)
+        return;
+    X.lo = sfi_most(X.lo, 0);
+    slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t, larger_t ? root : sfi_neg(root),
+                                    cusp);
+    out->y = cusp[0], out->dy = cusp[1], out->level = cusp[2];
+}
+
+/* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
+ * other one. */
+static inline void sf_range_cusp(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
+    const sf_interval m = sfi_point(asked->model->m), zeta = sfi_point(asked->model->zeta);
+    const int alike = (cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0);
+    sf_interval rho = {0, 0}, kappa = {0, 0};
+    int i, scaled;
+    out[0].where = out[1].where = SF_NOWHERE;
+    if (alike)
+        return;
+    scaled = sf_scaled(cell, &rho, &kappa);
     for (i = 0; i < 2; i++) {
-        sf_interval X, T, R[2], cusp[4];
-        sf_where where;
+        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}};
         if (!(open & 1 << i))
             continue;
-        X = sf_quadratic_root_range(q[2], q[3], root, i == 0);
-        where = sf_where_positive(X);
-        if (where == SF_NOWHERE)
+        if (scaled)
+            sf_cusp_scaled_on(cell, rho, kappa, m, zeta, i == 0, &cusp);
+        else
+            sf_cusp_on(cell, m, zeta, i == 0, &cusp);
+        if (cusp.where == SF_NOWHERE || (asked->most != NULL && cusp.level.lo > *asked->most))
             continue;
-        X.lo = sfi_most(X.lo, 0);
-        T = sf_quadratic_root_range(q[0], q[1], root, i == 0);
-        slow_flow_intervals_cusp_R(cell->A, zeta, cell->h_AA, cell->k, X, T, R);
-        slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, X, T, sfi_both(R[0], R[1]),
-                                 i == 0 ? root : sfi_neg(root), cusp);
-        if (asked->most != NULL && cusp[3].lo > *asked->most)
-            continue;
-        sf_range_simple(sfi_both(cusp[0], cusp[1]), cusp[2], q[4].lo > 0 ? where : SF_PARTLY, &out[i]);
+        sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
     }
 }
 

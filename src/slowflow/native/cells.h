@@ -28,6 +28,7 @@ typedef struct {
 } sf_stretches;
 
 typedef struct {
+    const sf_sample *first, *last;
     sf_interval A, h, h_A, h_AA, h_AAA, k, k_A;
 } sf_cell;
 
@@ -99,6 +100,7 @@ static inline sf_interval sf_along(const sf_sample *a, const sf_sample *b, doubl
 }
 
 static inline void sf_make_cell(const sf_sample *a, const sf_sample *b, sf_cell *cell) {
+    cell->first = a, cell->last = b;
     cell->A = sfi_of(a->A, b->A);
     cell->h_AAA = sfi_hull(a->h_AAA, b->h_AAA);
     cell->h_AA = sf_along(a, b, a->h_AA, b->h_AA, a->h_AAA, b->h_AAA, cell->h_AAA);
@@ -106,6 +108,31 @@ static inline void sf_make_cell(const sf_sample *a, const sf_sample *b, sf_cell 
     cell->h = sf_along(a, b, a->h, b->h, a->h_A, b->h_A, cell->h_A);
     cell->k_A = sfi_neg(sfi_mul(cell->A, cell->h_AA));
     cell->k = sf_along(a, b, a->k, b->k, a->A * a->h_AA, b->A * b->h_AA, cell->k_A);
+}
+
+static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at->A * at->h_AA); }
+
+/* rho = A h_AAA/h_AA and kappa = k/(A^2 h_AA), which vary by little where h is nearly a power of A; 0 where they are not
+ * known to. From the first amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and
+ * -1/(2 + rho), with the slope -(1 + kappa (2 + rho))/A (derivations/along.py). */
+static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *kappa) {
+    const sf_sample *a = cell->first, *b = cell->last;
+    const sf_interval slope = cell->h_AA.hi < 0 ? sfi_neg(cell->h_AAA) : cell->h_AAA;
+    const double from = fabs(a->h_AA), width = b->A - a->A;
+    sf_interval bent, kappa_A;
+    double first, last, doubt;
+    if (!(a->A > 0 && sfi_has_sign(cell->h_AA) && slope.lo >= 0 && slope.hi < HUGE_VAL && from < HUGE_VAL))
+        return 0;
+    *rho = sfi_of((1 - SF_DOUBT) * sfi_least(a->A * slope.lo / from, b->A * slope.lo / (from + slope.hi * width)),
+                  (1 + SF_DOUBT) * sfi_most(a->A * slope.hi / from, b->A * slope.hi / (from + slope.lo * width)));
+    first = sf_kappa(a), last = sf_kappa(b);
+    doubt = 4 * SF_DOUBT * (1 + fabs(first));
+    *kappa = sfi_of(sfi_least(first, -1 / (2 + rho->lo)) - doubt, sfi_most(first, -1 / (2 + rho->hi)) + doubt);
+    bent = sfi_add(sfi_point(1), sfi_mul(*kappa, sfi_add(sfi_point(2), *rho)));
+    kappa_A = sfi_neg(sfi_div(bent, cell->A));
+    *kappa = sfi_both(*kappa, sfi_of(sf_between(first - doubt, last - doubt, kappa_A, width).lo,
+                                     sf_between(first + doubt, last + doubt, kappa_A, width).hi));
+    return 1;
 }
 
 /* An amplitude well inside: halfway in the coordinate in which h is smooth, in orders of magnitude if there are many. */

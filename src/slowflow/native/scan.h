@@ -88,17 +88,18 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
 static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe *b, int c, const sf_range *range,
                      int last) {
     const int both = a->answer.exists[c] && b->answer.exists[c];
+    const int passes = both && sf_opposite(a->answer.y[c], b->answer.y[c]);
     sf_interval y = range->y;
     if (range->where == SF_NOWHERE)
         return 1;
-    if (range->where == SF_THROUGHOUT && both)
+    if (range->where == SF_THROUGHOUT && both && !passes) /* values may differ by roundings more than slopes allow */
         y = sfi_both(y, sf_between(a->answer.y[c], b->answer.y[c], range->dy, b->at.A - a->at.A));
     if (sfi_has_sign(y))
         return 1;
     if (!last && !sfi_has_sign(range->dy))
         return 0;
     if (both && (last || range->where == SF_THROUGHOUT)) {
-        if (sf_opposite(a->answer.y[c], b->answer.y[c]))
+        if (passes)
             sf_find_zero(search, a, b, c, 0);
         return 1;
     }

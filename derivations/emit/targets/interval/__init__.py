@@ -1,6 +1,6 @@
 """Kernels on whole intervals of their arguments: a C header for each module that has any.
 
-In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `enclosed`.
+In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `enclosed`, and `cells`.
 Out: a dict from file name (below `generated/`) to text.
 
 What is written calls native/interval.h, which is runtime code.
@@ -24,7 +24,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     template = templates(Path(__file__).parent).get_template("header.h.jinja")
     result = {}
     for module in modules:
-        enclosed = [kernel for kernel in module.kernels if kernel.enclosed]
+        enclosed = [*(kernel for kernel in module.kernels if kernel.enclosed), *module.cells]
         for kernel in enclosed:
             if len(kernel.branches) != 1 or kernel.parameters:
                 raise NotImplementedError(f"{kernel.name}: a kernel by cases or of a mechanism, on intervals")
