@@ -1,146 +1,446 @@
-/* Every piece of every restoring force as Taylor recurrences: coefficient n of each series on the way to f(u) and df/du.
+/* Every piece of every restoring force as Taylor recurrences: the coefficients of each series on the way to f(u) and df/du.
 
    Written by `make derive`; never edit.
    Input: the pieces of the forces of every mechanism, as their modules have them
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
-   C99, with the series of src/slowflow/native/exact/series.h. `p` holds the constants of the kernel in their order. */
+   C99, for the integrator of src/slowflow/native/exact/step.h. `p` holds the constants of the kernel in their order. */
 
 #ifndef TAYLOR_H
 #define TAYLOR_H
 
-#include "exact/series.h"
+#include "exact/step.h"
 
 /* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static void duffing_force_1_force(int n, const double *p, sf_series *w)
+static double duffing_force_1_value(const double *p, double u)
 {
     const double alpha = p[0];
     const double beta = p[1];
-    w[1][n] = sf_square(w[0], n);
-    w[2][n] = sf_constant(alpha, n) + beta * w[1][n];
-    w[3][n] = sf_product(w[0], w[2], n);
+    return u * (alpha + beta * u * u);
 }
 
-static void duffing_force_1_both(int n, const double *p, sf_series *w)
+static double duffing_force_1_slope(const double *p, double u)
 {
     const double alpha = p[0];
     const double beta = p[1];
-    w[1][n] = sf_square(w[0], n);
-    w[2][n] = beta * w[1][n];
-    w[3][n] = sf_constant(alpha, n) + w[2][n];
-    w[4][n] = sf_product(w[0], w[3], n);
-    w[5][n] = sf_constant(alpha, n) + 3.0 * w[2][n];
+    return alpha + 3.0 * beta * u * u;
+}
+
+
+static SF_INLINE void duffing_force_1_begin(const double *p, double *first, double *over)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    first[1] = first[0] * first[0];
+    first[2] = alpha + beta * first[1];
+    first[3] = first[0] * first[2];
+    (void)over;
+}
+
+static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    const double beta = p[1];
+    w[1] = sf_square(c, 0, 0);
+    w[2] = beta * w[1];
+    w[3] = sf_product(c, 0, 2, 1);
+    left[0] = sf_four_of(w[0], w[0], 0.0, 0.0);
+    right[0] = sf_four_of(w[0], w[2], 0.0, 0.0);
+}
+
+SF_FMA static void duffing_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
+    sf_expansion *x)
+{
+    _Static_assert(4 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[4], w[4 * 4];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand(duffing_force_1_begin, duffing_force_1_next,
+        p, drive, theta, u, v, 4, 1, 3, over, w, left, right, x);
+}
+
+static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first, double *over)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    first[1] = first[0] * first[0];
+    first[2] = beta * first[1];
+    first[3] = alpha + first[2];
+    first[4] = first[0] * first[3];
+    first[5] = alpha + 3.0 * first[2];
+    (void)over;
+}
+
+static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    const double beta = p[1];
+    w[1] = sf_square(c, 0, 0);
+    w[2] = beta * w[1];
+    w[3] = w[2];
+    w[4] = sf_product(c, 0, 3, 1);
+    w[5] = 3.0 * w[2];
+    left[0] = sf_four_of(w[0], w[0], 0.0, 0.0);
+    right[0] = sf_four_of(w[0], w[3], 0.0, 0.0);
+}
+
+SF_FMA static void duffing_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four flow[2], sf_expansion *x)
+{
+    _Static_assert(6 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[6], w[4 * 6];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand_both(duffing_force_1_both_begin, duffing_force_1_both_next,
+        p, drive, theta, u, v, flow, 6, 1, 4, 5, 0,
+        over, w, left, right, x);
 }
 
 /* rod_spring: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (6). */
-static void rod_spring_force_1_force(int n, const double *p, sf_series *w)
+static double rod_spring_force_1_value(const double *p, double u)
 {
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
-    w[1][n] = sf_square(w[0], n);
-    w[2][n] = sf_constant(beta, n) + gamma * w[1][n];
-    w[3][n] = sf_product(w[1], w[2], n);
-    w[4][n] = sf_constant(alpha, n) + w[3][n];
-    w[5][n] = sf_product(w[0], w[4], n);
+    const double t0 = u * u;
+    return u * (alpha + t0 * (beta + gamma * t0));
 }
 
-static void rod_spring_force_1_both(int n, const double *p, sf_series *w)
+static double rod_spring_force_1_slope(const double *p, double u)
 {
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
-    w[1][n] = sf_square(w[0], n);
-    w[2][n] = gamma * w[1][n];
-    w[3][n] = sf_constant(beta, n) + w[2][n];
-    w[4][n] = sf_product(w[1], w[3], n);
-    w[5][n] = sf_constant(alpha, n) + w[4][n];
-    w[6][n] = sf_product(w[0], w[5], n);
-    w[7][n] = sf_constant((3.0 * beta), n) + 5.0 * w[2][n];
-    w[8][n] = sf_product(w[1], w[7], n);
-    w[9][n] = sf_constant(alpha, n) + w[8][n];
+    const double t0 = u * u;
+    return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0);
+}
+
+
+static SF_INLINE void rod_spring_force_1_begin(const double *p, double *first, double *over)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    first[1] = first[0] * first[0];
+    first[2] = beta + gamma * first[1];
+    first[3] = first[1] * first[2];
+    first[4] = alpha + first[3];
+    first[5] = first[0] * first[4];
+    (void)over;
+}
+
+static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    const double gamma = p[2];
+    w[1] = sf_square(c, 0, 0);
+    w[2] = gamma * w[1];
+    w[3] = sf_product(c, 1, 2, 1);
+    w[4] = w[3];
+    w[5] = sf_product(c, 0, 4, 2);
+    left[0] = sf_four_of(w[0], w[1], w[0], 0.0);
+    right[0] = sf_four_of(w[0], w[2], w[4], 0.0);
+}
+
+SF_FMA static void rod_spring_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
+    sf_expansion *x)
+{
+    _Static_assert(6 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[6], w[4 * 6];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand(rod_spring_force_1_begin, rod_spring_force_1_next,
+        p, drive, theta, u, v, 6, 1, 5, over, w, left, right, x);
+}
+
+static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *first, double *over)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    first[1] = first[0] * first[0];
+    first[2] = gamma * first[1];
+    first[3] = beta + first[2];
+    first[4] = first[1] * first[3];
+    first[5] = alpha + first[4];
+    first[6] = first[0] * first[5];
+    first[7] = (3.0 * beta) + 5.0 * first[2];
+    first[8] = first[1] * first[7];
+    first[9] = alpha + first[8];
+    (void)over;
+}
+
+static SF_INLINE void rod_spring_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    const double gamma = p[2];
+    w[1] = sf_square(c, 0, 0);
+    w[2] = gamma * w[1];
+    w[3] = w[2];
+    w[4] = sf_product(c, 1, 3, 1);
+    w[5] = w[4];
+    w[6] = sf_product(c, 0, 5, 2);
+    w[7] = 5.0 * w[2];
+    w[8] = sf_product(c, 1, 7, 3);
+    w[9] = w[8];
+    left[0] = sf_four_of(w[0], w[1], w[0], w[1]);
+    right[0] = sf_four_of(w[0], w[3], w[5], w[7]);
+}
+
+SF_FMA static void rod_spring_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four flow[2], sf_expansion *x)
+{
+    _Static_assert(10 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[10], w[4 * 10];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand_both(rod_spring_force_1_both_begin, rod_spring_force_1_both_next,
+        p, drive, theta, u, v, flow, 10, 1, 6, 9, 0,
+        over, w, left, right, x);
 }
 
 /* rod_spring: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (6). */
-static void rod_spring_force_2_force(int n, const double *p, sf_series *w)
+static double rod_spring_force_2_value(const double *p, double u)
 {
+    return u;
     (void)p;
-    (void)n, (void)w;
 }
 
-static void rod_spring_force_2_both(int n, const double *p, sf_series *w)
+static double rod_spring_force_2_slope(const double *p, double u)
 {
-    (void)p;
-    w[1][n] = sf_constant(1.0, n);
+    return 1.0;
+    (void)p, (void)u;
+}
+
+
+static SF_INLINE void rod_spring_force_2_begin(const double *p, double *first, double *over)
+{
+    (void)p, (void)first, (void)over;
+}
+
+static SF_INLINE void rod_spring_force_2_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    (void)c, (void)p, (void)w, (void)left, (void)right;
+}
+
+SF_FMA static void rod_spring_force_2(const double *p, const sf_drive *drive, double theta, double u, double v,
+    sf_expansion *x)
+{
+    _Static_assert(1 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[1], w[4 * 1];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand(rod_spring_force_2_begin, rod_spring_force_2_next,
+        p, drive, theta, u, v, 1, 0, 0, over, w, left, right, x);
+}
+
+static SF_INLINE void rod_spring_force_2_both_begin(const double *p, double *first, double *over)
+{
+    first[1] = 1.0;
+    (void)p, (void)over;
+}
+
+static SF_INLINE void rod_spring_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    w[1] = 0.0;
+    (void)c, (void)p, (void)left, (void)right;
+}
+
+SF_FMA static void rod_spring_force_2_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four flow[2], sf_expansion *x)
+{
+    _Static_assert(2 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[2], w[4 * 2];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand_both(rod_spring_force_2_both_begin, rod_spring_force_2_both_next,
+        p, drive, theta, u, v, flow, 2, 0, 0, 1, 1,
+        over, w, left, right, x);
 }
 
 /* rod_spring_untruncated: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static void rod_spring_untruncated_force_1_force(int n, const double *p, sf_series *w)
+static double rod_spring_untruncated_force_1_value(const double *p, double u)
 {
     const double alpha = p[0];
     const double beta = p[1];
-    w[1][n] = sf_constant(1.0, n) - w[0][n];
-    w[2][n] = sf_constant(1.0, n) + w[0][n];
-    w[3][n] = sf_product(w[1], w[2], n);
-    w[4][n] = sf_root(w[3], w[4], n);
-    w[5][n] = sf_square(w[0], n);
-    w[6][n] = sf_constant(1.0, n) + w[4][n];
-    w[7][n] = sf_product(w[4], w[6], n);
-    w[8][n] = sf_quotient(w[5], w[7], w[8], n);
-    w[9][n] = sf_constant(alpha, n) + 2.0 * beta * w[8][n];
-    w[10][n] = sf_product(w[0], w[9], n);
+    const double t0 = sqrt((1.0 - u) * (u + 1.0));
+    return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
 }
 
-static void rod_spring_untruncated_force_1_both(int n, const double *p, sf_series *w)
+static double rod_spring_untruncated_force_1_slope(const double *p, double u)
 {
     const double alpha = p[0];
     const double beta = p[1];
-    const double t2 = (2.0 * beta);
-    w[1][n] = sf_constant(1.0, n) - w[0][n];
-    w[2][n] = sf_constant(1.0, n) + w[0][n];
-    w[3][n] = sf_product(w[1], w[2], n);
-    w[4][n] = sf_root(w[3], w[4], n);
-    w[5][n] = sf_square(w[0], n);
-    w[6][n] = t2 * w[5][n];
-    w[7][n] = sf_constant(1.0, n) + w[4][n];
-    w[8][n] = sf_reciprocal(w[7], w[8], n);
-    w[9][n] = sf_quotient(w[5], w[4], w[9], n);
-    w[10][n] = sf_product(w[4], w[7], n);
-    w[11][n] = sf_quotient(w[6], w[10], w[11], n);
-    w[12][n] = sf_constant(alpha, n) + w[11][n];
-    w[13][n] = sf_product(w[0], w[12], n);
-    w[14][n] = sf_product(w[8], w[9], n);
-    w[15][n] = sf_square(w[7], n);
-    w[16][n] = sf_quotient(w[9], w[15], w[16], n);
-    w[17][n] = sf_square(w[4], n);
-    w[18][n] = sf_product(w[6], w[8], n);
-    w[19][n] = sf_quotient(w[18], w[17], w[19], n);
-    w[20][n] = -t2 * w[16][n] - w[19][n];
-    w[21][n] = sf_product(w[9], w[20], n);
-    w[22][n] = sf_constant(alpha, n) + 6.0 * beta * w[14][n] - w[21][n];
+    const double root_1 = sqrt((1.0 - u) * (u + 1.0));
+    const double t0 = root_1 + 1.0;
+    const double t1 = 1.0 / t0;
+    const double t2 = u * u;
+    const double t3 = t2 / root_1;
+    const double t4 = 2.0 * beta;
+    return alpha + 6.0 * beta * t1 * t3 - t3 * (-t3 * t4 / (t0 * t0) - t1 * t2 * t4 / (root_1 * root_1));
+}
+
+static double rod_spring_untruncated_force_1_secant(const double *p, double u)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double t0 = sqrt((1.0 - u) * (u + 1.0));
+    return alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0));
+}
+
+
+static SF_INLINE void rod_spring_untruncated_force_1_begin(const double *p, double *first, double *over)
+{
+    first[1] = 1.0 - first[0];
+    first[2] = 1.0 + first[0];
+    first[3] = first[1] * first[2];
+    first[4] = sqrt(first[3]);
+    over[4] = 0.5 / first[4];
+    first[5] = 1.0 / first[4];
+    over[5] = 1.0 / first[4];
+    first[7] = rod_spring_untruncated_force_1_secant(p, first[0]);
+    first[8] = first[0] * first[7];
+}
+
+static SF_INLINE void rod_spring_untruncated_force_1_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    const double beta = p[1];
+    const double t0 = (2.0 * beta);
+    w[1] = -w[0];
+    w[2] = w[0];
+    w[3] = sf_product(c, 1, 2, 0);
+    w[4] = sf_root(c, 3, 4, 1);
+    w[5] = sf_reciprocal(c, 4, 5, 2);
+    w[6] = t0 * w[5];
+    w[7] = w[6];
+    w[8] = sf_product(c, 0, 7, 3);
+    left[0] = sf_four_of(w[1], w[4], w[4], w[0]);
+    right[0] = sf_four_of(w[2], w[4], w[5], w[7]);
+}
+
+SF_FMA static void rod_spring_untruncated_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
+    sf_expansion *x)
+{
+    _Static_assert(9 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[9], w[4 * 9];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand(rod_spring_untruncated_force_1_begin, rod_spring_untruncated_force_1_next,
+        p, drive, theta, u, v, 9, 1, 8, over, w, left, right, x);
+}
+
+static SF_INLINE void rod_spring_untruncated_force_1_both_begin(const double *p, double *first, double *over)
+{
+    first[1] = 1.0 - first[0];
+    first[2] = 1.0 + first[0];
+    first[3] = first[1] * first[2];
+    first[4] = sqrt(first[3]);
+    over[4] = 0.5 / first[4];
+    first[5] = 1.0 / first[4];
+    over[5] = 1.0 / first[4];
+    first[7] = rod_spring_untruncated_force_1_secant(p, first[0]);
+    first[8] = first[0] * first[7];
+    first[9] = first[5] / first[3];
+    over[9] = 1.0 / first[3];
+    first[11] = rod_spring_untruncated_force_1_slope(p, first[0]);
+}
+
+static SF_INLINE void rod_spring_untruncated_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    const double beta = p[1];
+    const double t1 = (2.0 * beta);
+    w[1] = -w[0];
+    w[2] = w[0];
+    w[3] = sf_product(c, 1, 2, 0);
+    w[4] = sf_root(c, 3, 4, 1);
+    w[5] = sf_reciprocal(c, 4, 5, 2);
+    w[6] = t1 * w[5];
+    w[7] = w[6];
+    w[8] = sf_product(c, 0, 7, 3);
+    w[9] = sf_quotient(c, 5, 3, 9, 4);
+    w[10] = t1 * w[9];
+    w[11] = w[10];
+    left[0] = sf_four_of(w[1], w[4], w[4], w[0]);
+    right[0] = sf_four_of(w[2], w[4], w[5], w[7]);
+    left[1] = sf_four_of(w[3], 0.0, 0.0, 0.0);
+    right[1] = sf_four_of(w[9], 0.0, 0.0, 0.0);
+}
+
+SF_FMA static void rod_spring_untruncated_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four flow[2], sf_expansion *x)
+{
+    _Static_assert(12 <= SF_MOST_SERIES && 2 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[12], w[4 * 12];
+    sf_four left[2 * SF_TERMS], right[2 * SF_TERMS];
+    sf_expand_both(rod_spring_untruncated_force_1_both_begin, rod_spring_untruncated_force_1_both_next,
+        p, drive, theta, u, v, flow, 12, 2, 8, 11, 0,
+        over, w, left, right, x);
 }
 
 /* rod_spring_untruncated: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static void rod_spring_untruncated_force_2_force(int n, const double *p, sf_series *w)
+static double rod_spring_untruncated_force_2_value(const double *p, double u)
 {
+    return u;
     (void)p;
-    (void)n, (void)w;
 }
 
-static void rod_spring_untruncated_force_2_both(int n, const double *p, sf_series *w)
+static double rod_spring_untruncated_force_2_slope(const double *p, double u)
 {
-    (void)p;
-    w[1][n] = sf_constant(1.0, n);
+    return 1.0;
+    (void)p, (void)u;
+}
+
+
+static SF_INLINE void rod_spring_untruncated_force_2_begin(const double *p, double *first, double *over)
+{
+    (void)p, (void)first, (void)over;
+}
+
+static SF_INLINE void rod_spring_untruncated_force_2_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    (void)c, (void)p, (void)w, (void)left, (void)right;
+}
+
+SF_FMA static void rod_spring_untruncated_force_2(const double *p, const sf_drive *drive, double theta, double u, double v,
+    sf_expansion *x)
+{
+    _Static_assert(1 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[1], w[4 * 1];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand(rod_spring_untruncated_force_2_begin, rod_spring_untruncated_force_2_next,
+        p, drive, theta, u, v, 1, 0, 0, over, w, left, right, x);
+}
+
+static SF_INLINE void rod_spring_untruncated_force_2_both_begin(const double *p, double *first, double *over)
+{
+    first[1] = 1.0;
+    (void)p, (void)over;
+}
+
+static SF_INLINE void rod_spring_untruncated_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
+    sf_four *left, sf_four *right)
+{
+    w[1] = 0.0;
+    (void)c, (void)p, (void)left, (void)right;
+}
+
+SF_FMA static void rod_spring_untruncated_force_2_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+    const sf_four flow[2], sf_expansion *x)
+{
+    _Static_assert(2 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
+    double over[2], w[4 * 2];
+    sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
+    sf_expand_both(rod_spring_untruncated_force_2_both_begin, rod_spring_untruncated_force_2_both_next,
+        p, drive, theta, u, v, flow, 2, 0, 0, 1, 1,
+        over, w, left, right, x);
 }
 
 enum { SF_LAWS = 5 };
 
 static const sf_law sf_laws[SF_LAWS] = {
-    {"duffing.force_1", duffing_force_1_force, duffing_force_1_both, 3, 4, 5, 0},
-    {"rod_spring.force_1", rod_spring_force_1_force, rod_spring_force_1_both, 5, 6, 9, 0},
-    {"rod_spring.force_2", rod_spring_force_2_force, rod_spring_force_2_both, 0, 0, 1, 1},
-    {"rod_spring_untruncated.force_1", rod_spring_untruncated_force_1_force, rod_spring_untruncated_force_1_both, 10, 13, 22, 0},
-    {"rod_spring_untruncated.force_2", rod_spring_untruncated_force_2_force, rod_spring_untruncated_force_2_both, 0, 0, 1, 1},
+    {"duffing.force_1", duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both},
+    {"rod_spring.force_1", rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both},
+    {"rod_spring.force_2", rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both},
+    {"rod_spring_untruncated.force_1", rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both},
+    {"rod_spring_untruncated.force_2", rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both},
 };
 
 #endif

@@ -10,6 +10,8 @@ that the C functions take is made once for each and never changes; they share no
 from __future__ import annotations
 
 import functools
+import struct
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -19,7 +21,7 @@ from slowflow.exact.integrate import Array, Drive, Integrator, ScipyIntegrator, 
 from slowflow.mechanism import EquationOfMotion, Law, Piece
 
 EXACT: Any = backend.EXACT
-PHASE = 10  # numbers of a phase as C gives it
+PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
@@ -96,8 +98,8 @@ class TaylorIntegrator:
         end: float,
         start: tuple[int, int] | None,
         last_only: bool = False,
-    ) -> tuple[int, list[list[float]]]:
-        """The outcome and the phases of `motion.follow`, each as its numbers and whether it is undecided."""
+    ) -> tuple[int, Iterator[tuple[Any, ...]]]:
+        """The outcome and the phases of `motion.follow`, each as its fields in order."""
         outcome, steps, phases = EXACT.follow(
             of_system(system),
             Omega,
@@ -110,7 +112,7 @@ class TaylorIntegrator:
             last_only,
         )
         spend(steps)
-        return outcome, np.frombuffer(phases).reshape(-1, PHASE).tolist()
+        return outcome, PHASE.iter_unpack(phases)
 
     def newton(
         self,

@@ -133,10 +133,7 @@ def follow(
     system, integrator = forced.system, forced.integrator
     if isinstance(integrator, TaylorIntegrator):
         outcome, rows = integrator.follow(system, forced.Omega, forced.F_0, (theta, u, v), end, start)
-        phases = [
-            Phase(int(slip), int(region), theta, u, v, end, u_end, v_end, int(event), bool(undecided))
-            for slip, region, theta, u, v, end, u_end, v_end, event, undecided in rows
-        ]
+        phases = list(map(Phase._make, rows))
         _refuse(outcome, forced, phases[-1] if phases else None)
         return phases
     if start is not None:

@@ -1,16 +1,22 @@
 """Taylor recurrences: restoring forces as straight-line code for the coefficients of power series.
 
 In:  `Module`s, whose records name the kernels of each piece f(u) of a restoring force and of its slope.
-Out: the text of `native/taylor.h`: for each piece one assignment for the coefficient n of each series on the way from u
-     to f, and to df/du, and the table of all pieces.
+Out: the text of `native/taylor.h`: for each piece the leading coefficients of the series on the way from u to f, and to
+     df/du, one assignment for each of their coefficients n > 0, and the table of all pieces.
 
 With u(t) a power series, every quantity along the way is one; its coefficient n follows from those up to n of what it
-is made of (Cauchy's product and what comes of it for quotients, roots, sine and cosine). The functions that do so are
-in src/slowflow/native/exact/series.h.
+is made of (Cauchy's product and what comes of it for quotients, roots, sine and cosine). Each of these is a sum of
+products of two series' coefficients. What is summed of lower coefficients is known before coefficient n is begun, for
+all products at once: the sums of four are added side by side (`sf_four` in src/slowflow/native/exact/series.h).
+
+A constant enters the leading coefficient alone. So a force that depends on u through a root may be written in powers of
+that root beyond it (`by_root`), with fewer products, while its leading coefficient keeps the form in which no digits
+cancel.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -18,7 +24,7 @@ import jinja2
 import sympy as sp
 
 from derivations.emit.compensated import copysign
-from derivations.emit.form import Kernel, Module
+from derivations.emit.form import Let, Module
 from derivations.emit.passes import is_constant, straight_line
 from derivations.emit.provenance import tools
 from derivations.emit.targets.c.printer import CPrinter
@@ -26,6 +32,46 @@ from derivations.emit.targets.printing import Unprintable
 from derivations.symbols import u
 
 PRINTER = CPrinter()
+
+#: sums that are added side by side
+LANES = 4
+
+#: led_by_...(expression): the expression, whose leading coefficient the function of that name gives
+SECANT, SLOPE = sp.symbols("led_by_secant led_by_slope", cls=sp.Function, real=True)
+LED_BY = {SECANT: "secant", SLOPE: "slope"}
+
+
+@dataclass(frozen=True)
+class Body:
+    """A C function: declarations (name, expression), statements, and the arguments that neither uses."""
+
+    declarations: tuple[tuple[str, str], ...]
+    statements: tuple[str, ...]
+    unused: tuple[str, ...]
+
+
+def body(
+    arguments: Sequence[str], known: Sequence[tuple[str, str]], statements: Sequence[str], result: str = ""
+) -> Body:
+    """The statements with those of the known quantities, each of which may need earlier ones, that they need."""
+    statements = (*statements, f"return {result};") if result else tuple(statements)
+    texts, needed = list(statements), []
+    for name, value in reversed(known):
+        if any(_names(name, text) for text in texts):
+            needed.insert(0, (name, value))
+            texts.append(value)
+    unused = tuple(argument for argument in arguments if not any(_names(argument, text) for text in texts))
+    return Body(tuple(needed), statements, unused)
+
+
+def _takes(number: int, text: str) -> bool:
+    """Whether a recurrence takes the first coefficient of that series."""
+    numbers = re.search(r"\(c, ([\d, ]+), \d+\)", text)
+    return f"first[{number}]" in text or (numbers is not None and str(number) in numbers[1].split(", "))
+
+
+def _names(name: str, text: str) -> bool:
+    return re.search(rf"\b{name}\b", text) is not None
 
 
 @dataclass(frozen=True)
@@ -35,6 +81,7 @@ class Law:
     name   -- of the kernel, after that of its module
     prefix -- of its functions
     doc    -- what it is
+    scalars -- f, df/du and other leading coefficients, by name
     force, both -- recurrences of f alone, and of f and df/du
     linear -- whether df/du is a constant
     """
@@ -42,6 +89,7 @@ class Law:
     name: str
     prefix: str
     doc: str
+    scalars: dict[str, Body]
     force: Recurrence
     both: Recurrence
     linear: bool
@@ -58,47 +106,177 @@ def laws(modules: Sequence[Module]) -> Iterator[Law]:
         by_name = {kernel.name: kernel for kernel in module.kernels}
         for name, name_of_slope in module.record.pieces if module.record else ():
             force, slope = by_name[name], by_name[name_of_slope]
+            constants = tuple(symbol for symbol in force.arguments if symbol != u)
+            prefix = f"{module.name}_{name}"
+            (value,), (gradient,) = force.branches, slope.branches
+            lets = given = list(dict.fromkeys((*value.lets, *gradient.lets)))
+            outputs = [value.outputs[0], gradient.outputs[0]]
+            forms = dict(zip(("value", "slope"), outputs, strict=True))
+            both = recurrence(prefix, constants, lets, outputs)
+            secant, short = in_powers(outputs, lets)
+            if secant is not None:
+                other = recurrence(prefix, constants, [], short)
+                if len(other.sums) < len(both.sums):
+                    lets, outputs, both, forms["secant"] = [], short, other, secant
             yield Law(
                 name=f"{module.name}.{name}",
-                prefix=f"{module.name}_{name}",
+                prefix=prefix,
                 doc=f"{module.name}: {force.doc} Equation {force.equation}.",
-                force=recurrence(force),
-                both=recurrence(force, slope),
-                linear=not slope.branches[0].outputs[0].has(u),
+                scalars={kind: scalar(given, form, constants) for kind, form in forms.items()},
+                force=recurrence(prefix, constants, lets, outputs[:1]),
+                both=both,
+                linear=not gradient.lets and not gradient.outputs[0].has(u),
             )
+
+
+def in_powers(outputs: Sequence[sp.Expr], lets: Sequence[Let]) -> tuple[sp.Expr | None, list[sp.Expr]]:
+    """f/u of an odd force, and the force with its slope in powers of their root but for the leading coefficients.
+
+    None and nothing for a force that does not have this form.
+    """
+    value, slope = outputs
+    if not (value.is_Mul and u in value.args):
+        return None, []
+    secant = sp.Mul(*(factor for factor in value.args if factor != u))
+    ratio, gradient = secant, slope
+    for symbol, given in reversed(lets):
+        ratio, gradient = (form.xreplace({symbol: given}) for form in (ratio, gradient))
+    ratio, gradient = by_root(ratio), by_root(gradient)
+    if ratio is None or gradient is None:
+        return None, []
+    return secant, [u * SECANT(ratio), SLOPE(gradient)]
+
+
+def by_root(expression: sp.Expr) -> sp.Expr | None:
+    """An expression of u^2 and one root s = sqrt(a + b u^2), as a sum of powers of s; None for any other.
+
+    With u^2 = (s^2 - a)/b it is a rational function of s, whose denominator has to be a power of s.
+    """
+    powers = [power for power in expression.atoms(sp.Pow) if not power.exp.is_Integer]
+    radicands = {power.base for power in powers}
+    if len(radicands) != 1 or any(not power.exp.is_Rational or power.exp.q != 2 for power in powers):
+        return None
+    (radicand,) = radicands
+    if not radicand.is_polynomial(u):
+        return None
+    terms = dict(sp.Poly(radicand, u).terms())
+    if set(terms) != {(2,), (0,)}:
+        return None
+    a, b = terms[0,], terms[2,]
+    s = sp.Symbol("s", positive=True)
+    rational = expression.subs(sp.sqrt(radicand), s)
+    if not rational.is_rational_function(u, s):
+        return None
+    halves = [sp.Poly(part, u).terms() for part in sp.fraction(sp.cancel(rational))]
+    if any(power % 2 for half in halves for (power,), _ in half):
+        return None
+    above, below = (sum(c * ((s**2 - a) / b) ** (power // 2) for (power,), c in half) for half in halves)
+    numerator, denominator = (sp.Poly(part, s) for part in sp.fraction(sp.cancel(above / below)))
+    if len(denominator.terms()) != 1:
+        return None
+    ((degree,), divisor) = denominator.terms()[0]
+    root = sp.sqrt(radicand)
+    return sp.Add(*(c / divisor * root ** (power - degree) for (power,), c in numerator.terms()))
+
+
+def scalar(lets: Sequence[Let], expression: sp.Expr, constants: tuple[sp.Symbol, ...]) -> Body:
+    """A function of the constants p and u."""
+    program = straight_line(lets, [expression], (u, *constants))
+    known = [*places(constants), *((symbol.name, PRINTER.doprint(value)) for symbol, value in program.lets)]
+    return body(("p", "u"), known, (), PRINTER.doprint(program.outputs[0]))
+
+
+def places(constants: tuple[sp.Symbol, ...]) -> list[tuple[str, str]]:
+    """The constants by their names."""
+    return [(PRINTER.doprint(symbol), f"p[{i}]") for i, symbol in enumerate(constants)]
+
+
+@dataclass(frozen=True)
+class Line:
+    """One series.
+
+    leading -- its first coefficient, from the `first` ones of series before it
+    further -- its coefficient n > 0, from those of series before it in `w`, all first ones and sums over lower ones
+    over    -- a reciprocal of first coefficients that `further` takes, "" for none
+    """
+
+    leading: str
+    further: str
+    over: str = ""
 
 
 @dataclass(frozen=True)
 class Recurrence:
     """The recurrences of one piece.
 
-    parameters -- those that enter, with their place among the piece's constants
-    scalars    -- quantities without u, in order: (name, C expression)
-    lines      -- C expressions of the coefficient n of the series 1, 2, ...; series 0 is u
+    known      -- constants of the piece and quantities without u, in order: (name, C expression)
+    lines      -- the series 1, 2, ...; series 0 is u
+    sums       -- pairs of coefficients n: sum k holds left[j] right[n - j] of pair k for 0 < j < n
     value, slope -- numbers of the series of f and df/du; slope -1 where it is not asked for
     """
 
-    parameters: tuple[tuple[str, int], ...]
-    scalars: tuple[tuple[str, str], ...]
-    lines: tuple[str, ...]
+    known: tuple[tuple[str, str], ...]
+    lines: tuple[Line, ...]
+    sums: tuple[tuple[str, str], ...]
     value: int
     slope: int = -1
+
+    @property
+    def begin(self) -> Body:
+        """All first coefficients that anything is made of, and reciprocals."""
+        made: list[str] = []
+        texts = [line.further for line in self.lines]
+        for number, line in reversed(list(enumerate(self.lines, 1))):
+            if number in (self.value, self.slope) or any(_takes(number, text) for text in texts):
+                made = (
+                    [f"first[{number}] = {line.leading};"] + [f"over[{number}] = {line.over};"] * bool(line.over) + made
+                )
+                texts += [line.leading, line.over]
+        return body(("p", "first", "over"), self.known, made)
+
+    @property
+    def next(self) -> Body:
+        """All coefficients n > 0, and what they contribute to the sums, four by four."""
+        # a constant may take the sign of a first coefficient
+        known = [(name, value.replace("first[", "c->first[")) for name, value in self.known]
+        further = [line.further.replace("first[", "c->first[") for line in self.lines]
+        made = [f"w[{number}] = {line};" for number, line in enumerate(further, 1)]
+        padded = [*self.sums, *[("0.0", "0.0")] * (-len(self.sums) % LANES)]
+        for i in range(self.fours):
+            for name, side in zip(
+                ("left", "right"), zip(*padded[LANES * i : LANES * (i + 1)], strict=True), strict=True
+            ):
+                made.append(f"{name}[{i}] = sf_four_of({', '.join(side)});")
+        return body(("c", "p", "w", "left", "right"), known, made)
+
+    @property
+    def fours(self) -> int:
+        """Groups of sums."""
+        return -(-len(self.sums) // LANES)
 
 
 @dataclass
 class _Builder:
     """Series as they are put down; a quantity is the number of its series, or text where u does not enter."""
 
+    prefix: str
     known: dict[sp.Symbol, int | str]
-    lines: list[str] = field(default_factory=list)
-    made: dict[str, int] = field(default_factory=dict)
+    lines: list[Line] = field(default_factory=list)
+    sums: list[tuple[str, str]] = field(default_factory=list)
+    made: dict[tuple[object, ...], int] = field(default_factory=dict)
 
-    def add(self, text: str) -> int:
-        """The number of the series with that recurrence; {} in the text stands for its own number."""
-        if text not in self.made:
-            self.made[text] = len(self.lines) + 1
-            self.lines.append(text.format(self.made[text]))
-        return self.made[text]
+    def add(self, leading: str, further: str, pairs: Sequence[tuple[str, str]] = (), over: str = "") -> int:
+        """The number of the series with these recurrences.
+
+        In the texts {own} stands for that number, {0} for that of the sum over the first pair.
+        """
+        key = (leading, further, *pairs, over)
+        if key not in self.made:
+            self.made[key] = own = len(self.lines) + 1
+            first_sum = len(self.sums)
+            self.sums += [(a.format(own=own), b.format(own=own)) for a, b in pairs]
+            self.lines.append(Line(*(part.format(first_sum, own=own) for part in (leading, further, over))))
+        return self.made[key]
 
     def of(self, expression: sp.Expr) -> int | str:
         """The number of the expression's series, or its text."""
@@ -114,12 +292,12 @@ class _Builder:
             factor, series = self._product(expression)
             if series is None:
                 return factor
-            return series if factor == "" else self.add(_scaled(factor, series))
+            return series if factor == "" else self.add(_scaled(factor, "first", series), _scaled(factor, "w", series))
         if expression.is_Pow:
             return self._power(self.of(expression.base), expression.exp)
         if expression.func is copysign:
             size, of = (self.of(argument) for argument in expression.args)
-            return f"copysign({size}, {of if isinstance(of, str) else f'w[{of}][0]'})"
+            return f"copysign({size}, {of if isinstance(of, str) else f'first[{of}]'})"
         if expression.func in (sp.sin, sp.cos):
             return self._angle(self.of(expression.args[0]), expression.func)
         if expression.func is sp.tan:
@@ -127,20 +305,23 @@ class _Builder:
             if isinstance(angle, str):
                 return f"tan({angle})"
             return self._quotient(self._angle(angle, sp.sin), self._angle(angle, sp.cos))
+        if expression.func in LED_BY:
+            found = self.of(expression.args[0])
+            return self.add(f"{self.prefix}_{LED_BY[expression.func]}(p, first[0])", f"w[{found}]")
         raise Unprintable(f"no recurrence is known for {expression.func}: {expression}")
 
     def _sum(self, expression: sp.Expr) -> int | str:
-        constants, terms = [], []
+        constants, first, further = [], [], []
         for term in expression.as_ordered_terms():
             factor, series = self._product(term) if term.is_Mul else ("", self.of(term))
             if series is None or isinstance(series, str):
                 constants.append(factor or series)
             else:
-                terms.append(_scaled(factor, series))
-        constant = _joined(constants) if constants else ""
-        if not terms:
-            return f"({constant})"
-        return self.add(_joined([f"sf_constant({constant}, n)"] * bool(constants) + terms))
+                first.append(_scaled(factor, "first", series))
+                further.append(_scaled(factor, "w", series))
+        if not first:
+            return f"({_joined(constants)})"
+        return self.add(_joined(constants + first), _joined(further))
 
     def _product(self, expression: sp.Expr) -> tuple[str, int | None]:
         """The factor without u, empty for 1, and the series that is left; None where there is none."""
@@ -151,7 +332,7 @@ class _Builder:
             if is_constant(part):
                 number *= part.doit()
                 continue
-            inverse = part.is_Pow and part.exp.could_extract_minus_sign()
+            inverse = part.is_Pow and part.exp.is_Integer and part.exp.could_extract_minus_sign()
             found = self.of(sp.Pow(part.base, -part.exp)) if inverse else self.of(part)
             if isinstance(found, str):
                 factors.append(f"1.0 / ({found})" if inverse else f"({found})" if " " in found else found)
@@ -176,45 +357,88 @@ class _Builder:
         return product
 
     def _times(self, a: int, b: int) -> int:
+        a, b = min(a, b), max(a, b)
         if a == b:
-            return self.add(f"sf_square(w[{a}], n)")
-        return self.add(f"sf_product(w[{min(a, b)}], w[{max(a, b)}], n)")
+            return self.add(f"first[{a}] * first[{a}]", f"sf_square(c, {a}, {{0}})", [(f"w[{a}]", f"w[{a}]")])
+        return self.add(f"first[{a}] * first[{b}]", f"sf_product(c, {a}, {b}, {{0}})", [(f"w[{a}]", f"w[{b}]")])
 
     def _quotient(self, above: int | str, below: int | str) -> int:
         if isinstance(below, str):
-            return self.add(f"w[{above}][n] / ({below})")
+            return self.add(f"first[{above}] / ({below})", f"w[{above}] / ({below})")
         if isinstance(above, str):
-            one = self.add(f"sf_reciprocal(w[{below}], w[{{}}], n)")
-            return one if above == "1.0" else self.add(_scaled(above, one))
-        return self.add(f"sf_quotient(w[{above}], w[{below}], w[{{}}], n)")
+            one = self.add(
+                f"1.0 / first[{below}]",
+                f"sf_reciprocal(c, {below}, {{own}}, {{0}})",
+                [(f"w[{below}]", "w[{own}]")],
+                f"1.0 / first[{below}]",
+            )
+            return one if above == "1.0" else self.add(_scaled(above, "first", one), _scaled(above, "w", one))
+        return self.add(
+            f"first[{above}] / first[{below}]",
+            f"sf_quotient(c, {above}, {below}, {{own}}, {{0}})",
+            [(f"w[{below}]", "w[{own}]")],
+            f"1.0 / first[{below}]",
+        )
 
     def _power(self, base: int | str, exponent: sp.Expr) -> int | str:
         if isinstance(base, str):
             symbol = sp.Symbol(f"({base})" if " " in base else base)
             return PRINTER.doprint(sp.Pow(symbol, exponent))
+        denominator = exponent.q if exponent.is_Rational else 0
+        if denominator == 2:
+            # odd powers of a root by its radicand, which is at hand
+            root = self._root(base)
+            whole = self._chain([base] * (int(abs(exponent.p)) // 2))
+            if exponent.is_positive:
+                return root if whole is None else self._times(whole, root)
+            one = self._quotient("1.0", root)
+            return one if whole is None else self._quotient(one, whole)
         if exponent.could_extract_minus_sign():
             return self._quotient("1.0", self._power(base, -exponent))
-        root = {1: None, 2: "sf_root", 3: "sf_cube_root"}.get(exponent.q if exponent.is_Rational else 0, "")
-        if root == "":
+        if denominator not in (1, 3):
             raise Unprintable(f"no recurrence is known for the power {exponent}")
-        if root is not None:
-            base = self.add(f"{root}(w[{base}], w[{{}}], n)")
-        return self._chain([base] * int(exponent.p))
+        found = self._chain([base if denominator == 1 else self._cube_root(base)] * int(exponent.p))
+        assert found is not None
+        return found
+
+    def _root(self, base: int) -> int:
+        return self.add(
+            f"sqrt(first[{base}])",
+            f"sf_root(c, {base}, {{own}}, {{0}})",
+            [("w[{own}]", "w[{own}]")],
+            "0.5 / first[{own}]",
+        )
+
+    def _cube_root(self, base: int) -> int:
+        """From 3 a c' = a' c."""
+        return self.add(
+            f"cbrt(first[{base}])",
+            f"sf_cube_root(c, {base}, {{own}}, {{0}})",
+            [(f"c->n * w[{base}]", "w[{own}]"), (f"w[{base}]", "c->n * w[{own}]")],
+            f"1.0 / first[{base}]",
+        )
 
     def _angle(self, angle: int | str, function: type[sp.Function]) -> int | str:
         """Sine and cosine are put down together: each needs the other."""
         if isinstance(angle, str):
             return f"{function.__name__}({angle})"
-        first = f"sf_sine(w[{angle}], w[{{}} + 1], n)"
-        if first not in self.made:
-            self.add(first)
-            self.add(f"sf_cosine(w[{angle}], w[{{}} - 1], n)")
-        return self.made[first] + (function is sp.cos)
+        sine, cosine = len(self.lines) + 1, len(self.lines) + 2
+        for key in self.made:
+            if key[0] == f"sin(first[{angle}])":
+                sine, cosine = self.made[key], self.made[key] + 1
+        texts = ((sp.sin, "sin", "", cosine), (sp.cos, "cos", "-", sine))
+        for _, name, sign, other in texts:
+            self.add(
+                f"{name}(first[{angle}])",
+                f"{sign}sf_of_angle(c, {angle}, {other}, {{0}})",
+                [(f"c->n * w[{angle}]", f"w[{other}]")],
+            )
+        return sine if function is sp.sin else cosine
 
 
-def _scaled(factor: str, series: int) -> str:
-    """The coefficient n of a series times a factor; a factor of 1 or -1 is empty or a mere sign."""
-    return f"{factor}{'' if factor in ('', '-') else ' * '}w[{series}][n]"
+def _scaled(factor: str, of: str, series: int) -> str:
+    """A coefficient of a series times a factor; a factor of 1 or -1 is empty or a mere sign."""
+    return f"{factor}{'' if factor in ('', '-') else ' * '}{of}[{series}]"
 
 
 def _joined(terms: list[str]) -> str:
@@ -223,24 +447,21 @@ def _joined(terms: list[str]) -> str:
     )
 
 
-def recurrence(*kernels: Kernel) -> Recurrence:
-    """The recurrences of a piece f(u) whose arguments are u and its constants; or of it and of df/du."""
-    constants = tuple(symbol for symbol in kernels[0].arguments if symbol != u)
-    branches = [kernel.branches[0] for kernel in kernels]
-    lets = list(dict.fromkeys(let for branch in branches for let in branch.lets))
-    program = straight_line(lets, [branch.outputs[0] for branch in branches], (u, *constants))
-    used = set().union(*(e.free_symbols for e in (*(value for _, value in program.lets), *program.outputs)))
-    parameters = tuple((PRINTER.doprint(symbol), i) for i, symbol in enumerate(constants) if symbol in used)
-    builder = _Builder({u: 0, **{symbol: PRINTER.doprint(symbol) for symbol in constants}})
-    scalars = []
+def recurrence(
+    prefix: str, constants: tuple[sp.Symbol, ...], lets: Sequence[Let], outputs: Sequence[sp.Expr]
+) -> Recurrence:
+    """The recurrences of a piece f(u) with its constants; or of it and of df/du."""
+    program = straight_line(lets, outputs, (u, *constants))
+    builder = _Builder(prefix, {u: 0, **{symbol: PRINTER.doprint(symbol) for symbol in constants}})
+    known = places(constants)
     for symbol, value in program.lets:
         found = builder.of(value)
         if isinstance(found, str):
-            scalars.append((symbol.name, found))
+            known.append((symbol.name, found))
             found = symbol.name
         builder.known[symbol] = found
     numbers = []
     for output in program.outputs:
         found = builder.of(output)
-        numbers.append(builder.add(f"sf_constant({found}, n)") if isinstance(found, str) else found)
-    return Recurrence(parameters, tuple(scalars), tuple(builder.lines), *numbers)
+        numbers.append(builder.add(found, "0.0") if isinstance(found, str) else found)
+    return Recurrence(tuple(known), tuple(builder.lines), tuple(builder.sums), *numbers)

@@ -79,11 +79,11 @@ static PyObject *advance(PyObject *self, PyObject *arguments)
                           &theta, &u, &v, &end, &left, &out))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    if (system == NULL || out.len < (Py_ssize_t)(2 * SF_COLUMNS * sizeof(double))) {
+    if (system == NULL || out.len < (Py_ssize_t)(2 * sizeof(sf_four))) {
         PyBuffer_Release(&out);
         return system == NULL ? NULL : PyErr_Format(PyExc_ValueError, "room for too few derivatives");
     }
-    double flow[2][SF_COLUMNS];
+    sf_four flow[2];
     const long most = left;
     sf_outcome outcome;
     Py_BEGIN_ALLOW_THREADS
@@ -100,7 +100,8 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     PyObject *capsule;
     sf_drive drive;
     double edge, theta, u, v, end;
-    int slip, undecided = 0;
+    int slip;
+    _Bool undecided = 0;
     long left;
     if (!PyArg_ParseTuple(arguments, "O(dddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta, &drive.friction,
                           &slip, &edge, &theta, &u, &v, &end, &left))
@@ -114,7 +115,7 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     sf_event event = SF_TIME;
     sf_outcome outcome = SF_GOOD;
     Py_BEGIN_ALLOW_THREADS
-    const double push = drive.F_0 * cos(theta) - sf_force(law, p, u) - drive.friction;
+    const double push = drive.F_0 * cos(theta) - law->value(p, u) - drive.friction;
     if (theta < end)
         outcome = sf_until(law, p, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v,
                            &left, &event, &undecided);
@@ -148,7 +149,7 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
     return PyErr_Occurred() ? NULL : Py_BuildValue("il", (int)outcome, most - left);
 }
 
-/* (outcome, steps, phases as bytes: rows of slip, region, theta, u, v, end, u_end, v_end, event, undecided) */
+/* (outcome, steps, phases as bytes, each an sf_phase) */
 static PyObject *follow(PyObject *self, PyObject *arguments)
 {
     (void)self;
@@ -168,19 +169,9 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
     Py_BEGIN_ALLOW_THREADS
     outcome = sf_follow(&forced, theta, u, v, end, given ? start : NULL, &phases);
     Py_END_ALLOW_THREADS
-    enum { NUMBERS = 10 };
     const long from = last && phases.count ? phases.count - 1 : 0;
-    PyObject *const bytes =
-        PyBytes_FromStringAndSize(NULL, (phases.count - from) * NUMBERS * (Py_ssize_t)sizeof(double));
-    if (bytes != NULL) {
-        double *row = (double *)PyBytes_AsString(bytes);
-        for (long i = from; i < phases.count; i++, row += NUMBERS) {
-            const sf_phase *const at = &phases.at[i];
-            const double values[NUMBERS] = {at->slip, at->region, at->theta, at->u,     at->v,
-                                            at->end,  at->u_end,  at->v_end, at->event, at->undecided};
-            memcpy(row, values, sizeof values);
-        }
-    }
+    PyObject *const bytes = PyBytes_FromStringAndSize(phases.count ? (const char *)(phases.at + from) : NULL,
+                                                      (phases.count - from) * (Py_ssize_t)sizeof *phases.at);
     free(phases.at);
     return bytes == NULL ? NULL : Py_BuildValue("ilN", (int)outcome, most - forced.left, bytes);
 }

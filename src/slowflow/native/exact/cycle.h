@@ -69,7 +69,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         if (slip == 0) {
             of_theta[2 + i] = 1.0;
             out->residual[i] = sf_push(forced, region, end, u) - next_slip * mu;
-            const double stiffness = sf_stiffness(law, p, u);
+            const double stiffness = law->slope(p, u);
             for (long j = 0; j < n; j++) {
                 of_v[j] = 0.0;
                 row[j] = -F_0 * sin(end) * of_theta[j] - stiffness * of_u[j];
@@ -82,10 +82,12 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         }
         const sf_drive drive = sf_drive_of(forced, slip);
         const double rate_u = v / Omega, rate_v = sf_acceleration(forced, slip, region, theta, u, v) / Omega;
-        double flow[2][SF_COLUMNS];
-        const sf_outcome outcome = sf_advance(law, p, &drive, theta, end, &u, &v, flow, &forced->left);
+        sf_four by[2];
+        const sf_outcome outcome = sf_advance(law, p, &drive, theta, end, &u, &v, by, &forced->left);
         if (outcome != SF_GOOD)
             return outcome;
+        double flow[2][4];
+        memcpy(flow, by, sizeof flow);
         const double acceleration = sf_acceleration(forced, slip, region, end, u, v);
         for (long j = 0; j < n; j++) {
             const double a = of_u[j] - rate_u * of_theta[j], b = of_v[j] - rate_v * of_theta[j];
@@ -94,7 +96,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             of_v[j] = flow[1][0] * a + flow[1][1] * b + acceleration / Omega * at_end;
         }
         of_theta[2 + i] = 1.0;
-        for (int c = 2; c < SF_COLUMNS; c++)
+        for (int c = 2; c < 4; c++)
             of_u[k + c] += flow[0][c], of_v[k + c] += flow[1][c];
         for (int c = 0; c < 2; c++) {
             const double a = M[0][c], b = M[1][c];
@@ -130,7 +132,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         }
         if (next_slip != 0 && mu > 0) {
             double *const gradient = out->gradients + out->borders * n;
-            const double stiffness = sf_stiffness(law, p, u);
+            const double stiffness = law->slope(p, u);
             for (long j = 0; j < n; j++)
                 gradient[j] = next_slip * (-F_0 * sin(end) * of_theta[j] - stiffness * of_u[j]);
             gradient[n - 1] += next_slip * cos(end);

@@ -9,31 +9,46 @@
 /* NONE; ONE; UNDECIDED: it comes so near to zero that rounding hides whether it gets there */
 typedef enum { SF_NONE, SF_ONE, SF_UNDECIDED } sf_found;
 
-enum { SF_LOW = 6, SF_DEEPEST = 60 };
+enum { SF_DEEPEST = 60 };
 
 /* Bernstein coefficients on [0, 1] of the polynomial with coefficients a, by sums alone */
-static void sf_bernstein(const double *a, int degree, double *b)
+static void sf_bernstein(const double *a, double *b)
 {
     double binomial = 1.0;
-    for (int k = 0; k <= degree; k++) {
+    for (int k = 0; k <= SF_ORDER; k++) {
         b[k] = a[k] / binomial;
-        binomial = binomial * (degree - k) / (k + 1);
+        binomial = binomial * (SF_ORDER - k) / (k + 1);
     }
-    for (int r = 1; r <= degree; r++)
-        for (int j = degree; j >= r; j--)
+    for (int r = 1; r <= SF_ORDER; r++)
+        for (int j = SF_ORDER; j >= r; j--)
             b[j] += b[j - 1];
 }
 
-/* The zero between low, where the polynomial is positive, and high, where it is not: Newton's iteration, kept inside. */
-static double sf_refined(const double *a, int degree, double low, double high)
+/* a(x) and a'(x), by Horner's rule for even and odd powers apart: a(x) = E(x^2) + x D(x^2) */
+static inline double sf_value_and_slope(const double *a, double x, double *slope)
 {
-    double x = 0.5 * (low + high);
+    const double square = x * x;
+    double even = a[SF_ORDER], odd = a[SF_ORDER - 1], of_even = 0.0, of_odd = 0.0;
+    for (int k = SF_ORDER - 2; k >= 2; k -= 2) {
+        of_even = of_even * square + even, of_odd = of_odd * square + odd;
+        even = even * square + a[k], odd = odd * square + a[k - 1];
+    }
+    of_even = of_even * square + even, even = even * square + a[0];
+    *slope = 2.0 * x * of_even + odd + 2.0 * square * of_odd;
+    return even + x * odd;
+}
+
+/* The zero between low, where the polynomial is positive, and high, where it is not, and the values there: Newton's
+ * iteration from their chord, kept inside. */
+static double sf_refined(const double *a, double low, double high)
+{
+    double slope;
+    const double above = sf_value_and_slope(a, low, &slope), below = sf_value_and_slope(a, high, &slope);
+    double x = low + (high - low) * (above / (above - below));
+    if (!(x > low && x < high))
+        x = 0.5 * (low + high);
     for (int i = 0; i < 200; i++) {
-        double value = a[degree], slope = 0.0;
-        for (int k = degree - 1; k >= 0; k--) {
-            slope = slope * x + value;
-            value = value * x + a[k];
-        }
+        const double value = sf_value_and_slope(a, x, &slope);
         if (value == 0.0)
             return x;
         *(value > 0.0 ? &low : &high) = x;
@@ -54,7 +69,7 @@ static sf_found sf_first_within(const double *a, const double *b, double low, do
     int changes = 0, clear = 1;
     double before = 1.0, most = 0.0;
     for (int k = 0; k <= SF_ORDER; k++) {
-        most = fmax(most, fabs(b[k]));
+        most = fabs(b[k]) > most ? fabs(b[k]) : most;
         clear &= b[k] > noise;
         if (b[k] != 0.0) {
             changes += (b[k] > 0.0) != (before > 0.0);
@@ -64,7 +79,7 @@ static sf_found sf_first_within(const double *a, const double *b, double low, do
     if (clear || changes == 0)
         return SF_NONE;
     if (changes == 1 && b[SF_ORDER] < -noise) {
-        *zero = sf_refined(a, SF_ORDER, low, high);
+        *zero = sf_refined(a, low, high);
         return SF_ONE;
     }
     if (most <= noise || depth == SF_DEEPEST) {
@@ -99,20 +114,23 @@ static sf_found sf_first_zero(const double *a, double *zero)
     *zero = 0.0;
     if (!(a[0] > 0.0))
         return SF_ONE;
-    double beyond = 0.0, size = 0.0, low[SF_LOW + 1], b[SF_TERMS];
-    for (int k = SF_ORDER; k > SF_LOW; k--)
-        beyond += fabs(a[k]);
-    for (int k = 0; k <= SF_LOW; k++)
-        size += fabs(a[k]);
-    size += beyond;
-    const double noise = 4.0 * 0x1p-53 * size;
-    sf_bernstein(a, SF_LOW, low);
-    int clear = 1;
-    for (int k = 0; k <= SF_LOW; k++)
-        clear &= low[k] > beyond + noise;
-    if (clear)
+    double size = a[0], up = 0.0, down = 0.0, steeper = 0.0, order = 1.0;
+    for (int k = 1; k <= SF_ORDER; k++, order += 1.0) {
+        const double rise = a[k] > 0.0 ? a[k] : 0.0;
+        size += fabs(a[k]), up += rise, down += rise - a[k];
+        steeper += order * rise;
+    }
+    const double noise = 4.0 * 0x1p-53 * size, end = a[0] + (up - down);
+    /* all that falls does not use up a[0] */
+    if (a[0] - down > noise)
         return SF_NONE;
-    sf_bernstein(a, SF_ORDER, b);
+    /* it falls all the way to below zero */
+    if (end < -noise && a[1] < 0.0 && steeper < -a[1] - SF_ORDER * noise) {
+        *zero = sf_refined(a, 0.0, 1.0);
+        return SF_ONE;
+    }
+    double b[SF_TERMS];
+    sf_bernstein(a, b);
     return sf_first_within(a, b, 0.0, 1.0, noise, 0, zero);
 }
 

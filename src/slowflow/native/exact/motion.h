@@ -27,10 +27,13 @@ typedef struct {
     long left; /* steps that may still be taken */
 } sf_forced;
 
-/* A stretch of smooth motion. slip: sign of the velocity, 0 at rest; undecided: touches a stop within rounding */
+/* A stretch of smooth motion. slip: sign of the velocity, 0 at rest; undecided: touches a stop within rounding. Python
+ * reads it as it stands. */
 typedef struct {
-    int slip, region, event, undecided;
+    int slip, region;
     double theta, u, v, end, u_end, v_end;
+    int event;
+    _Bool undecided;
 } sf_phase;
 
 typedef struct {
@@ -54,7 +57,7 @@ static inline sf_drive sf_drive_of(const sf_forced *forced, int slip)
 static inline double sf_push(const sf_forced *forced, int region, double theta, double u)
 {
     const sf_system *const system = forced->system;
-    return forced->F_0 * cos(theta) - sf_force(sf_law_of(system, region), sf_constants_of(system, region), u);
+    return forced->F_0 * cos(theta) - sf_law_of(system, region)->value(sf_constants_of(system, region), u);
 }
 
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
@@ -82,7 +85,7 @@ static inline int sf_region_of(const sf_system *system, double u)
 static double sf_break_away(const sf_forced *forced, int region, double theta, double u, int *direction)
 {
     const sf_system *const system = forced->system;
-    const double force = sf_force(sf_law_of(system, region), sf_constants_of(system, region), u);
+    const double force = sf_law_of(system, region)->value(sf_constants_of(system, region), u);
     double first = HUGE_VAL;
     *direction = 0;
     for (int slip = -1; slip <= 1; slip += 2) {
@@ -110,7 +113,7 @@ static inline int sf_after_stop(const sf_forced *forced, int slip, int region, d
 /* Slip from (theta, u, v) up to the first stop, to u = edge, or to `end`. `zeros`: of the velocity at the start, 0 if it
  * moves, 1 from rest, 2 where the acceleration vanishes too, at break-away. */
 static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *drive, int slip, double edge, double end,
-                           int zeros, double *theta, double *u, double *v, long *left, sf_event *event, int *undecided)
+                           int zeros, double *theta, double *u, double *v, long *left, sf_event *event, _Bool *undecided)
 {
     const double start = *theta, whole = (end - start) / drive->Omega;
     double passed = 0.0;
@@ -119,29 +122,25 @@ static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *d
     for (;;) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        sf_expand(law, p, drive, *theta, *u, *v, &x);
+        law->expand(p, drive, *theta, *u, *v, &x);
         double h = fmin(sf_step_of(&x, 0), whole - passed);
         if (!(h >= 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
         const int last = h == whole - passed;
-        double a[SF_TERMS] = {0.0}, power = slip, zero;
-        for (int k = 0; k <= SF_ORDER; k++, power *= h)
-            if (k >= zeros)
-                a[k - zeros] = x.v[k] * power;
-        const sf_found stop = h > 0.0 ? sf_first_zero(a, &zero) : SF_NONE;
+        double ahead[SF_TERMS + 2] = {0.0}, zero; /* v along the step, with zeros beyond its order */
+        sf_scaled(x.v, h, slip, ahead);
+        const sf_found stop = h > 0.0 ? sf_first_zero(ahead + zeros, &zero) : SF_NONE;
         *undecided |= stop == SF_UNDECIDED;
         *event = last ? SF_TIME : SF_NOTHING;
         double at = h;
         if (stop == SF_ONE)
             at = h * zero, *event = SF_STOP;
-        double there = sf_at(x.w[0], at);
+        double there = sf_at(x.u, at);
         if (slip * (there - edge) > 0.0) { /* up to there u is monotone */
-            double beyond[SF_TERMS];
-            power = -slip;
-            for (int k = 0; k <= SF_ORDER; k++, power *= h)
-                beyond[k] = x.w[0][k] * power;
-            beyond[0] += slip * edge;
-            at = beyond[0] > 0.0 ? h * sf_refined(beyond, SF_ORDER, 0.0, at / h) : 0.0;
+            double left[SF_TERMS];
+            sf_scaled(x.u, h, -slip, left);
+            left[0] += slip * edge;
+            at = left[0] > 0.0 ? h * sf_refined(left, 0.0, at / h) : 0.0;
             there = edge, *event = SF_EDGE;
         }
         *v = *event == SF_STOP ? 0.0 : sf_at(x.v, at);
@@ -158,25 +157,24 @@ static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *d
 
 /* State at `end`, which may lie before theta, and its derivatives by the state at theta, Omega and F_0. */
 static sf_outcome sf_advance(const sf_law *law, const double *p, const sf_drive *drive, double theta, double end,
-                             double *u, double *v, double flow[2][SF_COLUMNS], long *left)
+                             double *u, double *v, sf_four flow[2], long *left)
 {
     const double start = theta, whole = (end - start) / drive->Omega;
     double passed = 0.0;
     sf_expansion x;
-    memset(flow, 0, 2 * sizeof flow[0]);
-    flow[0][0] = flow[1][1] = 1.0;
+    flow[0] = sf_four_of(1.0, 0.0, 0.0, 0.0), flow[1] = sf_four_of(0.0, 1.0, 0.0, 0.0);
     while (passed != whole) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        sf_expand_both(law, p, drive, theta, *u, *v, (const double (*)[SF_COLUMNS])flow, &x);
+        law->expand_both(p, drive, theta, *u, *v, flow, &x);
         const double most = sf_step_of(&x, 1), rest = whole - passed;
-        if (!(most > 0.0) || !isfinite(x.V[SF_ORDER][0]))
+        if (!(most > 0.0) || !isfinite(sf_lane(&x.V[SF_ORDER], 0)))
             return SF_STALLS;
         const double h = fabs(rest) <= most ? rest : copysign(most, rest);
         passed = h == rest ? whole : passed + h;
-        *u = sf_at(x.w[0], h), *v = sf_at(x.v, h);
-        sf_columns_at(x.U, h, flow[0]);
-        sf_columns_at(x.V, h, flow[1]);
+        *u = sf_at(x.u, h), *v = sf_at(x.v, h);
+        sf_four_at(x.U, h, &flow[0]);
+        sf_four_at(x.V, h, &flow[1]);
         theta = start + drive->Omega * passed;
     }
     return isfinite(*u) && isfinite(*v) ? SF_GOOD : SF_STALLS;
@@ -193,7 +191,7 @@ static sf_outcome sf_sample(const sf_law *law, const double *p, const sf_drive *
     while (i < count) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        sf_expand(law, p, drive, theta, u, v, &x);
+        law->expand(p, drive, theta, u, v, &x);
         const double h = sf_step_of(&x, 0);
         if (!(h > 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
@@ -201,9 +199,9 @@ static sf_outcome sf_sample(const sf_law *law, const double *p, const sf_drive *
             const double at = (grid[i] - start) / drive->Omega - passed;
             if (!(at <= h))
                 break;
-            out[i][0] = sf_at(x.w[0], at), out[i][1] = sf_at(x.v, at);
+            out[i][0] = sf_at(x.u, at), out[i][1] = sf_at(x.v, at);
         }
-        u = sf_at(x.w[0], h), v = sf_at(x.v, h);
+        u = sf_at(x.u, h), v = sf_at(x.v, h);
         passed += h;
         theta = start + drive->Omega * passed;
     }
@@ -234,7 +232,7 @@ static int sf_rest(sf_phases *phases, int region, double *theta, double u, doubl
         last->end = until, last->event = event;
         return 1;
     }
-    return sf_append(phases, (sf_phase){0, region, event, 0, from, u, 0.0, until, u, 0.0});
+    return sf_append(phases, (sf_phase){0, region, from, u, 0.0, until, u, 0.0, event, 0});
 }
 
 /* All phases from (theta, u, v) to `end`; `start` = {slip, region} overrides the state, e.g. at break-away. */
@@ -274,7 +272,7 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
         }
         const sf_law *const law = sf_law_of(system, region);
         const sf_drive drive = sf_drive_of(forced, slip);
-        sf_phase phase = {slip, region, SF_TIME, 0, theta, u, v, 0.0, 0.0, 0.0};
+        sf_phase phase = {slip, region, theta, u, v, 0.0, 0.0, 0.0, SF_TIME, 0};
         sf_event event;
         const sf_outcome outcome = sf_until(law, sf_constants_of(system, region), &drive, slip, edge, end, zeros, &theta,
                                             &u, &v, &forced->left, &event, &phase.undecided);

@@ -8,101 +8,137 @@
 
 #include "series.h"
 
-enum { SF_COLUMNS = 4 }; /* u and v at the start, Omega, F_0 */
-
 /* the constants of a slip phase: friction is mu times the sign of the velocity */
 typedef struct {
     double Omega, F_0, zeta, friction;
 } sf_drive;
 
-/* in time from the start of the step, coefficient by coefficient; w[0] is u */
+/* in time from the start of the step, coefficient by coefficient */
 typedef struct {
-    sf_series w[SF_MOST_SERIES], v, cosine, sine;
-    double U[SF_TERMS][SF_COLUMNS], V[SF_TERMS][SF_COLUMNS];
+    sf_series u, v;
+    sf_four U[SF_TERMS], V[SF_TERMS]; /* by u and v at the start, Omega, F_0 */
 } sf_expansion;
 
-static const double sf_over[SF_TERMS + 1] = {
-    0.0,       1.0,       1.0 / 2,   1.0 / 3,   1.0 / 4,   1.0 / 5,   1.0 / 6,   1.0 / 7,   1.0 / 8,
-    1.0 / 9,   1.0 / 10,  1.0 / 11,  1.0 / 12,  1.0 / 13,  1.0 / 14,  1.0 / 15,  1.0 / 16,  1.0 / 17,
-    1.0 / 18,  1.0 / 19,  1.0 / 20,  1.0 / 21,  1.0 / 22,  1.0 / 23,  1.0 / 24,  1.0 / 25};
+/* One smooth piece of a restoring force: f(u), df/du, and the expansion of the motion over it without and with the
+ * derivatives by column at a fixed theta = Omega tau, from those in `flow`. */
+typedef struct {
+    const char *name;
+    double (*value)(const double *p, double u);
+    double (*slope)(const double *p, double u);
+    void (*expand)(const double *p, const sf_drive *drive, double theta, double u, double v, sf_expansion *x);
+    void (*expand_both)(const double *p, const sf_drive *drive, double theta, double u, double v,
+                        const sf_four flow[2], sf_expansion *x);
+} sf_law;
 
-static inline double sf_force(const sf_law *law, const double *p, double u)
-{
-    sf_series w[SF_MOST_SERIES];
-    w[0][0] = u;
-    law->force(0, p, w);
-    return w[law->value][0];
-}
+/* What the generated recurrences of a piece are: begin() gives the coefficients 0 of all its series from that of
+ * series 0, which is u, and reciprocals; next() gives the coefficients n > 0 in w, likewise, and what they contribute to
+ * the sums of the coefficients after it. */
+typedef void sf_begin(const double *p, double *first, double *over);
+typedef void sf_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right);
 
-static inline double sf_stiffness(const sf_law *law, const double *p, double u)
+/* sums of left[j] right[n - j] for from <= j <= n - from, group by group */
+static SF_INLINE void sf_sums(const sf_four *left, const sf_four *right, int n, int from, int fours, sf_four *sum)
 {
-    sf_series w[SF_MOST_SERIES];
-    w[0][0] = u;
-    law->both(0, p, w);
-    return w[law->slope][0];
-}
-
-/* u' = v, v' = F_0 cos theta - f(u) - 2 zeta v - friction; the same order of operations as in a push less friction */
-static void sf_expand(const sf_law *law, const double *p, const sf_drive *drive, double theta, double u, double v,
-                      sf_expansion *x)
-{
-    x->w[0][0] = u, x->v[0] = v;
-    x->cosine[0] = cos(theta), x->sine[0] = sin(theta);
-    for (int n = 0; n < SF_ORDER; n++) {
-        const double over = sf_over[n + 1];
-        law->force(n, p, x->w);
-        x->w[0][n + 1] = x->v[n] * over;
-        x->v[n + 1] = (drive->F_0 * x->cosine[n] - x->w[law->value][n] - 2.0 * drive->zeta * x->v[n] -
-                       sf_constant(drive->friction, n)) * over;
-        x->cosine[n + 1] = -drive->Omega * x->sine[n] * over;
-        x->sine[n + 1] = drive->Omega * x->cosine[n] * over;
+    for (int k = 0; k < fours; k++) {
+        sf_four even = sf_four_of(0.0, 0.0, 0.0, 0.0), odd = even;
+        int low = from, high = n - from;
+        for (; low < high; low++, high--) {
+            even = sf_more(even, left[low * fours + k], right[high * fours + k]);
+            odd = sf_more(odd, left[high * fours + k], right[low * fours + k]);
+        }
+        if (low == high)
+            even = sf_more(even, left[low * fours + k], right[high * fours + k]);
+        sum[k] = sf_plus(even, odd);
     }
 }
 
-/* coefficient n of the slope times each column of U, from the term `first` on, in two sums as in sf_convolved */
-static inline void sf_pulled(const double *slope, const double (*U)[SF_COLUMNS], int n, int first, double *pull)
+/* Coefficients n of all series of a piece but u's, which is given; the coefficients w[0], w[1], w[n - 1] and w[n] take
+ * turns in four parts of `w`. Gives where those of order n stand. */
+static SF_INLINE const double *sf_carried(sf_next *next, const double *p, int n, double u, int series, int fours,
+                                          const double *over, double *w, sf_four *left, sf_four *right)
 {
-    double even[SF_COLUMNS] = {0.0}, odd[SF_COLUMNS] = {0.0};
-    int j = first;
-    for (; j + 2 <= n + 1; j += 2)
-        for (int c = 0; c < SF_COLUMNS; c++) {
-            even[c] += slope[n - j] * U[j][c];
-            odd[c] += slope[n - j - 1] * U[j + 1][c];
-        }
-    for (int c = 0; c < SF_COLUMNS; c++)
-        pull[c] = even[c] + odd[c] + (j <= n ? slope[n - j] * U[j][c] : 0.0);
+    static const double none[SF_MOST_SERIES] = {0.0};
+    sf_four sum[SF_MOST_FOURS];
+    double *const now = w + (n == 1 ? 1 : 2 + n % 2) * series;
+    const double *const last = n < 3 ? none : w + (2 + (n - 1) % 2) * series;
+    const sf_coefficients c = {n, w, w + series, last, now, over, sum};
+    sf_sums(left, right, n, n < 3 ? 1 : 2, fours, sum);
+    now[0] = u;
+    next(&c, p, now, left + n * fours, right + n * fours);
+    return now;
 }
 
-/* The same with the derivatives by column at a fixed theta = Omega tau: of u, U' = V and of v, V' = -f'(u) U - 2 zeta V,
- * less the rates of u and v over Omega in the column of Omega, plus cos theta in that of F_0. */
-static void sf_expand_both(const sf_law *law, const double *p, const sf_drive *drive, double theta, double u, double v,
-                           const double flow[2][SF_COLUMNS], sf_expansion *x)
+/* u' = v, v' = F_0 cos theta - f(u) - 2 zeta v - friction; at the start in the same order of operations as in a push less
+ * friction. The piece has `series`, f is number `value` of them; `fours` groups of sums. */
+static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive, double theta,
+                                double u, double v, int series, int fours, int value, double *over, double *w,
+                                sf_four *left, sf_four *right, sf_expansion *x)
 {
-    x->w[0][0] = u, x->v[0] = v;
-    x->cosine[0] = cos(theta), x->sine[0] = sin(theta);
-    memcpy(x->U[0], flow[0], sizeof x->U[0]);
-    memcpy(x->V[0], flow[1], sizeof x->V[0]);
-    const double *const slope = x->w[law->slope];
-    for (int n = 0; n < SF_ORDER; n++) {
-        const double over = sf_over[n + 1];
-        law->both(n, p, x->w);
-        x->w[0][n + 1] = x->v[n] * over;
-        const double rate = drive->F_0 * x->cosine[n] - x->w[law->value_of_both][n] - 2.0 * drive->zeta * x->v[n] -
-                            sf_constant(drive->friction, n);
-        x->v[n + 1] = rate * over;
-        x->cosine[n + 1] = -drive->Omega * x->sine[n] * over;
-        x->sine[n + 1] = drive->Omega * x->cosine[n] * over;
-        double pull[SF_COLUMNS];
-        sf_pulled(slope, (const double (*)[SF_COLUMNS])x->U, n, law->linear ? n : 0, pull);
-        for (int c = 0; c < SF_COLUMNS; c++) {
-            x->U[n + 1][c] = x->V[n][c] * over;
-            x->V[n + 1][c] = (-pull[c] - 2.0 * drive->zeta * x->V[n][c]) * over;
-        }
-        x->U[n + 1][2] -= x->v[n] / drive->Omega * over;
-        x->V[n + 1][2] -= rate / drive->Omega * over;
-        x->V[n + 1][3] += x->cosine[n] * over;
+    const double damping = 2.0 * drive->zeta;
+    double cosine = cos(theta), sine = sin(theta);
+    memset(w + series, 0, (size_t)series * sizeof *w); /* taken while coefficients 1 are put in, times zero */
+    w[0] = u;
+    begin(p, w, over);
+    x->u[0] = u, x->v[0] = v;
+    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction;
+    x->u[1] = v;
+    for (int n = 1;; n++) {
+        x->v[n] = rate * sf_over[n];
+        if (n == SF_ORDER)
+            break;
+        x->u[n + 1] = rate * (sf_over[n] * sf_over[n + 1]);
+        const double turned = -drive->Omega * sine * sf_over[n];
+        sine = drive->Omega * cosine * sf_over[n], cosine = turned;
+        const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
+        rate = drive->F_0 * cosine - damping * x->v[n] - now[value];
     }
 }
+
+/* The same with the derivatives: of u, U' = V and of v, V' = -f'(u) U - 2 zeta V, less the rates of u and v over Omega
+ * in the column of Omega, plus cos theta in that of F_0. f' is series `slope`; where it is linear, its first coefficient. */
+static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive,
+                                     double theta, double u, double v, const sf_four flow[2], int series, int fours,
+                                     int value, int slope, int linear, double *over, double *w, sf_four *left,
+                                     sf_four *right, sf_expansion *x)
+{
+    const double damping = 2.0 * drive->zeta, by_Omega = -1.0 / drive->Omega;
+    const sf_four damped = sf_all(damping);
+    double cosine = cos(theta), sine = sin(theta);
+    sf_four slopes[SF_TERMS];
+    memset(w + series, 0, (size_t)series * sizeof *w); /* taken while coefficients 1 are put in, times zero */
+    w[0] = u;
+    begin(p, w, over);
+    x->u[0] = u, x->v[0] = v;
+    x->U[0] = flow[0], x->V[0] = flow[1];
+    slopes[0] = sf_all(w[slope]);
+    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction;
+    sf_four pull = sf_times(slopes[0], flow[0]);
+    x->u[1] = v;
+    for (int n = 1;; n++) {
+        const sf_four each = sf_all(sf_over[n]);
+        x->v[n] = rate * sf_over[n];
+        x->U[n] = sf_times(sf_plus(x->V[n - 1], sf_four_of(0.0, 0.0, x->v[n - 1] * by_Omega, 0.0)), each);
+        const sf_four resisted = sf_more(pull, damped, x->V[n - 1]);
+        x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, rate * by_Omega, cosine), resisted), each);
+        if (n == SF_ORDER)
+            break;
+        x->u[n + 1] = rate * (sf_over[n] * sf_over[n + 1]);
+        const double turned = -drive->Omega * sine * sf_over[n];
+        sine = drive->Omega * cosine * sf_over[n], cosine = turned;
+        const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
+        rate = drive->F_0 * cosine - damping * x->v[n] - now[value];
+        pull = sf_times(slopes[0], x->U[n]);
+        if (!linear) {
+            sf_four below;
+            slopes[n] = sf_all(now[slope]);
+            sf_sums(slopes, x->U, n, 1, 1, &below);
+            pull = sf_plus(pull, sf_more(below, slopes[n], x->U[0]));
+        }
+    }
+}
+
+static inline double sf_greater(double a, double b) { return a > b ? a : b; }
+static inline double sf_lesser(double a, double b) { return a < b ? a : b; }
 
 /* log2 |x| to 0.1 */
 static inline double sf_log2(double x)
@@ -110,44 +146,53 @@ static inline double sf_log2(double x)
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     bits &= INT64_MAX;
-    return (double)bits * 0x1p-52 - 1023.0;
+    return (double)(int64_t)bits * 0x1p-52 - 1023.0;
 }
 
-static inline double sf_largest(const double *row)
+static inline double sf_largest(const sf_four *row)
 {
-    double most = 0.0;
-    for (int c = 0; c < SF_COLUMNS; c++)
-        most = fmax(most, fabs(row[c]));
-    return most;
+    const double pair = sf_greater(fabs(sf_lane(row, 0)), fabs(sf_lane(row, 1)));
+    return sf_greater(pair, sf_greater(fabs(sf_lane(row, 2)), fabs(sf_lane(row, 3))));
 }
 
-/* log2 of the step at which a term of that order is a rounding of the largest of the first three */
-static double sf_reach_of(const double head[3], double tail, int order)
+/* log2 of the step at which the last two terms are a rounding of the largest of the first four, of which three
+ * vanish at rest under no force; of what vanishes the logarithm is -1023 */
+static SF_INLINE double sf_reach(const double head[4], double before, double last)
 {
-    if (tail == 0.0)
-        return HUGE_VAL;
-    double most = -HUGE_VAL;
-    for (int k = 0; k < 3; k++)
-        if (head[k] != 0.0)
-            most = fmax(most, (sf_log2(head[k]) - sf_log2(tail) - 54.0) / (order - k));
-    return most;
+    const double of_before = sf_log2(before) + 54.0, of_last = sf_log2(last) + 54.0;
+    double to_before = -HUGE_VAL, to_last = -HUGE_VAL;
+    for (int k = 0; k < 4; k++) {
+        const double size = sf_log2(head[k]);
+        to_before = sf_greater(to_before, (size - of_before) * (1.0 / (SF_ORDER - 1 - k)));
+        to_last = sf_greater(to_last, (size - of_last) * (1.0 / (SF_ORDER - k)));
+    }
+    return sf_lesser(to_before, to_last);
 }
 
-/* The step over which the last two terms of every series are no more than a rounding; infinite where all vanish. */
-static double sf_step_of(const sf_expansion *x, int variations)
+/* The step over which the last two terms of every series are no more than a rounding; very long where all vanish. */
+static SF_INLINE double sf_step_of(const sf_expansion *x, int variations)
 {
-    double least = HUGE_VAL;
-    for (int order = SF_ORDER - 1; order <= SF_ORDER; order++) {
-        least = fmin(least, sf_reach_of(x->w[0], x->w[0][order], order));
-        least = fmin(least, sf_reach_of(x->v, x->v[order], order));
-        if (variations) {
-            const double of_u[3] = {sf_largest(x->U[0]), sf_largest(x->U[1]), sf_largest(x->U[2])};
-            const double of_v[3] = {sf_largest(x->V[0]), sf_largest(x->V[1]), sf_largest(x->V[2])};
-            least = fmin(least, sf_reach_of(of_u, sf_largest(x->U[order]), order));
-            least = fmin(least, sf_reach_of(of_v, sf_largest(x->V[order]), order));
-        }
+    double least = sf_lesser(sf_reach(x->u, x->u[SF_ORDER - 1], x->u[SF_ORDER]),
+                             sf_reach(x->v, x->v[SF_ORDER - 1], x->v[SF_ORDER]));
+    for (int i = 0; variations && i < 2; i++) {
+        const sf_four *const of = i ? x->V : x->U;
+        const double head[4] = {sf_largest(&of[0]), sf_largest(&of[1]), sf_largest(&of[2]), sf_largest(&of[3])};
+        least = sf_lesser(least, sf_reach(head, sf_largest(&of[SF_ORDER - 1]), sf_largest(&of[SF_ORDER])));
     }
     return exp2(least);
+}
+
+/* a in units of h: a[k] h^k, times a sign */
+static inline void sf_scaled(const double *a, double h, double sign, double *out)
+{
+    const double square = h * h;
+    double even = sign, odd = sign * h;
+    out[0] = sign * a[0];
+    for (int k = 1; k < SF_ORDER; k += 2) {
+        even *= square;
+        out[k] = odd * a[k], out[k + 1] = even * a[k + 1];
+        odd *= square;
+    }
 }
 
 /* by Horner's rule, for even and odd powers apart */
@@ -160,17 +205,13 @@ static inline double sf_at(const double *series, double h)
     return series[0] + (h * odd + square * even);
 }
 
-static void sf_columns_at(double series[SF_TERMS][SF_COLUMNS], double h, double *out)
+static inline void sf_four_at(const sf_four *series, double h, sf_four *out)
 {
-    const double square = h * h;
-    double even[SF_COLUMNS], odd[SF_COLUMNS];
-    memcpy(even, series[SF_ORDER], sizeof even);
-    memcpy(odd, series[SF_ORDER - 1], sizeof odd);
+    const sf_four step = sf_all(h), square = sf_all(h * h);
+    sf_four even = series[SF_ORDER], odd = series[SF_ORDER - 1];
     for (int k = SF_ORDER - 2; k >= 2; k -= 2)
-        for (int c = 0; c < SF_COLUMNS; c++)
-            even[c] = even[c] * square + series[k][c], odd[c] = odd[c] * square + series[k - 1][c];
-    for (int c = 0; c < SF_COLUMNS; c++)
-        out[c] = series[0][c] + (h * odd[c] + square * even[c]);
+        even = sf_more(series[k], even, square), odd = sf_more(series[k - 1], odd, square);
+    *out = sf_plus(series[0], sf_more(sf_times(step, odd), square, even));
 }
 
 #endif

@@ -1,0 +1,140 @@
+"""Taylor recurrences of every function that a force may hold: steps in C against 25 digits, and the form chosen."""
+
+import subprocess
+from types import SimpleNamespace
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+
+from derivations.emit.compensated import copysign
+from derivations.emit.targets.c import taylor
+from derivations.emit.views import templates
+from derivations.symbols import u
+from tests.native import headers
+
+a, b = sp.symbols("a b", real=True)
+CONSTANTS = {a: 0.7, b: 0.45}
+ROOT = sp.sqrt((1 - u) * (1 + u))
+#: each function alone, and together
+FORCES = {
+    "cube_root": sp.cbrt(1 + a * u**2) * u,
+    "sine": sp.sin(a * u) + b * u * sp.cos(u),
+    "tangent": sp.tan(a * u),
+    "quotient": u / (1 + a * u**2) + b * u**3 / (2 + u**2) ** 2,
+    "reciprocal_root": u / sp.sqrt(1 + a * u**4),
+    "three_halves": u * (1 + a * u**2) ** sp.Rational(3, 2),
+    "two_roots": u * sp.sqrt(1 + u**2) - b * u / sp.sqrt(2 + u**2),
+    "signed": a * u + b * u * copysign(sp.Integer(1), u) * u,
+    "in_powers": u * (a + 2 * b * u**2 / (ROOT * (ROOT + 1))),
+}
+STATE = {"Omega": 0.9, "F_0": 0.11, "zeta": 0.03, "friction": -0.02, "theta": 0.4, "u": 0.35, "v": -0.2}
+STEP = 0.15
+SIGN = sp.Symbol("sign")
+
+
+def fake_module(name, force):
+    """As much of a module as the recurrences take, with every root named, as kernels have it."""
+    slope = sp.diff(force.replace(copysign, lambda x, y: x * SIGN), u).subs(SIGN, copysign(sp.Integer(1), u))
+    kernels = []
+    for kernel, form in (("force", force), ("slope", slope)):
+        powers = sorted({p for p in form.atoms(sp.Pow) if not p.exp.is_Integer}, key=str)
+        pairs = dict.fromkeys((p.base, p.exp.q) for p in powers)
+        roots = {pair: sp.Symbol(f"{kernel}_root_{i}") for i, pair in enumerate(pairs)}
+        lets = tuple((symbol, sp.Pow(base, sp.Rational(1, q))) for (base, q), symbol in roots.items())
+        named = form.xreplace({p: roots[p.base, p.exp.q] ** p.exp.p for p in powers})
+        branch = SimpleNamespace(lets=lets, outputs=(named,))
+        kernels.append(
+            SimpleNamespace(name=kernel, arguments=(u, *CONSTANTS), branches=(branch,), doc=str(form), equation="(3)")
+        )
+    return SimpleNamespace(name=name, kernels=kernels, record=SimpleNamespace(pieces=[("force", "slope")]))
+
+
+@pytest.fixture(scope="module")
+def stepped(tmp_path_factory):
+    """u, v and their derivatives by (u, v, Omega, F_0) after a step, by name: by both expansions."""
+    if headers.COMPILER is None:
+        pytest.skip("no C compiler (cc) on the path")
+    folder = tmp_path_factory.mktemp("taylor")
+    environment = templates(headers.HEADERS.parents[1] / "derivations" / "emit" / "targets" / "c")
+    modules = [fake_module(name, force) for name, force in FORCES.items()]
+    (folder / "taylor.h").write_text(taylor.text(modules, environment))
+    drive = ", ".join(repr(STATE[key]) for key in ("Omega", "F_0", "zeta", "friction"))
+    state = ", ".join(repr(STATE[key]) for key in ("theta", "u", "v"))
+    (folder / "main.c").write_text(
+        f"""#include <stdio.h>
+#include "taylor.h"
+int main(void)
+{{
+    const double p[] = {{{", ".join(map(repr, CONSTANTS.values()))}}}, h = {STEP!r};
+    const sf_drive drive = {{{drive}}};
+    const sf_four flow[2] = {{sf_four_of(1.0, 0.0, 0.0, 0.0), sf_four_of(0.0, 1.0, 0.0, 0.0)}};
+    for (int i = 0; i < SF_LAWS; i++) {{
+        static sf_expansion x, y;
+        sf_four by[2];
+        sf_laws[i].expand(p, &drive, {state}, &x);
+        sf_laws[i].expand_both(p, &drive, {state}, flow, &y);
+        sf_four_at(y.U, h, &by[0]);
+        sf_four_at(y.V, h, &by[1]);
+        printf("%.17g %.17g %.17g %.17g", sf_at(x.u, h), sf_at(x.v, h), sf_at(y.u, h), sf_at(y.v, h));
+        for (int k = 0; k < 8; k++)
+            printf(" %.17g", sf_lane(by, k));
+        printf(" %.17g %.17g\\n", exp2(log2(sf_step_of(&x, 0))), sf_laws[i].value(p, {STATE["u"]!r}));
+    }}
+    return 0;
+}}
+"""
+    )
+    source = headers.HEADERS.parents[1] / "src" / "slowflow" / "native"
+    command = [headers.COMPILER, "-std=c11", "-O2", f"-I{source}", f"-I{source / 'exact'}", f"-I{folder}"]
+    subprocess.run([*command, str(folder / "main.c"), "-o", str(folder / "main"), "-lm"], check=True)
+    lines = subprocess.run([str(folder / "main")], check=True, capture_output=True, text=True).stdout.splitlines()
+    return {name: np.array(line.split(), dtype=float) for name, line in zip(FORCES, lines, strict=True)}
+
+
+@pytest.mark.parametrize("name", FORCES)
+def test_a_step_by_every_function_against_twenty_five_digits(name, stepped):
+    """The equation of motion and its variations, the slope by SymPy, integrated by mpmath."""
+    positive = FORCES[name].replace(copysign, lambda x, y: x)  # u stays positive
+    with mp.workdps(25):
+        values = {symbol: mp.mpf(value) for symbol, value in CONSTANTS.items()}
+        force = sp.lambdify((u, *CONSTANTS), positive, "mpmath")
+        slope = sp.lambdify((u, *CONSTANTS), sp.diff(positive, u), "mpmath")
+        at = {key: mp.mpf(value) for key, value in STATE.items()}
+
+        def rates(t, y):
+            theta = at["theta"] + at["Omega"] * t
+            rate = at["F_0"] * mp.cos(theta) - force(y[0], *values.values()) - 2 * at["zeta"] * y[1] - at["friction"]
+            out = [y[1], rate]
+            stiffness = slope(y[0], *values.values())
+            extra = [(0, 0), (0, 0), (-y[1] / at["Omega"], -rate / at["Omega"]), (0, mp.cos(theta))]
+            pairs = [
+                (y[6 + c] + du, -stiffness * y[2 + c] - 2 * at["zeta"] * y[6 + c] + dv)
+                for c, (du, dv) in enumerate(extra)
+            ]
+            return out + [pair[0] for pair in pairs] + [pair[1] for pair in pairs]
+
+        start = [at["u"], at["v"], 1, 0, 0, 0, 0, 1, 0, 0]
+        expected = np.array(mp.odefun(rates, 0, start, tol=mp.mpf(10) ** -20)(mp.mpf(STEP)), dtype=float)
+    found = stepped[name]
+    assert np.max(np.abs(found[:2] - expected[:2])) <= 2e-16
+    assert np.max(np.abs(found[2:4] - expected[:2])) <= 2e-16
+    assert np.max(np.abs(found[4:12] - expected[2:])) <= 1e-15
+    assert found[12] >= STEP, "a step over which the series does not hold"
+
+
+def test_an_even_form_of_one_root_is_written_in_its_powers():
+    """1/s - 1 = u^2/(s (s + 1)) for s^2 = 1 - u^2, by hand; forms that are no such sum are left alone."""
+    assert sp.simplify(taylor.by_root(u**2 / (ROOT * (ROOT + 1))) - (1 / ROOT - 1)) == 0
+    assert sp.expand(taylor.by_root(u**2 * ROOT) - (ROOT - ROOT**3)) == 0
+    for other in (u * ROOT, u**2, 1 / (1 + 2 * ROOT), ROOT * sp.sqrt(2 + u**2), sp.cbrt(1 + u**2), sp.sqrt(1 + u)):
+        assert taylor.by_root(other) is None, other
+
+
+def test_the_shorter_form_is_taken():
+    """Four products for the force that (5) states, five with its slope: as many groups of sums as can be."""
+    (law,) = taylor.laws([fake_module("in_powers", FORCES["in_powers"])])
+    assert (len(law.force.sums), len(law.both.sums)) == (4, 5)
+    plain = taylor.recurrence("plain", tuple(CONSTANTS), [], [FORCES["in_powers"]])
+    assert len(plain.sums) > len(law.force.sums)
