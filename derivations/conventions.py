@@ -82,6 +82,18 @@ ONSET_KIND = Table(
     "_KIND",
 )
 
+FOLD_KIND = Table(
+    ("FoldKind", "sf_fold_kind"),
+    "Where a sweep goes that leaves a fold.",
+    (
+        Word("EMPTY", "an empty place"),
+        Word("JUMP_UP", "to a larger amplitude"),
+        Word("JUMP_DOWN", "to a smaller one"),
+        Word("JUMP_UP_AT_CORNER", "to a larger amplitude, from a corner at a breakpoint"),
+        Word("JUMP_DOWN_AT_CORNER", "to a smaller one, from a corner at a breakpoint"),
+    ),
+)
+
 OUTCOME = Table(
     ("Outcome", "sf_outcome"),
     "How a motion or a cycle fared.",
@@ -121,7 +133,7 @@ CONVENTIONS = (
     Conventions(
         "conventions",
         "What the solvers of averaged motions have in common",
-        (STATUS, ONSET_KIND),
+        (STATUS, ONSET_KIND, FOLD_KIND),
         (
             Number("STATIC_MULTIPLE", sp.Integer(100), "an undamped response without a reach is cut at this times F_0"),
             Number("RAISE", sp.Integer(4), "the forcing is raised by this factor until the onset lies below it"),

@@ -18,6 +18,7 @@ from slowflow.averaged import compiled, remarks
 from slowflow.averaged.reference import folds, locus, response
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow.results import Remark
+from slowflow_kernels.conventions import FoldKind
 
 DATA = Path(__file__).parent / "data"
 UNIT = 2.0**-53
@@ -192,7 +193,9 @@ def test_many_designs_are_the_single_ones():
         assert nodes.count[at] == len(found)
         np.testing.assert_allclose(nodes.A[at][: len(found)], found.A, rtol=1e-13)
         assert np.isnan(nodes.A[at][len(found) :]).all()
-        assert (nodes.kind[at][: len(found)] == np.where(found.kind == "jump-up", 1, -1)).all()
+        assert (
+            nodes.kind[at][: len(found)] == np.where(found.kind == "jump-up", FoldKind.JUMP_UP, FoldKind.JUMP_DOWN)
+        ).all()
         np.testing.assert_allclose(peak.A[at], one.peak(0.04).A, rtol=1e-13)
     assert not any(answer.status.any() for answer in (detachment, onset, peak, nodes))
 

@@ -27,6 +27,15 @@ typedef enum {
     SF_CORNER_KIND = 3 /* at a breakpoint */
 } sf_onset_kind;
 
+/* Where a sweep goes that leaves a fold. */
+typedef enum {
+    SF_EMPTY = 0, /* an empty place */
+    SF_JUMP_UP = 1, /* to a larger amplitude */
+    SF_JUMP_DOWN = 2, /* to a smaller one */
+    SF_JUMP_UP_AT_CORNER = 3, /* to a larger amplitude, from a corner at a breakpoint */
+    SF_JUMP_DOWN_AT_CORNER = 4 /* to a smaller one, from a corner at a breakpoint */
+} sf_fold_kind;
+
 /* an undamped response without a reach is cut at this times F_0 */
 #define SF_STATIC_MULTIPLE 100.0
 /* the forcing is raised by this factor until the onset lies below it */

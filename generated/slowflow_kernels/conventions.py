@@ -10,15 +10,15 @@ from enum import IntEnum
 class Status(IntEnum):
     """How a solver fared.
 
-    0  OK          an answer
-    1  INVALID     a parameter outside its domain
-    2  STICKS      sticks: F_0 <= 4 mu/pi
-    3  NONE        there is none (no fold, no breakpoint)
-    4  UNBOUNDED   no viscous damping: no end of the response, no lowest forcing
-    5  NO_BOUND    no amplitude was found that bounds the response
-    6  TOO_MANY    more of them than places
-    7  UNRESOLVED  branches coincide within rounding
-    8  NO_MEMORY   out of memory
+    0  OK                   an answer
+    1  INVALID              a parameter outside its domain
+    2  STICKS               sticks: F_0 <= 4 mu/pi
+    3  NONE                 there is none (no fold, no breakpoint)
+    4  UNBOUNDED            no viscous damping: no end of the response, no lowest forcing
+    5  NO_BOUND             no amplitude was found that bounds the response
+    6  TOO_MANY             more of them than places
+    7  UNRESOLVED           branches coincide within rounding
+    8  NO_MEMORY            out of memory
     """
 
     OK = 0
@@ -35,16 +35,33 @@ class Status(IntEnum):
 class OnsetKind(IntEnum):
     """What the lowest forcing with a fold is.
 
-    0  NO          there is none
-    1  CUSP        two folds meet: the response gets a vertical inflection
-    2  ISOLA       an isolated curve is born
-    3  CORNER      at a breakpoint
+    0  NO                   there is none
+    1  CUSP                 two folds meet: the response gets a vertical inflection
+    2  ISOLA                an isolated curve is born
+    3  CORNER               at a breakpoint
     """
 
     NO = 0
     CUSP = 1
     ISOLA = 2
     CORNER = 3
+
+
+class FoldKind(IntEnum):
+    """Where a sweep goes that leaves a fold.
+
+    0  EMPTY                an empty place
+    1  JUMP_UP              to a larger amplitude
+    2  JUMP_DOWN            to a smaller one
+    3  JUMP_UP_AT_CORNER    to a larger amplitude, from a corner at a breakpoint
+    4  JUMP_DOWN_AT_CORNER  to a smaller one, from a corner at a breakpoint
+    """
+
+    EMPTY = 0
+    JUMP_UP = 1
+    JUMP_DOWN = 2
+    JUMP_UP_AT_CORNER = 3
+    JUMP_DOWN_AT_CORNER = 4
 
 
 # an undamped response without a reach is cut at this times F_0

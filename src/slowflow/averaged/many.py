@@ -26,7 +26,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
 from slowflow.results import Remark
-from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
@@ -106,8 +106,8 @@ class Folds(Batch):
     """The folds at one forcing, for each design; Omega, A and kind have one more axis, with `places` places.
 
     Omega, A -- by rising Omega, then NaN
-    kind     -- 1 a fold that a sweep leaves for a larger amplitude, -1 for a smaller one; 2 and -2 the same on a
-                breakpoint; 0 an empty place
+    kind     -- a number of `slowflow_kernels.conventions.FoldKind`: where a sweep goes that leaves the fold, and
+                whether it sits on a corner at a breakpoint; 0 is an empty place
     count    -- how many folds there are, also where they are more than places
     """
 
@@ -118,7 +118,7 @@ class Folds(Batch):
     status: Codes
 
     def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega, self.A, np.abs(self.kind) == 2
+        return self.Omega, self.A, self.kind >= FoldKind.JUMP_UP_AT_CORNER
 
 
 @dataclass(frozen=True)
@@ -290,6 +290,15 @@ def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
     return found.F_SN, found.Omega, found.A, OnsetKind[found.kind.upper()], at_rest, Status.OK
 
 
+#: of single answers, by their words and whether on a corner
+FOLD_KINDS = {
+    ("jump-up", False): FoldKind.JUMP_UP,
+    ("jump-down", False): FoldKind.JUMP_DOWN,
+    ("jump-up", True): FoldKind.JUMP_UP_AT_CORNER,
+    ("jump-down", True): FoldKind.JUMP_DOWN_AT_CORNER,
+}
+
+
 def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
     Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
     if oscillator is None:
@@ -297,7 +306,7 @@ def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
     found = oscillator.saddle_nodes(F_0)
     n = min(places, len(found))
     Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
-    kind[:n] = (np.where(found.kind == "jump-up", 1, -1) * np.where(found.corner, 2, 1))[:n]
+    kind[:n] = [FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
     return Omega, A, kind, len(found), Status.OK if n == len(found) else Status.TOO_MANY
 
 

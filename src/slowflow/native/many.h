@@ -106,8 +106,13 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
     free(work);
 }
 
-/* design, damping, F_0 -> Omega (places), A (places), kind (places), count, status; kind 1 leads up, -1 down, 2 and -2
- * on a corner, 0 is an empty place */
+static sf_fold_kind sf_kind_of(const sf_fold *fold) {
+    if (fold->corner)
+        return fold->up ? SF_JUMP_UP_AT_CORNER : SF_JUMP_DOWN_AT_CORNER;
+    return fold->up ? SF_JUMP_UP : SF_JUMP_DOWN;
+}
+
+/* design, damping, F_0 -> Omega (places), A (places), kind (places), count, status */
 static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
     const int out = mechanism->design_size + mechanism->damping_size + 1;
@@ -129,7 +134,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
             *(double *)(void *)(args[out] + k * steps[out] + i * inner[0]) = filled ? found.at[i].Omega : NAN;
             *(double *)(void *)(args[out + 1] + k * steps[out + 1] + i * inner[1]) = filled ? found.at[i].A : NAN;
             *(signed char *)(args[out + 2] + k * steps[out + 2] + i * inner[2]) =
-                (signed char)(!filled ? 0 : (found.at[i].up ? 1 : -1) * (found.at[i].corner ? 2 : 1));
+                (signed char)(filled ? sf_kind_of(&found.at[i]) : SF_EMPTY);
         }
         sf_output_code(args, steps, out + 3, k, found.n);
         sf_output_code(args, steps, out + 4, k, status);
