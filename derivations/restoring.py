@@ -51,6 +51,7 @@ class Regime:
     lets   -- intermediate quantities (symbol, expression) in order of evaluation
     derivatives -- the average and its derivatives with respect to A, in A, the parameters and the lets
     intercept -- the average less A times its slope, from which linear terms are gone; None where no form is known
+    remainders -- lets that stand for a series cut short, each with a bound of its relative error
     """
 
     passed: tuple[sp.Symbol, ...]
@@ -58,6 +59,7 @@ class Regime:
     lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
     derivatives: tuple[sp.Expr, ...]
     intercept: sp.Expr | None = None
+    remainders: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
     def closed_form(self, order: int = 0) -> sp.Expr:
         """The average, or a derivative, with the lets put back."""
@@ -138,14 +140,36 @@ def moment_series(power: int) -> sp.Poly:
     binomial series, which ends for odd powers: for these P holds everywhere.
     """
     q = sp.Symbol("q", positive=True)
-    x = 1 / FAR
-    largest = (1 - sp.sqrt(1 - x**2)) / 2
-    exponent = sp.Rational(power - 1, 2)
-    coefficients = []
+    largest = _largest_q()
+    coefficients: list[sp.Expr] = []
     while not coefficients or abs(coefficients[-1] / coefficients[0]) * largest ** (len(coefficients) - 1) > NEGLIGIBLE:
-        k = len(coefficients)
-        coefficients.append(2**power * (-1) ** k * sp.binomial(exponent, k) / (exponent + k + 1))
+        coefficients.append(_term(power, len(coefficients)))
     return sp.Poly(coefficients[::-1], q)
+
+
+def series_remainder(power: int) -> sp.Expr:
+    """A bound of the relative error of `moment_series`.
+
+    With e = (power - 1)/2 its coefficients fall in size from k = e on, as |e - k| <= k + 1 there, so that what is left
+    out is below a geometric series; and the whole is not below its first term times (1 - q)^e, a factor of the
+    integrand.
+    """
+    kept, exponent, largest = moment_series(power).degree() + 1, sp.Rational(power - 1, 2), _largest_q()
+    if kept < exponent:
+        raise ArithmeticError(f"the series of the power {power} is cut while its coefficients may still grow")
+    left_out = abs(_term(power, kept)) * largest**kept / (1 - largest)
+    return left_out / (_term(power, 0) * (1 - largest) ** exponent)
+
+
+def _largest_q() -> sp.Expr:
+    """sin^2(theta/2) where A exceeds a breakpoint by far, at most."""
+    return (1 - sp.sqrt(1 - 1 / FAR**2)) / 2
+
+
+def _term(power: int, k: int) -> sp.Expr:
+    """Coefficient k of `moment_series`."""
+    exponent = sp.Rational(power - 1, 2)
+    return 2**power * (-1) ** k * sp.binomial(exponent, k) / (exponent + k + 1)
 
 
 def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
@@ -211,6 +235,13 @@ class End:
                 higher = power * self.from_zero(power) + x ** (power - 1) * y
                 lets.append((self.from_zero(power - 2), higher / (power - 1)))
         return lets
+
+    def remainders(self, powers: Sequence[int]) -> list[tuple[sp.Symbol, sp.Expr]]:
+        """Of the lets for these powers, what is a series cut short, and a bound of its relative error."""
+        even = [power for power in powers if power % 2 == 0]
+        if not self.far or not even:
+            return []
+        return [(self.from_zero(max(even)), series_remainder(max(even)))]
 
     def from_zero(self, power: int) -> sp.Symbol:
         """int_0^theta sin^power t dt"""
@@ -295,11 +326,13 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
     intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
     used = set().union(*(value.free_symbols for value in moments.values()))
     powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 2)
-    lets = [let for end in ends for let in end.lets([power for power in powers if end.from_zero(power) in used])]
+    of_ends = [(end, [power for power in powers if end.from_zero(power) in used]) for end in ends]
+    lets = [let for end, wanted in of_ends for let in end.lets(wanted)]
+    remainders = tuple(remainder for end, wanted in of_ends for remainder in end.remainders(wanted))
     if count:
         lets += moments.items()
     passed, passed_far = tuple(breakpoints[:count]), tuple(breakpoints[:far])
-    return Regime(passed, passed_far, tuple(lets), tuple(derivatives), times_factor(intercept))
+    return Regime(passed, passed_far, tuple(lets), tuple(derivatives), times_factor(intercept), remainders)
 
 
 def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Restoring:

@@ -36,6 +36,8 @@ class Branch:
 
     name    -- for the generated code
     kernel  -- name of another kernel of the same arguments that computes it; "" where it is printed with this one
+    passed  -- how many breakpoints the amplitude exceeds, where that is what makes the regime
+    remainders -- lets that stand for a series cut short, each with a bound of its relative error
     guards  -- pairs (left, right): the branch holds where every left <= right and no earlier branch does
     lets    -- intermediate quantities in order
     outputs -- expressions in the arguments and the lets
@@ -46,6 +48,8 @@ class Branch:
     lets: tuple[Let, ...]
     outputs: tuple[sp.Expr, ...]
     kernel: str = ""
+    passed: int = 0
+    remainders: tuple[Let, ...] = ()
 
 
 @dataclass(frozen=True)

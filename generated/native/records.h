@@ -17,6 +17,8 @@
 #include "duffing.h"
 #include "rod_spring.h"
 #include "rod_spring_untruncated.h"
+#include "duffing_intervals.h"
+#include "rod_spring_intervals.h"
 
 /* mu, zeta -> m, zeta */
 static int records_damping_of(const double *given, double *damping)
@@ -119,6 +121,21 @@ static double duffing_record_intercept(double A, const double *p)
     return duffing_intercept(A, p[0], p[1]);
 }
 
+static void duffing_record_parameters_within(const double *design, sf_interval *p)
+{
+    duffing_intervals_coefficients(sfi_point(design[0]), sfi_point(design[1]), p);
+}
+
+/* h, h_A, h_AA, h_AAA and h - A h_A */
+static void duffing_record_averaged_within(int passed, sf_interval A, sf_interval beyond,
+                                                           const sf_interval *p, sf_interval *out)
+{
+    (void)(passed);
+    (void)(beyond);
+    duffing_intervals_averaged(A, p, out);
+    out[4] = duffing_intervals_intercept(A, p);
+}
+
 _Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "duffing needs higher limits in mechanism.h");
 static const sf_mechanism duffing_record = {
@@ -141,6 +158,8 @@ static const sf_mechanism duffing_record = {
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
+    .parameters_within = duffing_record_parameters_within,
+    .averaged_within = duffing_record_averaged_within,
 };
 
 static void rod_spring_attached_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
@@ -237,6 +256,19 @@ static double rod_spring_record_intercept(double A, const double *p)
     return rod_spring_intercept(A, p[0], p[1], p[2], p[3]);
 }
 
+static void rod_spring_record_parameters_within(const double *design, sf_interval *p)
+{
+    rod_spring_intervals_coefficients(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
+}
+
+/* h, h_A, h_AA, h_AAA and h - A h_A */
+static void rod_spring_record_averaged_within(int passed, sf_interval A, sf_interval beyond,
+                                                           const sf_interval *p, sf_interval *out)
+{
+    rod_spring_intervals_averaged(passed, A, beyond, p, out);
+    out[4] = rod_spring_intervals_intercept(passed, A, beyond, p);
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_record = {
@@ -259,6 +291,10 @@ static const sf_mechanism rod_spring_record = {
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
+    .parameters_within = rod_spring_record_parameters_within,
+    .averaged_within = rod_spring_record_averaged_within,
+    .ends_within = rod_spring_intervals_breakpoints,
+    .jumps_within = rod_spring_intervals_jumps,
 };
 
 static void rod_spring_untruncated_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)

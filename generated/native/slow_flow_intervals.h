@@ -11,6 +11,29 @@
 
 #include "interval.h"
 
+/* Dry friction's share of I.
+   Equation (23). Domain: mu >= 0. */
+static inline sf_interval slow_flow_intervals_friction(sf_interval mu)
+{
+    return sfi_mul(sfi_around(1.2732395447351628), mu);
+}
+
+/* Cosine balance, -F_0 cos phi at a fixed point.
+   Equation (23). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_R(sf_interval Omega, sf_interval A, sf_interval h)
+{
+    return sfi_add(sfi_mul(A, sfi_square(Omega)), h);
+}
+
+/* Frequency response; zero at a steady state.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_F(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h)
+{
+    const sf_interval R = sfi_add(sfi_mul(A, sfi_square(Omega)), h);
+    const sf_interval I_ = sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(A, Omega), zeta)), m);
+    return sfi_add(sfi_square(R), sfi_mul(sfi_add(sfi_neg(F_0), I_), sfi_add(F_0, I_)));
+}
+
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0. */
 static inline sf_interval slow_flow_intervals_F_A(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A)
@@ -34,6 +57,28 @@ static inline sf_interval slow_flow_intervals_F_AA(sf_interval Omega, sf_interva
         sfi_square(t1)));
 }
 
+/* dF/dOmega.
+   Equation (24), (34). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_F_Omega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h)
+{
+    const sf_interval R = sfi_add(sfi_mul(A, sfi_square(Omega)), h);
+    const sf_interval I_ = sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(A, Omega), zeta)), m);
+    return sfi_times(4.0, sfi_mul(A, sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R))));
+}
+
+/* d2F/dA dOmega.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A)
+{
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval R = sfi_add(sfi_mul(A, t0), h);
+    const sf_interval t1 = sfi_mul(A, Omega);
+    const sf_interval t2 = sfi_times(2.0, t1);
+    const sf_interval I_ = sfi_add(m, sfi_mul(t2, zeta));
+    return sfi_times(4.0, sfi_add(sfi_add(sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R)), sfi_mul(t1,
+        sfi_add(h_A, t0))), sfi_mul(t2, sfi_square(zeta))));
+}
+
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0. */
 static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval *out)
@@ -51,6 +96,25 @@ static inline void slow_flow_intervals_peak_cubic(sf_interval A, sf_interval m, 
     out[0] = sfi_mul(m, zeta);
     out[1] = sfi_add(sfi_times(2.0, sfi_mul(A, sfi_square(zeta))), h);
     out[2] = A;
+}
+
+/* d2F/dOmega2.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_F_OmegaOmega(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h)
+{
+    const sf_interval t0 = sfi_mul(A, sfi_square(Omega));
+    const sf_interval R = sfi_add(h, t0);
+    return sfi_times(4.0, sfi_mul(A, sfi_add(sfi_add(sfi_times(2.0, sfi_mul(A, sfi_square(zeta))), R),
+        sfi_times(2.0, t0))));
+}
+
+/* The forcing F_0 for which (Omega, A) is a steady state.
+   Equation (24). Domain: Omega >= 0, A > 0. */
+static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h)
+{
+    const sf_interval R = sfi_add(sfi_mul(A, sfi_square(Omega)), h);
+    const sf_interval I_ = sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(A, Omega), zeta)), m);
+    return sfi_sqrt(sfi_add(sfi_square(I_), sfi_square(R)));
 }
 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
@@ -136,6 +200,71 @@ static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf
     const sf_interval I_ = sfi_add(sfi_mul(sfi_mul(Omega, t0), zeta), m);
     out[0] = sfi_add(sfi_square(R), sfi_mul(sfi_add(sfi_neg(F_0), I_), sfi_add(F_0, I_)));
     out[1] = sfi_neg(sfi_times(2.0, sfi_mul(R, sfi_sub(sfi_square(Omega), h_A))));
+}
+
+/* Positive where the level rises with A along the fold locus, negative where it falls.
+   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_level_rise(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
+{
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval R = sfi_add(sfi_mul(A, t0), h);
+    const sf_interval t1 = sfi_mul(A, Omega);
+    const sf_interval t2 = sfi_times(2.0, t1);
+    const sf_interval I_ = sfi_add(m, sfi_mul(t2, zeta));
+    const sf_interval t3 = sfi_add(h_A, t0);
+    const sf_interval t4 = sfi_square(zeta);
+    const sf_interval F_AA = sfi_times(2.0, sfi_add(sfi_add(sfi_mul(R, h_AA), sfi_times(4.0, sfi_mul(t0, t4))),
+        sfi_square(t3)));
+    const sf_interval t5 = sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R));
+    const sf_interval F_Omega = sfi_times(4.0, sfi_mul(A, t5));
+    const sf_interval F_AOmega = sfi_times(4.0, sfi_add(sfi_add(sfi_mul(t1, t3), sfi_mul(t2, t4)), t5));
+    return sfi_neg(sfi_mul(sfi_mul(F_AA, F_AOmega), F_Omega));
+}
+
+/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA)
+{
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval R = sfi_add(sfi_mul(A, t0), h);
+    const sf_interval t1 = sfi_mul(A, Omega);
+    const sf_interval t2 = sfi_times(2.0, t1);
+    const sf_interval I_ = sfi_add(m, sfi_mul(t2, zeta));
+    const sf_interval t3 = sfi_add(h_A, t0);
+    const sf_interval F_AAA = sfi_times(2.0, sfi_add(sfi_mul(R, h_AAA), sfi_times(3.0, sfi_mul(h_AA, t3))));
+    const sf_interval t4 = sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R));
+    const sf_interval F_Omega = sfi_times(4.0, sfi_mul(A, t4));
+    const sf_interval F_AOmega = sfi_times(4.0, sfi_add(sfi_add(sfi_mul(t1, t3), sfi_mul(t2, sfi_square(zeta))), t4));
+    return sfi_neg(sfi_div(sfi_mul(sfi_mul(F_AAA, F_AOmega), F_Omega), A));
+}
+
+/* The same at an isola point.
+   Equation from (24), (30). Domain: Omega > 0, A > 0. */
+static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
+{
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval t1 = sfi_mul(A, t0);
+    const sf_interval R = sfi_add(h, t1);
+    const sf_interval t2 = sfi_mul(A, Omega);
+    const sf_interval I_ = sfi_add(m, sfi_times(2.0, sfi_mul(t2, zeta)));
+    const sf_interval t3 = sfi_add(h_A, t0);
+    const sf_interval t4 = sfi_square(zeta);
+    const sf_interval F_AA = sfi_times(2.0, sfi_add(sfi_add(sfi_mul(R, h_AA), sfi_times(4.0, sfi_mul(t0, t4))),
+        sfi_square(t3)));
+    const sf_interval t5 = sfi_times(2.0, t4);
+    const sf_interval F_AOmega = sfi_times(4.0, sfi_add(sfi_add(sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R)),
+        sfi_mul(t2, t3)), sfi_mul(t2, t5)));
+    const sf_interval F_OmegaOmega = sfi_times(4.0, sfi_mul(A, sfi_add(sfi_add(sfi_mul(A, t5), R), sfi_times(2.0, t1))));
+    return sfi_mul(F_AA, sfi_sub(sfi_mul(F_AA, F_OmegaOmega), sfi_square(F_AOmega)));
+}
+
+/* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+   Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. */
+static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta)
+{
+    const sf_interval c = sfi_neg(sfi_div(sfi_times(0.5, sfi_add(sfi_neg(F_0), m)), zeta));
+    const sf_interval fastest = sfi_div(c, A);
+    return sfi_add(F_0, sfi_mul(c, fastest));
 }
 
 /* F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.

@@ -53,7 +53,7 @@ class Isolator(Oscillator):
     ) -> None:
         super().__init__(_averaged(force), lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
         if self.delta_h == 0:  # the springs never touch the rod, which has no end then
-            self.__dict__["model"] = Model(DUFFING, LINEAR, self.mu, self.zeta)
+            self.__dict__["model"] = Model(DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR)
         if not self.model.mechanism.truncated:
             coefficients = zip(ROD_SPRING.parameters, ROD_SPRING.coefficients(*self.design), strict=True)
             self.__dict__.update({name.name: float(value) for name, value in coefficients})

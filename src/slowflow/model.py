@@ -44,6 +44,7 @@ class Model:
     parameters -- the force's parameters, in the order of `mechanism.parameters`
     mu, zeta   -- dry friction and viscous damping ratio
     attached   -- whether the first piece of the force stands for all of it, at every amplitude
+    design     -- the numbers that the parameters follow from, as they were given; () where these are not known
     m          -- 4 mu/pi, friction's share of I (23)
     flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
@@ -55,6 +56,7 @@ class Model:
     mu: float
     zeta: float
     attached: bool = False
+    design: tuple[float, ...] = ()
     m: float = field(init=False)
     flow: ModuleType = field(init=False, compare=False, repr=False)
     breakpoints: tuple[float, ...] = field(init=False)
@@ -77,7 +79,7 @@ class Model:
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.attached)
+        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.attached, self.design)
 
     @classmethod
     def of(cls, mechanism: Mechanism, values: Mapping[str, Any]) -> Model:
@@ -89,7 +91,8 @@ class Model:
         domains = (*mechanism.design, *DAMPING)
         *design, mu, zeta = (validate.within(domain, values[domain.name]) for domain in domains)
         with np.errstate(all="ignore"):
-            model = cls(mechanism, tuple(float(value) for value in mechanism.coefficients(*design)), mu, zeta)
+            parameters = tuple(float(value) for value in mechanism.coefficients(*design))
+            model = cls(mechanism, parameters, mu, zeta, design=tuple(design))
         if not all(abs(value) <= LARGEST for value in (*model.parameters, model.m)):
             named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
             name = next(name for name, value in (*named, ("4 mu/pi", model.m)) if not abs(value) <= LARGEST)

@@ -47,9 +47,13 @@ IN_SCENES = (
     *("isola_Omega", "isola", "undamped_Omega", "undamped", "fold"),
 )
 
-#: what the solvers ask on whole intervals of the amplitude, by scene: the general form where it holds for zeros too
+#: what the solvers and their proofs ask on whole intervals, by scene: the general form where it holds for zeros too
 ENCLOSED = {
-    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak"),
+    "": (
+        *("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak"),
+        *("friction", "R", "F", "F_Omega", "F_OmegaOmega", "F_AOmega", "level", "most_restoring"),
+        *("level_rise", "cusp_bend", "isola_bend"),
+    ),
     "mu0": ("isola",),
     "zeta0": ("fold",),
 }

@@ -97,6 +97,15 @@ class Averages:
         return [one for one in (self.whole, self.pair, self.beside) if isinstance(one, Selection)]
 
 
+#: what a proof asks of a mechanism on intervals
+ENCLOSED = ("averaged", "intercept", "coefficients", "breakpoints", "jumps")
+
+
+def is_enclosed(derived: OfMechanism) -> bool:
+    """Whether its kernels hold on intervals: not where an average is an algorithm that only approaches it."""
+    return not is_spelled_out(derived)
+
+
 def is_spelled_out(derived: OfMechanism) -> bool:
     """Whether the average is an algorithm in many steps, of which fewer derivatives save little."""
     return bool(derived.whole.cases)
@@ -115,7 +124,15 @@ def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, .
     """The first outputs of each case; a single one needs no name."""
     several = len(cases) > 1
     return tuple(
-        Branch(c.name if several else "", c.guards, c.regime.lets, tuple(c.regime.derivatives[:count])) for c in cases
+        Branch(
+            c.name if several else "",
+            c.guards,
+            c.regime.lets,
+            tuple(c.regime.derivatives[:count]),
+            passed=len(c.regime.passed),
+            remainders=c.regime.remainders,
+        )
+        for c in cases
     )
 
 
@@ -131,6 +148,7 @@ def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cas
         "A >= 0",
         parameters=len(parameters),
         returns="tuple",
+        enclosed=name in ENCLOSED and is_enclosed(derived),
     )
 
 
@@ -295,6 +313,7 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             f"The parameters {', '.join(map(str, parameters))} from the design.",
             "(5), (7)",
             "any design",
+            enclosed=is_enclosed(derived),
         )
     ]
     for name, values, doc, equation in (
@@ -312,7 +331,10 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             "from (3)",
         ),
     ):
-        kernels.append(plain(name, parameters, values, doc, equation, "any parameters", parameters=count))
+        enclosed = name in ENCLOSED and bool(values) and is_enclosed(derived)
+        kernels.append(
+            plain(name, parameters, values, doc, equation, "any parameters", parameters=count, enclosed=enclosed)
+        )
     return kernels
 
 

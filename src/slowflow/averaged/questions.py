@@ -14,16 +14,18 @@ from typing import Any, TypeVar
 import numpy as np
 
 from slowflow import validate
-from slowflow.averaged import plan, remarks, solvers
+from slowflow.averaged import plan, proofs, remarks, solvers
 from slowflow.averaged.reference.folds import NO_FOLD
 from slowflow.model import Floats, Model
 from slowflow.results import (
+    Certificate,
     Cusps,
     Detachment,
     FoldLocus,
     FrequencyResponse,
     IsolaPoints,
     Peak,
+    ProvedFolds,
     SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
@@ -124,9 +126,36 @@ class Averaged:
             return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self.model)
         return self._centred(solvers.amplitudes(planned.model, at, F_0))
 
-    def saddle_nodes(self, F_0: float) -> SaddleNodes:
-        """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0."""
-        return self._remarked(self.folds(F_0), F_0)
+    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
+        """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0.
+
+        With `certify`, `.proof` holds an enclosure of each and whether there are proved to be no others; a proof that
+        finds another number of folds than the answer has says so in its message.
+        """
+        found = self._remarked(self.folds(F_0), F_0)
+        return dataclasses.replace(found, proof=self._proved_folds(found)) if certify else found
+
+    def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
+        """What is proved at F_0, in interval arithmetic: all folds, F_SN, F_cr, and all states at a frequency `Omega`.
+
+        Each has enclosures and says whether it is proved, of the oscillator whose numbers are exactly the given
+        doubles. Raises ValueError for F_0 <= 0 and for Omega <= 0 or > 1e40.
+        """
+        found = self.saddle_nodes(F_0)
+        states = None
+        if Omega is not None:
+            (at,) = validate.frequencies("Omega", validate.number("Omega", Omega)).ravel()
+            states = proofs.amplitudes(self.model, float(at), found.F_0)
+        folds = self._proved_folds(found)
+        return Certificate(found.F_0, folds, proofs.onset(self.model), proofs.detachment(self.model), states)
+
+    def _proved_folds(self, found: SaddleNodes) -> ProvedFolds:
+        """What is proved of an answer's folds."""
+        proof = proofs.saddle_nodes(self.model, found.F_0)
+        if not proof.proved or len(proof.A) == len(found):
+            return proof
+        beside = f"{len(proof.A)} folds are proved, saddle_nodes gives {len(found)}"
+        return dataclasses.replace(proof, message=joined(proof.message, beside))
 
     def folds(self, F_0: float) -> SaddleNodes:
         """`saddle_nodes` without the remarks on averaging: what another approximation starts from."""

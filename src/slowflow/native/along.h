@@ -51,20 +51,28 @@ typedef struct {
     int edge;
 } sf_range;
 
+/* What holds damping and forcing. least: of |k| at a fold, sqrt(F_0^2 - m^2) */
+typedef struct {
+    sf_interval m, zeta, F_0, least;
+} sf_terms;
+
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST. most: of SF_CUSP, where only the lowest minimum of
  * the level is wanted, a forcing above which cusps may be left out: each minimum found lowers it; NULL for all cusps */
 typedef struct {
     sf_question question;
     const sf_model *model;
     double F_0;
-    double least; /* of |k| at a fold: sqrt(F_0^2 - m^2) */
+    double least;
     double *most;
+    sf_terms terms; /* the same as m, zeta, F_0 and least */
 } sf_asked;
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
     asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL;
     asked.least = question == SF_FOLD_AT ? sqrt(F_0 - model->m) * sqrt(F_0 + model->m) : 0;
+    asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
+    asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
     return asked;
 }
 
@@ -271,47 +279,44 @@ static inline void sf_range_simple(sf_interval y, sf_interval dy, sf_where where
 }
 
 /* With viscous damping the channel ends at Omega = 0, where |k| is the least; F_A there has the sign of h_A. */
-static inline void sf_range_fold(const sf_asked *asked, const sf_cell *cell, sf_range *out) {
-    const sf_model *model = asked->model;
-    const sf_interval F_0 = sfi_point(asked->F_0), m = sfi_point(model->m), zeta = sfi_point(model->zeta);
-    const double least = asked->least;
+static inline void sf_range_fold(const sf_terms *terms, const sf_cell *cell, sf_range *out) {
+    const sf_interval least = terms->least;
     sf_interval k = cell->k, fold[3];
     out->edge = 0;
-    if (model->zeta == 0) {
-        slow_flow_zeta0_intervals_fold(F_0, m, k, cell->k_A, fold);
+    if (terms->zeta.hi == 0) {
+        slow_flow_zeta0_intervals_fold(terms->F_0, terms->m, k, cell->k_A, fold);
         out->where = sf_where_positive(sfi_neg(cell->h_A)), out->y = fold[0], out->dy = fold[1];
         return;
     }
-    if (k.hi < least && k.lo > -least) {
+    if (k.hi < least.lo && k.lo > -least.lo) {
         out->where = SF_NOWHERE;
         return;
     }
     out->where = SF_PARTLY;
-    if (!(k.hi < least || k.lo > -least)) { /* on both sides */
+    if (!(k.hi < least.lo || k.lo > -least.lo)) { /* on both sides */
         out->y = out->dy = sfi_of(-HUGE_VAL, HUGE_VAL);
         return;
     }
-    if (k.lo >= least || k.hi <= -least) {
+    if (k.lo >= least.hi || k.hi <= -least.hi) {
         out->where = SF_THROUGHOUT;
     } else {
-        k = k.hi >= least ? sfi_of(least, k.hi) : sfi_of(k.lo, -least);
+        k = k.hi >= least.lo ? sfi_of(sfi_most(k.lo, least.lo), k.hi) : sfi_of(k.lo, sfi_least(k.hi, -least.lo));
         if (sfi_has_sign(cell->k_A) && sfi_has_sign(cell->h_A))
             out->edge = cell->h_A.lo > 0 ? 1 : -1;
     }
-    slow_flow_intervals_fold(cell->A, F_0, m, zeta, cell->h, cell->h_A, k, cell->k_A, fold);
+    slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, k, cell->k_A, fold);
     out->y = fold[0], out->dy = fold[1];
 }
 
-static inline void sf_range_isola(const sf_model *model, const sf_cell *cell, sf_range *out) {
-    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+static inline void sf_range_isola(const sf_terms *terms, const sf_cell *cell, sf_range *out) {
     sf_interval isola[2];
     out->where = sf_where_positive(cell->h_A);
     if (out->where == SF_NOWHERE)
         return;
-    if (model->m == 0)
-        slow_flow_mu0_intervals_isola(cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, isola);
+    if (terms->m.hi == 0)
+        slow_flow_mu0_intervals_isola(cell->A, terms->m, terms->zeta, cell->h, cell->h_A, cell->h_AA, isola);
     else
-        slow_flow_intervals_isola(cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, isola);
+        slow_flow_intervals_isola(cell->A, terms->m, terms->zeta, cell->h, cell->h_A, cell->h_AA, isola);
     sf_range_simple(isola[0], isola[1], out->where, out);
 }
 
@@ -323,10 +328,11 @@ static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, 
     return direct;
 }
 
-/* Of a cusp on a cell, nowhere at first: where its Omega^2 is real and positive, F_A/2 with its slope, and the forcing. */
+/* Of a cusp on a cell, nowhere at first: where its Omega^2 is real and positive, F_A/2 with its slope, the forcing, and
+ * Omega^2. */
 typedef struct {
     sf_where where;
-    sf_interval y, dy, level;
+    sf_interval y, dy, level, X;
 } sf_cusp_range;
 
 static inline sf_where sf_where_both(sf_interval discriminant, sf_interval X) {
@@ -349,7 +355,7 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
     slow_flow_intervals_cusp_R(cell->A, zeta, cell->h_AA, cell->k, X, T, R);
     slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, X, T, sfi_both(R[0], R[1]),
                              larger ? root : sfi_neg(root), cusp);
-    out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3];
+    out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3], out->X = X;
 }
 
 /* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. */
@@ -374,7 +380,7 @@ static inline void sf_cusp_scaled_on(const sf_cell *cell, sf_interval rho, sf_in
     X.lo = sfi_most(X.lo, 0);
     slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t, larger_t ? root : sfi_neg(root),
                                     cusp);
-    out->y = cusp[0], out->dy = cusp[1], out->level = cusp[2];
+    out->y = cusp[0], out->dy = cusp[1], out->level = cusp[2], out->X = X;
 }
 
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
@@ -389,7 +395,7 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_cell *cell, int
         return;
     scaled = sf_scaled(cell, &rho, &kappa);
     for (i = 0; i < 2; i++) {
-        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}};
+        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
         if (!(open & 1 << i))
             continue;
         if (scaled)
@@ -513,10 +519,10 @@ static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, int
         sf_range_stiffness(cell, out);
         break;
     case SF_FOLD_AT:
-        sf_range_fold(asked, cell, out);
+        sf_range_fold(&asked->terms, cell, out);
         break;
     case SF_ISOLA:
-        sf_range_isola(model, cell, out);
+        sf_range_isola(&asked->terms, cell, out);
         break;
     case SF_CUSP:
         sf_range_cusp(asked, cell, open, out);

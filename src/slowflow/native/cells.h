@@ -1,4 +1,5 @@
-/* Cells: in go two amplitudes of one piece of the force, out comes what h and its derivatives are on all of the interval.
+/* Cells: in goes what is known at two amplitudes of one piece of the force, out comes what h and its derivatives are on
+ * all of the interval between.
  *
  * On each piece h_AAA is monotone: the derivation proves it (derivations/monotone.py). So its values at the ends bound it,
  * and what is known of a slope bounds the function between two of its values. Where the force or its slope jumps, the
@@ -27,6 +28,13 @@ typedef struct {
     sf_stretch at[SF_MOST_BREAKS + 1];
 } sf_stretches;
 
+/* What holds h and its derivatives at an amplitude, or, in a proof, at one that exceeds where its piece begins by `A`. */
+typedef struct {
+    double A;
+    sf_interval h, h_A, h_AA, h_AAA, k;
+} sf_known;
+
+/* first, last: the samples at its ends, NULL in a proof */
 typedef struct {
     const sf_sample *first, *last;
     sf_interval A, h, h_A, h_AA, h_AAA, k, k_A;
@@ -67,23 +75,27 @@ static inline void sf_stretches_up_to(const sf_model *model, double A_max, sf_st
     out->n = i + 1;
 }
 
+/* The least value between f_a and f_b, `width` apart, of what falls by `lo` < 0 and rises by `hi` > 0 at most: from
+ * either end as far as where both lines meet; any other place is a bound too, so that rounding it does no harm. */
+static inline double sf_least_between(double f_a, double f_b, double lo, double hi, double width) {
+    const double meet = (f_b - f_a - hi * width) / (lo - hi), x = sfi_most(0, sfi_least(width, meet));
+    const double from_a = sfi_down(f_a + sfi_product_down(lo, x));
+    const double from_b = sfi_down(f_b - sfi_product_up(hi, sfi_up(width - x)));
+    return from_a < from_b ? from_a : from_b;
+}
+
 /* A function between two of its values whose slope is known. */
 static inline sf_interval sf_between(double f_a, double f_b, sf_interval slope, double width) {
     const double lo = slope.lo, hi = slope.hi;
-    double below, above;
     if (lo >= 0 || hi <= 0)
         return sfi_hull(f_a, f_b);
     if (!(lo < 0 && hi > 0) || (lo == -HUGE_VAL && hi == HUGE_VAL))
         return sfi_of(-HUGE_VAL, HUGE_VAL);
-    if (lo == -HUGE_VAL) {
-        below = f_b - hi * width, above = f_a + hi * width;
-    } else if (hi == HUGE_VAL) {
-        below = f_a + lo * width, above = f_b - lo * width;
-    } else {
-        below = f_a + lo * sfi_most(0, sfi_least(width, (f_b - f_a - hi * width) / (lo - hi)));
-        above = f_a + hi * sfi_most(0, sfi_least(width, (f_b - f_a - lo * width) / (hi - lo)));
-    }
-    return sfi_of(below - SF_DOUBT * (fabs(f_a) + fabs(f_b)), above + SF_DOUBT * (fabs(f_a) + fabs(f_b)));
+    if (lo == -HUGE_VAL)
+        return sfi_of(sfi_down(f_b - sfi_product_up(hi, width)), sfi_up(f_a + sfi_product_up(hi, width)));
+    if (hi == HUGE_VAL)
+        return sfi_of(sfi_down(f_a + sfi_product_down(lo, width)), sfi_up(f_b - sfi_product_down(lo, width)));
+    return sfi_of(sf_least_between(f_a, f_b, lo, hi, width), -sf_least_between(-f_a, -f_b, -hi, -lo, width));
 }
 
 /* By how much a kernel may err: relatively, and as if its argument were a rounding away. */
@@ -92,22 +104,44 @@ static inline double sf_doubt(double f, double A, double slope) {
     return doubt < HUGE_VAL ? doubt : SF_DOUBT * fabs(f);
 }
 
-/* A function between two samples: its values, in doubt, and its slope, at the ends and in between. */
-static inline sf_interval sf_along(const sf_sample *a, const sf_sample *b, double f_a, double f_b, double slope_a,
-                            double slope_b, sf_interval slope) {
-    const double d_a = sf_doubt(f_a, a->A, slope_a), d_b = sf_doubt(f_b, b->A, slope_b), width = b->A - a->A;
-    return sfi_of(sf_between(f_a - d_a, f_b - d_b, slope, width).lo, sf_between(f_a + d_a, f_b + d_b, slope, width).hi);
+static inline sf_interval sf_doubtful(double f, double A, double slope) {
+    const double doubt = sf_doubt(f, A, slope);
+    return doubt < HUGE_VAL ? sfi_of(f - doubt, f + doubt) : sfi_point(f);
 }
 
-static inline void sf_make_cell(const sf_sample *a, const sf_sample *b, sf_cell *cell) {
-    cell->first = a, cell->last = b;
-    cell->A = sfi_of(a->A, b->A);
-    cell->h_AAA = sfi_hull(a->h_AAA, b->h_AAA);
-    cell->h_AA = sf_along(a, b, a->h_AA, b->h_AA, a->h_AAA, b->h_AAA, cell->h_AAA);
-    cell->h_A = sf_along(a, b, a->h_A, b->h_A, a->h_AA, b->h_AA, cell->h_AA);
-    cell->h = sf_along(a, b, a->h, b->h, a->h_A, b->h_A, cell->h_A);
+/* A sample as something known. */
+static inline void sf_know(const sf_sample *at, sf_known *out) {
+    out->A = at->A;
+    out->h_AAA = sfi_point(at->h_AAA);
+    out->h_AA = sf_doubtful(at->h_AA, at->A, at->h_AAA);
+    out->h_A = sf_doubtful(at->h_A, at->A, at->h_AA);
+    out->h = sf_doubtful(at->h, at->A, at->h_A);
+    out->k = sf_doubtful(at->k, at->A, at->A * at->h_AA);
+}
+
+/* A function between two of its values, of which bounds are known, and its slope in between. */
+static inline sf_interval sf_along(sf_interval f_a, sf_interval f_b, sf_interval slope, double width) {
+    return sfi_of(sf_between(f_a.lo, f_b.lo, slope, width).lo, sf_between(f_a.hi, f_b.hi, slope, width).hi);
+}
+
+/* A: what holds the amplitudes of the cell */
+static inline void sf_make_cell_on(sf_interval A, const sf_known *a, const sf_known *b, sf_cell *cell) {
+    const double width = sfi_up(b->A - a->A);
+    cell->first = cell->last = NULL;
+    cell->A = A;
+    cell->h_AAA = sfi_of(sfi_least(a->h_AAA.lo, b->h_AAA.lo), sfi_most(a->h_AAA.hi, b->h_AAA.hi));
+    cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);
+    cell->h_A = sf_along(a->h_A, b->h_A, cell->h_AA, width);
+    cell->h = sf_along(a->h, b->h, cell->h_A, width);
     cell->k_A = sfi_neg(sfi_mul(cell->A, cell->h_AA));
-    cell->k = sf_along(a, b, a->k, b->k, a->A * a->h_AA, b->A * b->h_AA, cell->k_A);
+    cell->k = sf_along(a->k, b->k, cell->k_A, width);
+}
+
+/* Between two samples, and what is known at these. */
+static inline void sf_make_cell(const sf_sample *first, const sf_sample *last, const sf_known *a, const sf_known *b,
+                                sf_cell *cell) {
+    sf_make_cell_on(sfi_of(a->A, b->A), a, b, cell);
+    cell->first = first, cell->last = last;
 }
 
 static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at->A * at->h_AA); }
@@ -118,9 +152,11 @@ static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at-
 static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *kappa) {
     const sf_sample *a = cell->first, *b = cell->last;
     const sf_interval slope = cell->h_AA.hi < 0 ? sfi_neg(cell->h_AAA) : cell->h_AAA;
-    const double from = fabs(a->h_AA), width = b->A - a->A;
     sf_interval bent, kappa_A;
-    double first, last, doubt;
+    double from, width, first, last, doubt;
+    if (a == NULL)
+        return 0;
+    from = fabs(a->h_AA), width = b->A - a->A;
     if (!(a->A > 0 && sfi_has_sign(cell->h_AA) && slope.lo >= 0 && slope.hi < HUGE_VAL && from < HUGE_VAL))
         return 0;
     *rho = sfi_of((1 - SF_DOUBT) * sfi_least(a->A * slope.lo / from, b->A * slope.lo / (from + slope.hi * width)),

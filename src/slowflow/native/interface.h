@@ -2,6 +2,7 @@
 #ifndef SF_INTERFACE_H
 #define SF_INTERFACE_H
 
+#include "certificate.h"
 #include "work.h"
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
@@ -23,6 +24,10 @@ typedef struct {
     sf_extremum (*extremum)(const sf_model *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
                        long long *branch);
+    sf_status (*certify_folds)(const sf_model *, const sf_given *, double F_0, sf_work *, sf_proof *, sf_certificate *);
+    sf_status (*certify_states)(const sf_model *, const sf_given *, double F_0, double Omega, sf_proof *, sf_certificate *);
+    sf_status (*certify_detachment)(const sf_given *, sf_interval *F_cr, sf_interval *Omega_cr);
+    sf_status (*certify_onset)(const sf_model *, const sf_given *, sf_work *, sf_proof *, sf_proved_onset *);
     sf_many many_detachment, many_onsets, many_folds, many_peaks;
     const sf_mechanism *const *records;
     int count;

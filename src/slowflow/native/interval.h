@@ -10,6 +10,8 @@
 
 #include <math.h>
 
+#include "angles.h"
+
 typedef struct {
     double lo, hi;
 } sf_interval;
@@ -46,7 +48,7 @@ static inline sf_interval sfi_sub(sf_interval a, sf_interval b) {
 
 /* by c > 0 */
 static inline sf_interval sfi_times(double c, sf_interval a) {
-    return sfi_of(sfi_down(c * a.lo), sfi_up(c * a.hi));
+    return sfi_of(sfi_product_down(c, a.lo), sfi_product_up(c, a.hi));
 }
 
 /* of a.lo >= 0 */
@@ -94,7 +96,20 @@ static inline sf_interval sfi_div(sf_interval a, sf_interval b) { return sfi_mul
 
 /* of the part that is not negative */
 static inline sf_interval sfi_sqrt(sf_interval a) {
-    return sfi_of(a.lo > 0 ? sfi_most(sfi_down(sqrt(a.lo)), 0) : 0, sfi_up(sqrt(sfi_most(a.hi, 0))));
+    return sfi_of(a.lo > 0 ? sfi_most(sfi_down(sqrt(a.lo)), 0) : 0, a.hi <= 0 ? 0 : sfi_up(sqrt(a.hi)));
+}
+
+/* what lies within a relative error of it */
+static inline sf_interval sfi_within(sf_interval a, double error) {
+    return sfi_mul(a, sfi_of(sfi_down(1 - error), sfi_up(1 + error)));
+}
+
+/* The angle of (x, y) from 0 to pi/2, x and y not negative: it rises with y and falls with x. The arctangent (angles.h)
+ * errs by less than four roundings: one of the quotient, a small part of one by its series, one within that, one at the
+ * end. */
+static inline sf_interval sfi_atan2(sf_interval y, sf_interval x) {
+    return sfi_of(sfi_most(sfi_down(sfi_down(angles_atan2(sfi_most(y.lo, 0), x.hi))), 0),
+                  sfi_up(sfi_up(angles_atan2(y.hi, sfi_most(x.lo, 0)))));
 }
 
 /* The part that both hold; each is known to hold the value. */

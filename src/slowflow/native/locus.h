@@ -29,12 +29,15 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
  * is followed to where it has no bound in doubles: there |h| must rise. */
 static int sf_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at, far;
+    sf_known here, there;
     sf_cell cell;
     sf_sample_at(model, A, &at);
     if (!(fabs(at.h) > slow_flow_most_restoring(A, F_0, model->m, model->zeta)))
         return 0;
     sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
-    sf_make_cell(&at, &far, &cell);
+    sf_know(&at, &here);
+    sf_know(&far, &there);
+    sf_make_cell(&at, &far, &here, &there, &cell);
     return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
 }
 

@@ -10,8 +10,10 @@
 
 #include <stddef.h>
 
+#include "interval.h"
+
 enum {
-    SF_FORM = 2, /* of the record below; one of another form is refused */
+    SF_FORM = 3, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -50,6 +52,15 @@ typedef struct sf_mechanism {
 
     /* Mean B of the motion u = B + A cos psi; |B| + A is the largest displacement. */
     double (*mean_offset)(double A, const double *p);
+
+    /* The same on intervals, for proofs; NULL where no such form is known. A design's parameters; ends and jumps, NULL
+     * where there are no breakpoints; h, h_A, h_AA, h_AAA and h - A h_A on the piece that begins at breakpoint number
+     * `passed`, which A exceeds by `beyond`, by its formula, which may be asked above its end too. The excitation is a
+     * force there, and the motion is about u = 0. */
+    void (*parameters_within)(const double *design, sf_interval *p);
+    void (*ends_within)(const sf_interval *p, sf_interval *b);
+    void (*jumps_within)(const sf_interval *p, sf_interval *jump);
+    void (*averaged_within)(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out);
 } sf_mechanism;
 
 #endif

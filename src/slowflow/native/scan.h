@@ -24,8 +24,10 @@ typedef struct {
     sf_zeros *found;
 } sf_search;
 
+/* known: of those between which cells lie */
 typedef struct {
     sf_sample at;
+    sf_known known;
     sf_answer answer;
 } sf_probe;
 
@@ -122,7 +124,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
         search->found->status = SF_UNRESOLVED;
     if (search->found->status != SF_OK)
         return;
-    sf_make_cell(&a->at, &b->at, &cell);
+    sf_make_cell(&a->at, &b->at, &a->known, &b->known, &cell);
     sf_find_range(&search->asked, &cell, open, range);
     for (c = 0; c < 2; c++)
         if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
@@ -130,6 +132,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     if (open == 0)
         return;
     sf_probe_at(search, A, &middle);
+    sf_know(&middle.at, &middle.known);
     sf_search_between(search, a, &middle, open);
     sf_search_between(search, &middle, b, open);
 }
@@ -144,6 +147,8 @@ static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zer
     sf_ask(asked, &high.at, &high.answer);
     if (low.at.A == 0 && ((low.answer.exists[0] && low.answer.y[0] == 0) || (low.answer.exists[1] && low.answer.y[1] == 0)))
         sf_probe_at(&search, SF_FIRST, &low);
+    sf_know(&low.at, &low.known);
+    sf_know(&high.at, &high.known);
     sf_search_between(&search, &low, &high, sf_channels(asked->question) == 2 ? 3 : 1);
 }
 

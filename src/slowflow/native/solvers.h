@@ -1,4 +1,5 @@
 /* All solvers and all records for one target: SF_SOLVERS is the name of the table that is defined here. */
+#include "certify.h"
 #include "curve.h"
 #include "interface.h"
 #include "many.h"
@@ -19,6 +20,10 @@ const sf_solvers SF_SOLVERS = {
     sf_states,
     sf_extremum_at,
     sf_draw_locus,
+    sf_certify_folds,
+    sf_certify_states,
+    sf_certify_detachment,
+    sf_certify_onset,
     sf_many_detachment,
     sf_many_onsets,
     sf_many_folds,

@@ -16,6 +16,7 @@ import sympy as sp
 
 from derivations.emit.form import GENERAL, Module
 from derivations.emit.provenance import tools
+from derivations.emit.targets import interval
 from derivations.emit.targets.c.printer import CPrinter
 from derivations.emit.targets.printing import literal
 from derivations.mechanisms import DAMPING, FORCING, Parameter
@@ -34,6 +35,8 @@ class Spring:
     intercept   -- what gives h - A h_A, or ""
     attached    -- prefix of the record of the first piece alone, or ""
     breakpoints -- how many
+    enclosed    -- what stands before the names of its functions on intervals, or "": a proof takes the whole force
+    averaged_by_pieces -- whether these take the number of breakpoints passed
     domain      -- C condition: the design lies inside its domain
     """
 
@@ -45,6 +48,8 @@ class Spring:
     attached: str
     breakpoints: int
     domain: str
+    enclosed: str = ""
+    averaged_by_pieces: bool = False
 
 
 def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
@@ -69,7 +74,9 @@ def springs_of(whole: Module) -> list[Spring]:
     domain = within(mechanism.design, DESIGN)
     own = any(kernel.name == "intercept" for kernel in whole.kernels)
     functions = (f"{name}_averaged", f"{name}_averaged_2", f"{name}_intercept" if own else "")
-    found = [Spring(name, whole, *functions, first, len(mechanism.breakpoints), domain)]
+    average = next((kernel for kernel in whole.kernels if kernel.enclosed and kernel.name == "averaged"), None)
+    enclosed = (interval.name_of(whole), len(average.branches) > 1) if average else ("", False)
+    found = [Spring(name, whole, *functions, first, len(mechanism.breakpoints), domain, *enclosed)]
     if first:
         # the first regime's functions
         regime = next(kernel for kernel in whole.kernels if kernel.name == "averaged").branches[0].name

@@ -3,19 +3,29 @@
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `enclosed`, and `cells`.
 Out: a dict from file name (below `generated/`) to text.
 
-What is written calls native/interval.h, which is runtime code.
+What is written calls native/interval.h, which is runtime code. A let that stands for a series cut short is widened by
+the bound that the derivation gives. By how much an amplitude exceeds the breakpoint where its piece begins is an
+argument of its own: the difference would lose its digits next to a breakpoint that is known to a rounding only.
 """
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
 
-from derivations.emit.form import Module
+import sympy as sp
+
+from derivations.emit.form import Branch, Kernel, Module
+from derivations.emit.passes import Program
 from derivations.emit.provenance import tools
 from derivations.emit.targets.interval.printer import IntervalPrinter
-from derivations.emit.views import Code, Language, sources, templates, view
+from derivations.emit.targets.printing import literal
+from derivations.emit.views import BranchView, Code, KernelView, Language, sources, templates, view
+from derivations.symbols import A
 
+#: how much an amplitude exceeds the breakpoint where its piece begins
+BEYOND = sp.Symbol("beyond", nonnegative=True)
 LANGUAGE = Language(IntervalPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 
 
@@ -25,14 +35,66 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     result = {}
     for module in modules:
         enclosed = [*(kernel for kernel in module.kernels if kernel.enclosed), *module.cells]
-        for kernel in enclosed:
-            if len(kernel.branches) != 1 or kernel.parameters:
-                raise NotImplementedError(f"{kernel.name}: a kernel by cases or of a mechanism, on intervals")
         if enclosed:
-            result[f"native/{module.name}_intervals.h"] = template.render(
+            result[f"native/{name_of(module)}.h"] = template.render(
                 module=module,
-                kernels=[view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in enclosed],
+                prefix=name_of(module),
+                kernels=[widened(kernel, code[module.name][kernel.name]) for kernel in enclosed],
+                choices={kernel.name: choice(kernel) for kernel in enclosed if len(kernel.branches) > 1},
                 tools=tools(),
                 **sources(module),
             )
     return result
+
+
+def name_of(module: Module) -> str:
+    """Of a module's functions on intervals, and of their file."""
+    return f"{module.name}_intervals"
+
+
+def widened(kernel: Kernel, code: Sequence[Program]) -> KernelView:
+    """A kernel printed, its series widened by what they leave out."""
+    printed = view(*(beyond_breakpoints(kernel, code) if len(kernel.branches) > 1 else (kernel, code)), LANGUAGE)
+    branches = (widened_branch(*both) for both in zip(printed.branches, kernel.branches, strict=True))
+    return dataclasses.replace(printed, branches=tuple(branches))
+
+
+def beyond_breakpoints(kernel: Kernel, code: Sequence[Program]) -> tuple[Kernel, list[Program]]:
+    """The same with A less the last breakpoint that it exceeds as an argument."""
+    ends = [right for branch in kernel.branches for _, right in branch.guards if right.is_Symbol]
+    found = []
+    for branch, program in zip(kernel.branches, code, strict=True):
+        known = {A - ends[branch.passed - 1]: BEYOND} if branch.passed else {}
+        lets = tuple((symbol, value.xreplace(known)) for symbol, value in program.lets)
+        outputs = tuple(value.xreplace(known) for value in program.outputs)
+        found.append(dataclasses.replace(program, lets=lets, outputs=outputs))
+    own = len(kernel.arguments) - kernel.parameters
+    return dataclasses.replace(kernel, arguments=(*kernel.arguments[:own], BEYOND, *kernel.arguments[own:])), found
+
+
+def widened_branch(printed: BranchView, branch: Branch) -> BranchView:
+    """The same of one branch."""
+    # as multiples of 2^-60, which are doubles
+    bounds = {symbol.name: literal(sp.ceiling(2**60 * bound) / 2**60) for symbol, bound in branch.remainders}
+    if not bounds.keys() <= {line.name for line in printed.lets}:
+        raise NotImplementedError(f"{branch.name}: a series cut short has no line of its own")
+    lets = (
+        dataclasses.replace(line, value=f"sfi_within({line.value}, {bounds[line.name]})")
+        if line.name in bounds
+        else line
+        for line in printed.lets
+    )
+    return dataclasses.replace(printed, lets=tuple(lets))
+
+
+def choice(kernel: Kernel) -> list[tuple[str, str]]:
+    """The condition and the name of each branch; the last holds where no other does.
+
+    Branches are chosen by the number of breakpoints passed; a series far from these where all of the interval lies far.
+    """
+    show = LANGUAGE.printer.doprint
+    found = []
+    for branch in kernel.branches:
+        near = [f"{show(left)}.lo <= {show(right)}.hi" for left, right in branch.guards if not right.is_Symbol]
+        found.append((" && ".join([f"passed == {branch.passed}", *near]), branch.name))
+    return found

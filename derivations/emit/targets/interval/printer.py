@@ -15,7 +15,7 @@ class IntervalPrinter(Rules, C99CodePrinter):
     """C99, with the functions of native/interval.h."""
 
     infinity = "sfi_point(HUGE_VAL)"
-    functions: ClassVar = {sp.sqrt: "sfi_sqrt"}
+    functions: ClassVar = {sp.sqrt: "sfi_sqrt", sp.atan2: "sfi_atan2"}
 
     def _print_Rational(self, expr: sp.Expr) -> str:
         return self._number(expr)
@@ -51,9 +51,11 @@ class IntervalPrinter(Rules, C99CodePrinter):
         constant = sp.Mul(*(factor.doit() for factor in factors if is_constant(factor)))
         above, below = [], []
         for factor in factors:
+            if is_constant(factor):
+                continue
             if factor.is_Pow and factor.exp.could_extract_minus_sign():
                 below.append(self._print(sp.Pow(factor.base, -factor.exp)))
-            elif not is_constant(factor):
+            else:
                 above.append(self._print(factor))
         text = self._product(above) if above else self._number(abs(constant))
         if above and abs(constant) != 1:

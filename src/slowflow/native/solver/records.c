@@ -47,8 +47,7 @@ static void free_model(PyObject *capsule)
     free(PyCapsule_GetPointer(capsule, SF_MODEL));
 }
 
-/* As many numbers as the tuple has to hold; -1 with an exception set. */
-static int read_numbers(PyObject *tuple, int n, const char *name, const char *what, double *values)
+int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, double *values)
 {
     if (PyTuple_Size(tuple) != n) {
         PyErr_Format(PyExc_ValueError, "%s takes %d %s, not %zd", name, n, what, PyTuple_Size(tuple));
@@ -77,8 +76,8 @@ static PyObject *new_model(PyObject *self, PyObject *args)
     sf_model *model = calloc(1, sizeof *model);
     if (model == NULL)
         return PyErr_NoMemory();
-    if (read_numbers(parameters, record->parameters, record->name, "parameters", model->p) == 0 &&
-        read_numbers(given, record->damping_size, record->name, "numbers of damping", damping) == 0) {
+    if (sf_read_numbers(parameters, record->parameters, record->name, "parameters", model->p) == 0 &&
+        sf_read_numbers(given, record->damping_size, record->name, "numbers of damping", damping) == 0) {
         if (record->damping_of(damping, model->damping)) {
             sf_prepare(record, model);
             PyObject *made = PyCapsule_New(model, SF_MODEL, free_model);

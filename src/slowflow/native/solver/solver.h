@@ -19,9 +19,14 @@ struct _object;
 const sf_mechanism *sf_record_in(struct _object *capsule);
 const sf_model *sf_model_in(struct _object *capsule);
 
-/* Members of a module: records and models, questions about one oscillator, those about many; -1 with an exception set. */
+/* As many numbers as the tuple has to hold; -1 with an exception set. */
+int sf_read_numbers(struct _object *tuple, int n, const char *name, const char *what, double *values);
+
+/* Members of a module: records and models, questions about one oscillator, those about many, proofs;
+ * -1 with an exception set. */
 int sf_add_records(struct _object *module);
 int sf_add_answers(struct _object *module);
 int sf_add_batches(struct _object *module);
+int sf_add_certificates(struct _object *module);
 
 #endif

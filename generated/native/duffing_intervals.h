@@ -1,0 +1,46 @@
+/* Duffing oscillator: one cubic piece, no breakpoint: on whole intervals.
+
+   Written by `make derive`; never edit.
+   Input: derivations/mechanisms/duffing.py, sha256 9cc742f303d96c79bad0568c2c4516c8f5944292cc72520ca6ccbb22912545d8
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Each output holds every value that the function of the same name takes on the arguments; `out` takes the outputs. */
+
+#ifndef DUFFING_INTERVALS_H
+#define DUFFING_INTERVALS_H
+
+#include "interval.h"
+
+/* h, h_A, h_AA, h_AAA together.
+   Equation (20)-(22), (31). Domain: A >= 0. */
+static inline void duffing_intervals_averaged(sf_interval A, const sf_interval *p, sf_interval *out)
+{
+    const sf_interval alpha = p[0];
+    const sf_interval beta = p[1];
+    const sf_interval t0 = sfi_mul(sfi_square(A), beta);
+    const sf_interval t1 = sfi_times(4.5, beta);
+    out[0] = sfi_mul(A, sfi_sub(sfi_neg(alpha), sfi_times(0.75, t0)));
+    out[1] = sfi_sub(sfi_neg(alpha), sfi_times(2.25, t0));
+    out[2] = sfi_neg(sfi_mul(A, t1));
+    out[3] = sfi_neg(t1);
+}
+
+/* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
+   Equation (20)-(22), (31). Domain: A >= 0. */
+static inline sf_interval duffing_intervals_intercept(sf_interval A, const sf_interval *p)
+{
+    const sf_interval beta = p[1];
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval A3 = sfi_mul(A, A2);
+    return sfi_times(1.5, sfi_mul(A3, beta));
+}
+
+/* The parameters alpha, beta from the design.
+   Equation (5), (7). Domain: any design. */
+static inline void duffing_intervals_coefficients(sf_interval alpha, sf_interval beta, sf_interval *out)
+{
+    out[0] = alpha;
+    out[1] = beta;
+}
+
+#endif

@@ -1,0 +1,112 @@
+"""Proofs: in goes a model with the numbers that it was made from, out come enclosures, and what is proved of them.
+
+The compiled solvers compute in intervals of doubles (native/proof.h). What is certified is the oscillator whose numbers
+are the given doubles, exactly: parameters that follow from them, as alpha, u_cr and m, are intervals.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from slowflow import backend
+from slowflow.model import Floats, Model
+from slowflow.results import ProvedFolds, ProvedForcing, ProvedStates
+from slowflow_kernels.conventions import OnsetKind, Status
+
+NO_SOLVERS = "not certified: that needs the compiled solvers"
+NO_DESIGN = "not certified: the numbers that the parameters follow from are not known"
+NO_INTERVALS = "not certified: the average of this force is not known on intervals"
+FAILED = "not certified: the response is unresolved"
+IN_DOUBT = "doubles do not decide for A in {}"
+NO_ROOM = "there are more of them than places"
+UNBOUNDED = "only amplitudes up to {:.6g} are looked at"
+NO_LOWEST = "zeta = 0: there is no lowest forcing to certify"
+NO_DETACHMENT = "the force has no breakpoint"
+NO_ONSET = "not certified: that no forcing has a fold is not proved"
+ONSET_IN_DOUBT = "doubles do not decide whether a lower forcing has a fold"
+NEAR_STICKING = "F_0 is so near to 4 mu/pi that doubles do not decide whether the mass moves"
+
+_NONE = np.empty((0, 2))
+_NOTHING = np.empty(0)
+
+
+def _asked(function: str, model: Model, *numbers: float) -> tuple[Any, str]:
+    """What a compiled proof gives, or why there is none."""
+    if backend.SOLVER is None or model.native is None:
+        return None, NO_SOLVERS
+    if not model.design:
+        return None, NO_DESIGN
+    damping = (model.mu, model.zeta)
+    answer = getattr(backend.SOLVER, f"certify_{function}")(model.native, model.design, damping, *numbers)
+    return answer, "" if answer is not None else NO_INTERVALS
+
+
+def _remarks(status: int, doubt: Floats, A_max: float, bounded: bool, room: bool) -> tuple[bool, str]:
+    """Whether it is all proved, and what to say beside it."""
+    if status == Status.STICKS:
+        return bounded, "sticks: F_0 does not exceed 4 mu/pi" if bounded else NEAR_STICKING
+    if status != Status.OK:
+        return False, FAILED
+    said = []
+    if len(doubt):
+        said.append(IN_DOUBT.format(", ".join(f"[{low:.17g}, {high:.17g}]" for low, high in doubt)))
+    if not room:
+        said.append(NO_ROOM)
+    if not bounded:
+        said.append(UNBOUNDED.format(A_max))
+    return not len(doubt) and room, "; ".join(said)
+
+
+def saddle_nodes(model: Model, F_0: float) -> ProvedFolds:
+    """Every fold at F_0, with what is proved of it."""
+    answer, reason = _asked("folds", model, F_0)
+    if answer is None:
+        return ProvedFolds(False, reason, _NONE, _NONE, np.empty(0, "U9"), np.empty(0, bool), 0.0, False, _NONE)
+    status, Omega, A, corner, sign, doubt, A_max, bounded, room = answer
+    order = np.argsort(Omega.sum(axis=1), kind="stable")
+    kind = np.array(["jump-up", "", "jump-down"])[sign + 1]
+    proved, message = _remarks(status, doubt, A_max, bounded, room)
+    return ProvedFolds(proved, message, Omega[order], A[order], kind[order], corner[order], A_max, bounded, doubt)
+
+
+def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates:
+    """Every state at (Omega, F_0), with what is proved of it."""
+    answer, reason = _asked("states", model, F_0, Omega)
+    if answer is None:
+        return ProvedStates(False, reason, _NONE, np.empty(0, bool), 0.0, False, _NONE)
+    status, _, A, _, sign, doubt, A_max, bounded, room = answer
+    order = np.argsort(A[:, 0])
+    proved, message = _remarks(status, doubt, A_max, bounded, room)
+    return ProvedStates(proved, message, A[order], sign[order] > 0, A_max, bounded, doubt)
+
+
+def onset(model: Model) -> ProvedForcing:
+    """F_SN, and that no fold is born at a lower forcing."""
+    answer, reason = _asked("onset", model)
+    if answer is None:
+        return _no_forcing(reason)
+    if answer[0] != Status.OK:
+        return _no_forcing({Status.UNBOUNDED: NO_LOWEST, Status.NONE: NO_ONSET}.get(answer[0], FAILED))
+    _, *ends, kind, proved = answer
+    F_SN, Omega, A = map(np.array, ends)
+    word = OnsetKind(kind).name.lower() if kind != OnsetKind.NO else ""
+    return ProvedForcing(proved, "" if proved else ONSET_IN_DOUBT, F_SN, Omega, A, word)
+
+
+def detachment(model: Model) -> ProvedForcing:
+    """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
+    answer, reason = _asked("detachment", model)
+    if answer is None:
+        return _no_forcing(reason)
+    if answer[0] == Status.NONE:
+        return _no_forcing(NO_DETACHMENT, proved=True)
+    if answer[0] != Status.OK:
+        return _no_forcing(FAILED)
+    F_cr, Omega_cr, u_cr = map(np.array, answer[1:])
+    return ProvedForcing(True, "", F_cr, Omega_cr, u_cr, "")
+
+
+def _no_forcing(reason: str, *, proved: bool = False) -> ProvedForcing:
+    return ProvedForcing(proved, reason, _NOTHING, _NOTHING, _NOTHING, "")

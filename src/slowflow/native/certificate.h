@@ -1,0 +1,53 @@
+/* Records that the proofs fill: zeros along the amplitude, and enclosures of what was asked. */
+#ifndef SF_CERTIFICATE_H
+#define SF_CERTIFICATE_H
+
+#include "given.h"
+#include "work.h"
+
+enum { SF_MOST_DOUBTS = 32 };
+
+/* One zero: the cell that holds it, by how much that exceeds the beginning of its piece, and whether the function rises
+ * through it. */
+typedef struct {
+    sf_cell on;
+    sf_interval beyond;
+    int piece, channel, rising;
+} sf_proven;
+
+/* Amplitudes between which doubles do not decide, by how much they exceed the beginning of their piece. */
+typedef struct {
+    double low, high;
+    int piece, channel;
+} sf_doubt_between;
+
+typedef struct {
+    int n, doubts, cells, full;
+    sf_proven at[SF_MOST_ZEROS];
+    sf_doubt_between doubt[SF_MOST_DOUBTS];
+} sf_proof;
+
+/* corner: on a breakpoint; sign: of F_AA at a fold, of F_A at a state, 0 where it is not known */
+typedef struct {
+    sf_interval Omega, A;
+    int corner, sign;
+} sf_enclosure;
+
+/* Of the folds at a forcing, or of the states at a frequency. doubt: intervals of A in which doubles do not decide;
+ * bounded: whether no state is proved to lie above A_max; full: more of something than there are places */
+typedef struct {
+    int n, doubts, full, bounded;
+    sf_enclosure at[SF_MOST_ZEROS];
+    sf_interval doubt[SF_MOST_DOUBTS];
+    double A_max;
+} sf_certificate;
+
+/* Of the lowest forcing that has a fold: what holds it, where it lies, and of what kind it is, if that is known.
+ * proved: whether nothing lower is left in doubt */
+typedef struct {
+    sf_interval F_SN, Omega, A;
+    sf_onset_kind kind;
+    int proved;
+} sf_proved_onset;
+
+#endif

@@ -1,0 +1,378 @@
+/* Answers with their proof: in goes an oscillator as it was given, and a forcing, out come enclosures of its folds or
+ * states, of F_SN and of F_cr, and where doubles do not decide.
+ *
+ * A fold inside a piece is a zero of SF_FOLD_AT; on a breakpoint where the force jumps, it is a root of F = 0 at which F_A
+ * has one sign below and another above.
+ */
+#ifndef SF_CERTIFY_H
+#define SF_CERTIFY_H
+
+#include "certificate.h"
+#include "onset.h"
+#include "proof.h"
+#include "proved_roots.h"
+
+static int sf_sign_of(sf_interval x) { return sfi_positive(x) - sfi_negative(x); }
+static sf_interval sf_hull_of(sf_interval a, sf_interval b) {
+    return sfi_of(sfi_least(a.lo, b.lo), sfi_most(a.hi, b.hi));
+}
+
+static void sf_enclose(sf_certificate *out, sf_interval Omega, sf_interval A, int corner, int sign) {
+    if (out->n == SF_MOST_ZEROS) {
+        out->full = 1;
+        return;
+    }
+    out->at[out->n].Omega = Omega, out->at[out->n].A = A;
+    out->at[out->n].corner = corner, out->at[out->n++].sign = sign;
+}
+
+static void sf_leave_in_doubt(sf_certificate *out, sf_interval A) {
+    if (out->doubts == SF_MOST_DOUBTS)
+        out->full = 1;
+    else
+        out->doubt[out->doubts++] = A;
+}
+
+static void sf_leave_all_in_doubt(const sf_given *given, const sf_proof *proof, sf_certificate *out) {
+    int i;
+    out->full |= proof->full;
+    for (i = 0; i < proof->doubts; i++)
+        sf_leave_in_doubt(out,
+                          sf_beyond(given, proof->doubt[i].piece, sfi_of(proof->doubt[i].low, proof->doubt[i].high)));
+}
+
+/* Whether no amplitude from A on is that of a steady state at F_0 or less, as sf_bounds says. */
+static int sf_is_bounded(const sf_given *given, double F_0, double A) {
+    sf_known here, there;
+    sf_cell cell;
+    sf_interval most;
+    if (given->zeta.lo == 0 || (given->breaks > 0 && !(A > given->b[given->breaks - 1].hi)))
+        return 0;
+    sf_know_at(given, given->breaks, sfi_down(A - sf_beginning(given, given->breaks).hi), &here);
+    sf_know_at(given, given->breaks, SF_ENDLESS * sfi_most(A, 1), &there);
+    sf_make_cell_on(sfi_of(here.A, there.A), &here, &there, &cell);
+    most = slow_flow_intervals_most_restoring(sfi_point(A), sfi_point(F_0), given->m, given->zeta);
+    return here.h.lo > 0 ? here.h.lo > most.hi && cell.h_A.lo >= 0 : -here.h.hi > most.hi && cell.h_A.hi <= 0;
+}
+
+/* ==== Folds at a forcing =========================================================================================== */
+
+static void sf_fold_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
+    (void)open;
+    sf_range_fold(&proving->terms, cell, &out[0]);
+}
+
+static sf_at_amplitude sf_at_cell(sf_roots_of of, const sf_terms *terms, const sf_cell *cell) {
+    sf_at_amplitude q;
+    q.of = of, q.A = cell->A, q.h = cell->h, q.h_A = cell->h_A, q.m = terms->m, q.zeta = terms->zeta, q.F_0 = terms->F_0;
+    return q;
+}
+
+/* Omega of a fold from I, which exceeds m by little if damping is weak; then by F = 0. */
+static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) {
+    const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, cell);
+    sf_interval fold[3];
+    if (terms->zeta.hi == 0)
+        return sfi_sqrt(sfi_neg(cell->h_A));
+    slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, cell->k, cell->k_A, fold);
+    return sf_narrow_root(&q, fold[2]);
+}
+
+/* The force's breakpoint i as a cell, as its lower side has it. */
+static void sf_breakpoint_on(const sf_given *given, int i, sf_cell *on) {
+    sf_known at;
+    sf_know_below(given, i, &at);
+    sf_make_cell_on(given->b[i], &at, &at, on);
+}
+
+static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_certificate *out) {
+    int k, i;
+    for (k = 0; k < given->breaks; k++) {
+        sf_at_amplitude q;
+        sf_roots roots;
+        sf_cell on;
+        const sf_interval b = given->b[k], jump = given->jump[k];
+        if (jump.lo == 0 && jump.hi == 0)
+            continue;
+        if (b.lo > out->A_max)
+            return;
+        sf_breakpoint_on(given, k, &on);
+        q = sf_at_cell(SF_ROOTS_OF_F, terms, &on);
+        sf_prove_roots(&q, &roots);
+        out->full |= roots.full;
+        for (i = 0; i < roots.n; i++) {
+            const sf_interval R = slow_flow_intervals_R(roots.at[i], b, on.h);
+            const int stable_above = sf_sign_of(sfi_mul(R, jump));
+            const int stable_below = sf_sign_of(
+                slow_flow_intervals_F_A(roots.at[i], b, given->m, given->zeta, on.h, on.h_A));
+            if (stable_above != 0 && stable_above == stable_below)
+                continue; /* no fold, however many roots there are */
+            if (roots.doubtful[i] || stable_above == 0 || stable_below == 0)
+                sf_leave_in_doubt(out, b);
+            else
+                sf_enclose(out, roots.at[i], b, 1, -stable_below);
+        }
+    }
+}
+
+/* Every fold at F_0, those in work->folds being where to look first. */
+static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, sf_work *work, sf_proof *proof,
+                                  sf_certificate *out) {
+    const sf_status status = sf_saddle_nodes(model, F_0, work, &work->folds);
+    sf_proving proving;
+    int i;
+    out->n = out->doubts = out->full = 0, out->A_max = 0;
+    out->bounded = !(F_0 > given->m.lo);
+    if (status != SF_OK)
+        return status;
+    out->A_max = work->A_max, out->bounded = sf_is_bounded(given, F_0, work->A_max);
+    proving.given = given, proving.range = sf_fold_on, proving.channels = 1, proving.out = proof;
+    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.hints = &work->folds;
+    if (!(F_0 > given->m.hi)) {
+        sf_leave_in_doubt(out, sfi_of(0, work->A_max));
+        return SF_OK;
+    }
+    sf_prove(&proving, work->A_max);
+    sf_leave_all_in_doubt(given, proof, out);
+    for (i = 0; i < proof->n; i++) {
+        const sf_cell *on = &proof->at[i].on;
+        const sf_interval Omega = sf_fold_Omega_on(&proving.terms, on);
+        sf_enclose(out, Omega, on->A, 0,
+                   sf_sign_of(slow_flow_intervals_F_AA(Omega, on->A, given->m, given->zeta, on->h, on->h_A, on->h_AA)));
+    }
+    sf_certify_corners(given, &proving.terms, out);
+    return SF_OK;
+}
+
+/* ==== States at a frequency ======================================================================================== */
+
+static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
+    const sf_terms *terms = &proving->terms;
+    (void)open;
+    sf_range_simple(slow_flow_intervals_F(proving->Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h),
+                    slow_flow_intervals_F_A(proving->Omega, cell->A, terms->m, terms->zeta, cell->h, cell->h_A),
+                    SF_THROUGHOUT, &out[0]);
+}
+
+/* Every state at (Omega, F_0). */
+static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega, sf_proof *proof,
+                                   sf_certificate *out) {
+    sf_proving proving;
+    sf_status status;
+    int i;
+    out->n = out->doubts = out->full = 0, out->A_max = 0;
+    out->bounded = !(F_0 > given->m.lo);
+    if (sf_sticks(model, F_0))
+        return SF_STICKS;
+    status = sf_range_at(model, F_0, &out->A_max);
+    if (status != SF_OK)
+        return status;
+    out->bounded = sf_is_bounded(given, F_0, out->A_max);
+    proving.given = given, proving.range = sf_state_on, proving.channels = 1, proving.out = proof;
+    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.Omega = sfi_point(Omega), proving.hints = NULL;
+    sf_prove(&proving, out->A_max);
+    sf_leave_all_in_doubt(given, proof, out);
+    for (i = 0; i < proof->n; i++)
+        sf_enclose(out, proving.Omega, proof->at[i].on.A, 0, proof->at[i].rising ? 1 : -1);
+    return SF_OK;
+}
+
+/* ==== Critical forcings ============================================================================================ */
+
+static sf_interval sf_level_on(const sf_terms *terms, sf_interval Omega, const sf_cell *cell) {
+    return slow_flow_intervals_level(Omega, cell->A, terms->m, terms->zeta, cell->h);
+}
+
+/* F_cr, the least level on the first breakpoint: at Omega = 0 or where F_Omega vanishes. Each place that is tried is a
+ * bound from above, and the least lies at one of them: so places in doubt do no harm. */
+static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr, sf_interval *Omega_cr) {
+    const sf_terms terms = sf_terms_of(given, sfi_point(0));
+    sf_at_amplitude q;
+    sf_interval where[SF_MOST_ROOTS + 1], level[SF_MOST_ROOTS + 1];
+    sf_roots roots;
+    sf_cell on;
+    int i, known = 0;
+    if (given->breaks == 0)
+        return SF_NONE;
+    sf_breakpoint_on(given, 0, &on);
+    q = sf_at_cell(SF_ROOTS_OF_F_OMEGA, &terms, &on);
+    sf_prove_roots(&q, &roots);
+    if (roots.full)
+        return SF_UNRESOLVED;
+    where[roots.n] = sfi_point(0);
+    for (i = 0; i < roots.n; i++)
+        where[i] = roots.at[i];
+    *F_cr = sfi_point(HUGE_VAL);
+    for (i = 0; i <= roots.n; i++) {
+        level[i] = sf_level_on(&terms, where[i], &on);
+        *F_cr = sfi_of(sfi_least(F_cr->lo, level[i].lo), sfi_least(F_cr->hi, level[i].hi));
+    }
+    for (i = 0; i <= roots.n; i++)
+        if (level[i].lo <= F_cr->hi) { /* else the least is not there */
+            *Omega_cr = known ? sf_hull_of(*Omega_cr, where[i]) : where[i];
+            known = 1;
+        }
+    return SF_OK;
+}
+
+/* What may be the lowest forcing. */
+typedef struct {
+    sf_interval level, Omega, A;
+    sf_onset_kind kind;
+} sf_candidate;
+
+/* doubted: the lowest level that is in doubt */
+typedef struct {
+    int n, full;
+    sf_candidate at[SF_MOST_ZEROS];
+    double doubted;
+} sf_candidates;
+
+/* Enters a level that is a minimum along the fold locus if `sign` is positive, none if it is negative. */
+static void sf_enter(sf_candidates *list, sf_interval level, sf_interval Omega, sf_interval A, sf_onset_kind kind, int sign) {
+    if (sign == 0)
+        list->doubted = sfi_least(list->doubted, level.lo);
+    if (sign <= 0)
+        return;
+    if (list->n == SF_MOST_ZEROS) {
+        list->full = 1;
+        return;
+    }
+    list->at[list->n].level = level, list->at[list->n].Omega = Omega, list->at[list->n].A = A;
+    list->at[list->n++].kind = kind;
+}
+
+/* Isola points of levels up to F_0. */
+static void sf_isola_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
+    (void)open;
+    sf_range_isola(&proving->terms, cell, &out[0]);
+    if (out[0].where != SF_NOWHERE && sf_level_on(&proving->terms, sfi_sqrt(cell->h_A), cell).lo > proving->terms.F_0.hi)
+        out[0].where = SF_NOWHERE;
+}
+
+/* Cusps of levels up to F_0, as sf_range_cusp. */
+static void sf_cusps_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
+    const sf_terms *terms = &proving->terms;
+    int i;
+    if ((cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0))
+        return;
+    for (i = 0; i < 2; i++) {
+        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+        if (open & 1 << i)
+            sf_cusp_on(cell, terms->m, terms->zeta, i == 0, &cusp);
+        if (cusp.where != SF_NOWHERE && !(cusp.level.lo > terms->F_0.hi))
+            sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
+    }
+}
+
+static void sf_enter_isola(const sf_terms *terms, const sf_cell *on, sf_candidates *list) {
+    const sf_interval Omega = sfi_sqrt(on->h_A);
+    const sf_interval bend =
+        slow_flow_intervals_isola_bend(Omega, on->A, terms->m, terms->zeta, on->h, on->h_A, on->h_AA);
+    sf_enter(list, sf_level_on(terms, Omega, on), Omega, on->A, SF_ISOLA_KIND, sf_sign_of(bend));
+}
+
+static void sf_enter_cusp(const sf_terms *terms, const sf_cell *on, int channel, sf_candidates *list) {
+    sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    sf_interval Omega, bend;
+    sf_cusp_on(on, terms->m, terms->zeta, channel == 0, &cusp);
+    Omega = sfi_sqrt(cusp.X);
+    bend = slow_flow_intervals_cusp_bend(Omega, on->A, terms->m, terms->zeta, on->h, on->h_A, on->h_AA, on->h_AAA);
+    sf_enter(list, sfi_both(cusp.level, sf_level_on(terms, Omega, on)), Omega, on->A, SF_CUSP_KIND, sf_sign_of(bend));
+}
+
+/* Minima on breakpoint k, where the force jumps: see sf_consider_jump. */
+static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k, sf_candidates *list) {
+    const sf_interval b = given->b[k];
+    const int J = sf_sign_of(given->jump[k]);
+    sf_cell on;
+    sf_at_amplitude q;
+    sf_roots roots;
+    int i;
+    sf_breakpoint_on(given, k, &on);
+    if (on.h.lo < 0 && J <= 0) {
+        const sf_interval Omega = sfi_sqrt(sfi_neg(sfi_div(on.h, b)));
+        sf_enter(list, sf_level_on(terms, Omega, &on), Omega, b, SF_CORNER_KIND, on.h.hi < 0 ? -J : 0);
+    }
+    q = sf_at_cell(SF_ROOTS_OF_F_A, terms, &on);
+    sf_prove_roots(&q, &roots);
+    list->full |= roots.full;
+    for (i = 0; i < roots.n; i++) {
+        const sf_interval w = roots.at[i], m = terms->m, zeta = terms->zeta;
+        const int R = sf_sign_of(slow_flow_intervals_R(w, b, on.h));
+        const int falls = -sf_sign_of(slow_flow_intervals_level_rise(w, b, m, zeta, on.h, on.h_A, on.h_AA));
+        const int turns = -R * J * sf_sign_of(sfi_mul(slow_flow_intervals_F_Omega(w, b, m, zeta, on.h),
+                                                      slow_flow_intervals_F_AOmega(w, b, m, zeta, on.h, on.h_A)));
+        const int sign = falls < 0 || turns < 0 ? -1 : falls * turns;
+        sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND, roots.doubtful[i] ? 0 : sign);
+    }
+    q.of = SF_ROOTS_OF_F_OMEGA;
+    sf_prove_roots(&q, &roots);
+    list->full |= roots.full;
+    for (i = 0; i < roots.n; i++) {
+        const sf_interval w = roots.at[i], m = terms->m, zeta = terms->zeta;
+        const int R = sf_sign_of(slow_flow_intervals_R(w, b, on.h));
+        const int opposite = -R * J * sf_sign_of(slow_flow_intervals_F_A(w, b, m, zeta, on.h, on.h_A));
+        const int least = sf_sign_of(slow_flow_intervals_F_OmegaOmega(w, b, zeta, on.h));
+        const int sign = opposite < 0 || least < 0 ? -1 : opposite * least;
+        sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND, roots.doubtful[i] ? 0 : sign);
+    }
+}
+
+/* The lowest of what was entered. */
+static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
+    int i, known = 0;
+    out->F_SN = sfi_point(HUGE_VAL), out->kind = SF_NO_KIND;
+    for (i = 0; i < list->n; i++) {
+        out->F_SN.lo = sfi_least(out->F_SN.lo, list->at[i].level.lo);
+        out->F_SN.hi = sfi_least(out->F_SN.hi, list->at[i].level.hi);
+    }
+    for (i = 0; i < list->n; i++) {
+        const sf_candidate *one = &list->at[i];
+        if (!(one->level.lo <= out->F_SN.hi))
+            continue;
+        out->Omega = known ? sf_hull_of(out->Omega, one->Omega) : one->Omega;
+        out->A = known ? sf_hull_of(out->A, one->A) : one->A;
+        out->kind = known && out->kind != one->kind ? SF_NO_KIND : one->kind;
+        known = 1;
+    }
+}
+
+/* The lowest forcing at which folds are born, for zeta > 0. The level's minima along the fold locus are its cusps and isola
+ * points, ends of its pieces on breakpoints, and ends at Omega = 0, where no fold is born; what lies above the forcing
+ * that was found is left out. */
+static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, sf_work *work, sf_proof *proof,
+                                  sf_proved_onset *out) {
+    sf_candidates list;
+    sf_onset best;
+    sf_proving proving;
+    double F_0, A_max;
+    sf_status status;
+    int i, k;
+    status = sf_find_onset(model, work, &best);
+    if (status != SF_OK)
+        return status;
+    F_0 = best.F_SN * (1 + 0x1p-20);
+    status = sf_amplitude_bound(model, F_0, &A_max);
+    if (status != SF_OK)
+        return status;
+    list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
+    proving.given = given, proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.hints = NULL, proving.out = proof;
+    for (i = 0; i < 2; i++) {
+        proving.range = i == 0 ? sf_isola_on : sf_cusps_on, proving.channels = 1 + i;
+        sf_prove(&proving, A_max);
+        list.full |= proof->full || proof->doubts > 0;
+        for (k = 0; k < proof->n; k++)
+            if (i == 0)
+                sf_enter_isola(&proving.terms, &proof->at[k].on, &list);
+            else
+                sf_enter_cusp(&proving.terms, &proof->at[k].on, proof->at[k].channel, &list);
+    }
+    for (k = 0; k < given->breaks; k++)
+        sf_enter_corners(given, &proving.terms, k, &list);
+    sf_lowest(&list, out);
+    out->proved = list.n > 0 && !list.full && list.doubted > out->F_SN.hi && out->F_SN.hi < F_0;
+    return SF_OK;
+}
+
+#endif

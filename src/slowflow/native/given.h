@@ -1,0 +1,86 @@
+/* The oscillator as it was given: in go its numbers, taken exactly, out come intervals that hold what follows from them.
+ *
+ * A proof is about this oscillator, not about its parameters rounded to doubles.
+ */
+#ifndef SF_GIVEN_H
+#define SF_GIVEN_H
+
+#include "cells.h"
+#include "slow_flow_intervals.h"
+
+typedef struct {
+    const sf_mechanism *mechanism;
+    sf_interval p[SF_MOST_PARAMETERS], m, zeta;
+    sf_interval b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
+    int breaks;
+} sf_given;
+
+/* 0 where no proof is possible: the mechanism has no form on intervals, or a breakpoint cannot be told from 0. */
+static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
+    int i;
+    if (mechanism->averaged_within == NULL)
+        return 0;
+    out->mechanism = mechanism;
+    out->m = slow_flow_intervals_friction(sfi_point(mu)), out->zeta = sfi_point(zeta);
+    out->breaks = mechanism->breakpoints;
+    mechanism->parameters_within(design, out->p);
+    if (out->breaks > 0) {
+        mechanism->ends_within(out->p, out->b);
+        mechanism->jumps_within(out->p, out->jump);
+    }
+    for (i = 0; i < out->breaks; i++)
+        if (!(out->b[i].lo > (i > 0 ? out->b[i - 1].hi : 0)))
+            return 0;
+    return 1;
+}
+
+static inline sf_interval sf_or_unknown(sf_interval x) {
+    return x.lo <= x.hi ? x : sfi_of(-HUGE_VAL, HUGE_VAL);
+}
+
+static inline void sf_know_within(const sf_given *given, int piece, sf_interval A, sf_interval beyond, sf_known *out) {
+    sf_interval values[5];
+    given->mechanism->averaged_within(piece, A, beyond, given->p, values);
+    out->h = sf_or_unknown(values[0]), out->h_A = sf_or_unknown(values[1]);
+    out->h_AA = sf_or_unknown(values[2]), out->h_AAA = sf_or_unknown(values[3]);
+    out->k = sf_or_unknown(values[4]);
+}
+
+/* Where a piece begins. */
+static inline sf_interval sf_beginning(const sf_given *given, int piece) {
+    return piece > 0 ? given->b[piece - 1] : sfi_point(0);
+}
+
+/* The amplitudes that exceed it by so much. */
+static inline sf_interval sf_beyond(const sf_given *given, int piece, sf_interval x) {
+    return piece > 0 ? sfi_add(given->b[piece - 1], x) : x;
+}
+
+/* At the amplitude that exceeds the beginning of its piece by x. */
+static inline void sf_know_at(const sf_given *given, int piece, double x, sf_known *out) {
+    sf_know_within(given, piece, sf_beyond(given, piece, sfi_point(x)), sfi_point(x), out);
+    out->A = x;
+}
+
+/* At breakpoint i as its lower side has it. */
+static inline void sf_know_below(const sf_given *given, int i, sf_known *out) {
+    const sf_interval x = i > 0 ? sfi_sub(given->b[i], given->b[i - 1]) : given->b[i];
+    sf_know_within(given, i, given->b[i], x, out);
+    out->A = x.hi;
+}
+
+/* The limit from above at breakpoint i, as `sf_sample_above`; nothing is known of the derivatives where no jump is
+ * proved. */
+static inline void sf_know_above(const sf_given *given, int i, sf_known *out) {
+    const sf_interval jump = given->jump[i];
+    sf_know_below(given, i, out);
+    out->A = 0;
+    if (sfi_has_sign(jump)) {
+        out->h_A = out->h_AAA = sfi_point(jump.lo > 0 ? HUGE_VAL : -HUGE_VAL);
+        out->k = out->h_AA = sfi_neg(out->h_A);
+    } else {
+        out->h_A = out->k = out->h_AA = out->h_AAA = sfi_of(-HUGE_VAL, HUGE_VAL);
+    }
+}
+
+#endif

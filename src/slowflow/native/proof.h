@@ -1,0 +1,255 @@
+/* Zeros along the amplitude, proved: in goes an oscillator as it was given and a question, out come intervals each of which
+ * holds exactly one zero, and amplitudes between which doubles do not decide; elsewhere there is none.
+ *
+ * The search is that of scan.h, on intervals that hold the values: an interval of A is left when the function is proved to
+ * have one sign on it, or to be monotone with proved signs at its ends. Newton's method on intervals makes a zero's own
+ * interval narrow.
+ */
+#ifndef SF_PROOF_H
+#define SF_PROOF_H
+
+#include "certificate.h"
+#include "scan.h"
+
+enum { SF_MOST_STEPS = 60 };
+
+/* what is not decided after so many cells is left in doubt */
+#define SF_MOST_PROOF_CELLS 4000
+/* a narrower interval, relatively, is not cut any more: it may hold a double zero, or a zero may lie on its end */
+#define SF_PROOF_NARROW 0x1p-36
+/* nor one that ends so near to the beginning of its piece, relatively */
+#define SF_PROOF_NEXT 0x1p-200
+
+typedef struct sf_proving sf_proving;
+
+/* range: a question's functions on a cell; hints: amplitudes near which zeros are expected */
+struct sf_proving {
+    const sf_given *given;
+    void (*range)(const sf_proving *, const sf_cell *, int open, sf_range out[2]);
+    int channels, piece;
+    sf_terms terms;
+    sf_interval Omega;
+    const sf_folds *hints;
+    sf_proof *out;
+};
+
+typedef struct {
+    sf_known known;
+    sf_range range[2];
+} sf_checked;
+
+static inline sf_terms sf_terms_of(const sf_given *given, sf_interval F_0) {
+    sf_terms terms;
+    terms.m = given->m, terms.zeta = given->zeta, terms.F_0 = F_0;
+    terms.least = sfi_sqrt(sfi_mul(sfi_sub(F_0, given->m), sfi_add(F_0, given->m)));
+    return terms;
+}
+
+static void sf_clear_range(sf_range out[2]) {
+    out[0].where = out[1].where = SF_NOWHERE, out[0].edge = out[1].edge = 0;
+}
+
+/* The functions at something known. */
+static void sf_check(const sf_proving *proving, sf_checked *out) {
+    const double x = out->known.A;
+    sf_cell cell;
+    sf_make_cell_on(sf_beyond(proving->given, proving->piece, sfi_point(x)), &out->known, &out->known, &cell);
+    sf_clear_range(out->range);
+    proving->range(proving, &cell, 3, out->range);
+}
+
+static void sf_check_at(const sf_proving *proving, double x, sf_checked *out) {
+    sf_know_at(proving->given, proving->piece, x, &out->known);
+    sf_check(proving, out);
+}
+
+static void sf_range_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open, sf_cell *cell,
+                             sf_range range[2]) {
+    const sf_interval A = sf_beyond(proving->given, proving->piece, sfi_of(a->known.A, b->known.A));
+    sf_make_cell_on(A, &a->known, &b->known, cell);
+    sf_clear_range(range);
+    proving->range(proving, cell, open, range);
+}
+
+/* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. */
+static int sf_crossing(const sf_checked *a, const sf_checked *b, int c, const sf_range *range) {
+    const sf_interval low = a->range[c].y, high = b->range[c].y;
+    if (range->where == SF_NOWHERE || sfi_has_sign(range->y))
+        return 0;
+    if (range->where != SF_THROUGHOUT || a->range[c].where != SF_THROUGHOUT || b->range[c].where != SF_THROUGHOUT)
+        return 2;
+    if (sfi_has_sign(sfi_both(range->y, sf_along(low, high, range->dy, sfi_up(b->known.A - a->known.A)))))
+        return 0;
+    if (!(sfi_has_sign(range->dy) && sfi_has_sign(low) && sfi_has_sign(high)))
+        return 2;
+    return sfi_positive(low) == sfi_positive(high) ? 0 : sfi_negative(low) ? 1 : -1;
+}
+
+static double sf_hint_between(const sf_proving *proving, double low, double high) {
+    const double begins = sf_beginning(proving->given, proving->piece).lo;
+    int i;
+    for (i = 0; proving->hints != NULL && i < proving->hints->n; i++) {
+        const double x = proving->hints->at[i].A - begins;
+        if (!proving->hints->at[i].corner && x > low && x < high)
+            return x;
+    }
+    return sf_amid(0, low, high);
+}
+
+/* The one zero between two amplitudes, made narrow: by signs and by Newton's method on intervals, until that gains no
+ * more. */
+static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range, sf_cell *cell) {
+    double low = a->known.A, high = b->known.A;
+    int i;
+    for (i = 0; i < SF_MOST_STEPS; i++) {
+        const double x = i == 0 ? sf_hint_between(proving, low, high) : 0.5 * low + 0.5 * high, width = high - low;
+        sf_checked at;
+        sf_interval next;
+        sf_range on[2];
+        sf_cell narrower;
+        if (!(x > low && x < high))
+            return;
+        sf_check_at(proving, x, &at);
+        if (at.range[c].where != SF_THROUGHOUT)
+            return;
+        next = sfi_both(sfi_of(low, high), sfi_sub(sfi_point(x), sfi_div(at.range[c].y, range.dy)));
+        if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * width)) {
+            if (i > 0)
+                return;
+            continue; /* the hint was none */
+        }
+        if (next.lo > low)
+            sf_check_at(proving, next.lo, a);
+        if (next.hi < high)
+            sf_check_at(proving, next.hi, b);
+        low = next.lo, high = next.hi;
+        sf_range_between(proving, a, b, 1 << c, &narrower, on);
+        *cell = narrower;
+        if (on[c].where == SF_THROUGHOUT && sfi_has_sign(on[c].dy))
+            range = on[c];
+    }
+}
+
+static void sf_add_proven(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int c, const sf_range *range,
+                          const sf_cell *cell, int rising) {
+    sf_proof *out = proving->out;
+    sf_checked low = *a, high = *b;
+    if (out->n == SF_MOST_ZEROS) {
+        out->full = 1;
+        return;
+    }
+    out->at[out->n].on = *cell, out->at[out->n].channel = c, out->at[out->n].rising = rising;
+    sf_narrow(proving, &low, &high, c, *range, &out->at[out->n].on);
+    out->at[out->n].beyond = sfi_of(low.known.A, high.known.A), out->at[out->n].piece = proving->piece;
+    out->n++;
+}
+
+static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int c) {
+    int i;
+    for (i = 0; i < out->doubts; i++)
+        if (out->doubt[i].channel == c && out->doubt[i].piece == piece && out->doubt[i].low == high) {
+            out->doubt[i].low = low;
+            return;
+        }
+    if (out->doubts == SF_MOST_DOUBTS) {
+        out->full = 1;
+        return;
+    }
+    out->doubt[out->doubts].low = low, out->doubt[out->doubts].high = high;
+    out->doubt[out->doubts].piece = piece, out->doubt[out->doubts++].channel = c;
+}
+
+static void sf_prove_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open) {
+    const double low = a->known.A, high = b->known.A, x = sf_amid(0, low, high);
+    const int last = !(x > low && x < high) || high - low <= SF_PROOF_NARROW * high ||
+                     high <= SF_PROOF_NEXT * sf_beginning(proving->given, proving->piece).lo ||
+                     proving->out->cells++ >= SF_MOST_PROOF_CELLS;
+    sf_checked middle;
+    sf_range range[2];
+    sf_cell cell;
+    int c;
+    sf_range_between(proving, a, b, open, &cell, range);
+    for (c = 0; c < proving->channels; c++) {
+        const int crossing = open & 1 << c ? sf_crossing(a, b, c, &range[c]) : 0;
+        if (crossing == 1 || crossing == -1)
+            sf_add_proven(proving, a, b, c, &range[c], &cell, crossing == 1);
+        else if (crossing == 2 && last)
+            sf_add_doubt(proving->out, low, high, proving->piece, c);
+        if (crossing != 2 || last)
+            open &= ~(1 << c);
+    }
+    if (open == 0)
+        return;
+    sf_check_at(proving, x, &middle);
+    /* what is hard lies above a breakpoint more often than not: it comes last */
+    sf_prove_between(proving, &middle, b, open);
+    sf_prove_between(proving, a, &middle, open);
+}
+
+/* Whether a zero of the channel that was found lies there. */
+static int sf_holds_proven(const sf_proof *out, double low, double high, int piece, int c) {
+    int i;
+    for (i = 0; i < out->n; i++)
+        if (out->at[i].channel == c && out->at[i].piece == piece && out->at[i].beyond.hi >= low &&
+            out->at[i].beyond.lo <= high)
+            return 1;
+    return 0;
+}
+
+/* Doubts from number `first` on once more, each with something around it: a zero may have lain on a cell's end. */
+static void sf_look_again(const sf_proving *proving, double least, double most, int first) {
+    sf_proof *out = proving->out;
+    int i, k, kept = first;
+    for (i = first; i < out->doubts; i++) {
+        const sf_doubt_between doubt = out->doubt[i];
+        double around = doubt.high - doubt.low;
+        int settled = 0;
+        for (k = 0; k < 4 && !settled; k++) {
+            sf_checked a, b;
+            sf_range range[2];
+            sf_cell cell;
+            int crossing;
+            around *= 16;
+            if (!(doubt.low - around > least && doubt.high + around < most))
+                break;
+            sf_check_at(proving, doubt.low - around, &a);
+            sf_check_at(proving, doubt.high + around, &b);
+            sf_range_between(proving, &a, &b, 1 << doubt.channel, &cell, range);
+            crossing = sf_crossing(&a, &b, doubt.channel, &range[doubt.channel]);
+            settled = crossing != 2;
+            if (settled && crossing != 0 && !sf_holds_proven(out, a.known.A, b.known.A, doubt.piece, doubt.channel))
+                sf_add_proven(proving, &a, &b, doubt.channel, &range[doubt.channel], &cell, crossing == 1);
+        }
+        if (!settled)
+            out->doubt[kept++] = doubt;
+    }
+    out->doubts = kept;
+}
+
+/* All zeros up to A_max, piece by piece. */
+static void sf_prove(sf_proving *proving, double A_max) {
+    const sf_given *given = proving->given;
+    sf_checked first, last;
+    int i;
+    proving->out->n = proving->out->doubts = proving->out->cells = proving->out->full = 0;
+    for (i = 0; i <= given->breaks; i++) {
+        const int before = proving->out->doubts;
+        proving->piece = i;
+        if (i > 0)
+            sf_know_above(given, i - 1, &first.known);
+        else /* a function that vanishes at 0 tells nothing there */
+            sf_know_at(given, 0, given->m.hi > 0 ? 0 : SF_FIRST, &first.known);
+        if (i < given->breaks && given->b[i].lo < A_max)
+            sf_know_below(given, i, &last.known);
+        else
+            sf_know_at(given, i, sfi_up(A_max - sf_beginning(given, i).lo), &last.known);
+        sf_check(proving, &first);
+        sf_check(proving, &last);
+        sf_prove_between(proving, &first, &last, proving->channels == 2 ? 3 : 1);
+        sf_look_again(proving, first.known.A, last.known.A, before);
+        if (!(i < given->breaks && given->b[i].lo < A_max))
+            return;
+    }
+}
+
+#endif

@@ -1,0 +1,118 @@
+/* Positive frequencies at one amplitude, proved: in go intervals that hold A and h, out come intervals of Omega each of
+ * which holds exactly one root, and some that may hold any; elsewhere there is none.
+ */
+#ifndef SF_PROVED_ROOTS_H
+#define SF_PROVED_ROOTS_H
+
+#include "given.h"
+
+enum { SF_MOST_ROOTS = 8, SF_MOST_ROOT_CELLS = 1000 };
+
+/* of the response, F = 0; of the fold locus, F_A = 0; of its peaks, F_Omega = 0 */
+typedef enum { SF_ROOTS_OF_F, SF_ROOTS_OF_F_A, SF_ROOTS_OF_F_OMEGA } sf_roots_of;
+
+typedef struct {
+    sf_roots_of of;
+    sf_interval A, h, h_A, m, zeta, F_0;
+} sf_at_amplitude;
+
+/* doubtful: whether the interval may hold no root, or several */
+typedef struct {
+    int n, full, cells;
+    sf_interval at[SF_MOST_ROOTS];
+    int doubtful[SF_MOST_ROOTS];
+} sf_roots;
+
+static void sf_value_on(const sf_at_amplitude *q, sf_interval w, sf_interval *y, sf_interval *dy) {
+    if (q->of == SF_ROOTS_OF_F) {
+        *y = slow_flow_intervals_F(w, q->A, q->F_0, q->m, q->zeta, q->h);
+        *dy = slow_flow_intervals_F_Omega(w, q->A, q->m, q->zeta, q->h);
+    } else if (q->of == SF_ROOTS_OF_F_A) {
+        *y = slow_flow_intervals_F_A(w, q->A, q->m, q->zeta, q->h, q->h_A);
+        *dy = slow_flow_intervals_F_AOmega(w, q->A, q->m, q->zeta, q->h, q->h_A);
+    } else { /* over 4 A, and over Omega where that is a factor */
+        const int factor = q->m.hi == 0 || q->zeta.hi == 0;
+        const sf_interval square = sfi_mul(q->A, sfi_square(w));
+        sf_interval cubic[3];
+        slow_flow_intervals_peak_cubic(q->A, q->m, q->zeta, q->h, cubic);
+        *y = sfi_add(square, cubic[1]);
+        *dy = factor ? sfi_times(2, sfi_mul(q->A, w)) : sfi_add(sfi_times(3, square), cubic[1]);
+        if (!factor)
+            *y = sfi_add(sfi_mul(w, *y), cubic[0]);
+    }
+}
+
+/* R exceeds F_0, or is positive with R + A h_A, beyond this frequency: there is no root. */
+static double sf_highest_root(const sf_at_amplitude *q) {
+    double most = sfi_most(-q->h.lo, 0);
+    if (q->of == SF_ROOTS_OF_F)
+        most = sfi_up(q->F_0.hi + most);
+    if (q->of == SF_ROOTS_OF_F_A)
+        most = sfi_most(most, sfi_neg(sfi_mul(q->A, q->h_A)).hi);
+    return sfi_sqrt(sfi_div(sfi_point(most), q->A)).hi;
+}
+
+static void sf_add_root(sf_roots *out, sf_interval w, int doubtful) {
+    sf_interval *last = &out->at[out->n - 1];
+    if (doubtful && out->n > 0 && out->doubtful[out->n - 1] && w.lo - last->hi <= 0x1p-30 * w.lo) {
+        last->hi = w.hi; /* neighbours are one */
+    } else if (out->n == SF_MOST_ROOTS) {
+        out->full = 1;
+    } else {
+        out->at[out->n] = w, out->doubtful[out->n++] = doubtful;
+    }
+}
+
+/* The one root in an interval on which the slope has a sign. */
+static sf_interval sf_narrow_root(const sf_at_amplitude *q, sf_interval w) {
+    int i;
+    for (i = 0; i < 60; i++) {
+        const sf_interval x = sfi_point(0.5 * (w.lo + w.hi));
+        sf_interval y, dy, unused, next;
+        sf_value_on(q, x, &y, &unused);
+        sf_value_on(q, w, &unused, &dy);
+        next = sfi_both(w, sfi_sub(x, sfi_div(y, dy)));
+        if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * (w.hi - w.lo)))
+            break;
+        w = next;
+    }
+    return w;
+}
+
+static void sf_roots_between(const sf_at_amplitude *q, double low, double high, sf_roots *out) {
+    const sf_interval w = sfi_of(low, high);
+    const double middle = sf_amid(0, low, high);
+    const int last = !(middle > low && middle < high) || high - low <= 0x1p-32 * high || out->cells++ > SF_MOST_ROOT_CELLS;
+    sf_interval y, dy, at_low, at_high, unused;
+    sf_value_on(q, w, &y, &dy);
+    if (sfi_has_sign(y))
+        return;
+    if (sfi_has_sign(dy)) {
+        sf_value_on(q, sfi_point(low), &at_low, &unused);
+        sf_value_on(q, sfi_point(high), &at_high, &unused);
+        if (sfi_has_sign(at_low) && sfi_has_sign(at_high)) {
+            if (sfi_positive(at_low) != sfi_positive(at_high))
+                sf_add_root(out, sf_narrow_root(q, w), 0);
+            return;
+        }
+    }
+    if (last) {
+        sf_add_root(out, w, 1);
+        return;
+    }
+    sf_roots_between(q, low, middle, out);
+    sf_roots_between(q, middle, high, out);
+}
+
+static void sf_prove_roots(const sf_at_amplitude *q, sf_roots *out) {
+    const double most = sf_highest_root(q);
+    out->n = out->full = out->cells = 0;
+    if (!(most < HUGE_VAL)) {
+        out->full = 1;
+        return;
+    }
+    /* twice: no root lies on the end of the search */
+    sf_roots_between(q, 0, 2 * most, out);
+}
+
+#endif

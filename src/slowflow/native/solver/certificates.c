@@ -1,0 +1,179 @@
+/* Answers with their proof as Python functions: in go a model (records.c), the design and the damping that it was made
+ * from, and numbers; out come enclosures. The solvers run without the GIL, in a workspace of their own.
+ */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+/* before NumPy, whose complex.h takes the name I */
+#include "solver.h"
+
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
+#include <numpy/arrayobject.h>
+
+typedef struct {
+    sf_work work;
+    sf_proof proof;
+    sf_certificate found;
+} workspace;
+
+/* What was asked: the model, and the oscillator as it was given. */
+typedef struct {
+    const sf_model *model;
+    sf_given given;
+} oscillator;
+
+/* 1; 0 where no proof is possible, -1 with an exception set. */
+static int read_oscillator(PyObject *model, PyObject *design, PyObject *damping, oscillator *out)
+{
+    double numbers[SF_MOST_DESIGN], of_damping[SF_MOST_DAMPING];
+    out->model = sf_model_in(model);
+    if (out->model == NULL)
+        return -1;
+    const sf_mechanism *record = out->model->mechanism;
+    if (sf_read_numbers(design, record->design_size, record->name, "numbers of the design", numbers) < 0 ||
+        sf_read_numbers(damping, record->damping_size, record->name, "numbers of damping", of_damping) < 0)
+        return -1;
+    return sf_give(record, numbers, of_damping[0], of_damping[1], &out->given);
+}
+
+/* Intervals as an array of shape (n, 2). */
+static PyObject *new_intervals(npy_intp n, double **values)
+{
+    npy_intp shape[2] = {n, 2};
+    PyObject *array = PyArray_SimpleNew(2, shape, NPY_DOUBLE);
+    if (array != NULL)
+        *values = PyArray_DATA((PyArrayObject *)array);
+    return array;
+}
+
+/* status, Omega, A, corner, sign, doubts, A_max, bounded, whether there was room */
+static PyObject *certificate(int status, const sf_certificate *found)
+{
+    const npy_intp n = status == SF_OK ? found->n : 0, doubts = status == SF_OK ? found->doubts : 0;
+    double *Omega = NULL, *A = NULL, *doubt = NULL;
+    PyObject *in_Omega = new_intervals(n, &Omega), *in_A = new_intervals(n, &A), *in_doubt = new_intervals(doubts, &doubt);
+    PyObject *corner = PyArray_SimpleNew(1, &n, NPY_BOOL), *sign = PyArray_SimpleNew(1, &n, NPY_INT8);
+    if (!in_Omega || !in_A || !in_doubt || !corner || !sign) {
+        Py_XDECREF(in_Omega), Py_XDECREF(in_A), Py_XDECREF(in_doubt), Py_XDECREF(corner), Py_XDECREF(sign);
+        return NULL;
+    }
+    for (npy_intp i = 0; i < n; i++) {
+        Omega[2 * i] = found->at[i].Omega.lo, Omega[2 * i + 1] = found->at[i].Omega.hi;
+        A[2 * i] = found->at[i].A.lo, A[2 * i + 1] = found->at[i].A.hi;
+        ((npy_bool *)PyArray_DATA((PyArrayObject *)corner))[i] = (npy_bool)found->at[i].corner;
+        ((npy_int8 *)PyArray_DATA((PyArrayObject *)sign))[i] = (npy_int8)found->at[i].sign;
+    }
+    for (npy_intp i = 0; i < doubts; i++)
+        doubt[2 * i] = found->doubt[i].lo, doubt[2 * i + 1] = found->doubt[i].hi;
+    return Py_BuildValue("iNNNNNdNN", status, in_Omega, in_A, corner, sign, in_doubt, found->A_max,
+                         PyBool_FromLong(found->bounded), PyBool_FromLong(!found->full));
+}
+
+/* The oscillator that the arguments begin with, and a workspace; 1, 0 where no proof is possible, -1 with an exception. */
+static int start(PyObject *args, int numbers, oscillator *asked, double *F_0, double *Omega, workspace **space)
+{
+    PyObject *model, *design, *damping;
+    if (!PyArg_ParseTuple(args, numbers == 2 ? "OOOdd" : numbers == 1 ? "OOOd" : "OOO", &model, &design, &damping, F_0,
+                          Omega))
+        return -1;
+    const int given = read_oscillator(model, design, damping, asked);
+    if (given == 1 && (*space = malloc(sizeof **space)) == NULL) {
+        PyErr_NoMemory();
+        return -1;
+    }
+    return given;
+}
+
+static PyObject *certify_folds(PyObject *self, PyObject *args)
+{
+    double F_0;
+    oscillator asked;
+    workspace *space = NULL;
+    sf_status status;
+    (void)self;
+    const int given = start(args, 1, &asked, &F_0, NULL, &space);
+    if (given <= 0)
+        return given < 0 ? NULL : Py_NewRef(Py_None);
+    Py_BEGIN_ALLOW_THREADS
+    status = sf_here()->certify_folds(asked.model, &asked.given, F_0, &space->work, &space->proof, &space->found);
+    Py_END_ALLOW_THREADS
+    PyObject *result = certificate(status, &space->found);
+    free(space);
+    return result;
+}
+
+static PyObject *certify_states(PyObject *self, PyObject *args)
+{
+    double F_0, Omega;
+    oscillator asked;
+    workspace *space = NULL;
+    sf_status status;
+    (void)self;
+    const int given = start(args, 2, &asked, &F_0, &Omega, &space);
+    if (given <= 0)
+        return given < 0 ? NULL : Py_NewRef(Py_None);
+    Py_BEGIN_ALLOW_THREADS
+    status = sf_here()->certify_states(asked.model, &asked.given, F_0, Omega, &space->proof, &space->found);
+    Py_END_ALLOW_THREADS
+    PyObject *result = certificate(status, &space->found);
+    free(space);
+    return result;
+}
+
+static PyObject *certify_onset(PyObject *self, PyObject *args)
+{
+    oscillator asked;
+    workspace *space = NULL;
+    sf_proved_onset found;
+    sf_status status;
+    (void)self;
+    const int given = start(args, 0, &asked, NULL, NULL, &space);
+    if (given <= 0)
+        return given < 0 ? NULL : Py_NewRef(Py_None);
+    Py_BEGIN_ALLOW_THREADS
+    status = sf_here()->certify_onset(asked.model, &asked.given, &space->work, &space->proof, &found);
+    Py_END_ALLOW_THREADS
+    free(space);
+    if (status != SF_OK)
+        return Py_BuildValue("(i)", (int)status);
+    return Py_BuildValue("i(dd)(dd)(dd)iN", (int)status, found.F_SN.lo, found.F_SN.hi, found.Omega.lo, found.Omega.hi,
+                         found.A.lo, found.A.hi, (int)found.kind, PyBool_FromLong(found.proved));
+}
+
+static PyObject *certify_detachment(PyObject *self, PyObject *args)
+{
+    PyObject *model, *design, *damping;
+    oscillator asked;
+    sf_interval F_cr, Omega_cr;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "OOO", &model, &design, &damping))
+        return NULL;
+    const int given = read_oscillator(model, design, damping, &asked);
+    if (given <= 0)
+        return given < 0 ? NULL : Py_NewRef(Py_None);
+    const sf_status status = sf_here()->certify_detachment(&asked.given, &F_cr, &Omega_cr);
+    if (status != SF_OK)
+        return Py_BuildValue("(i)", (int)status);
+    return Py_BuildValue("i(dd)(dd)(dd)", (int)status, F_cr.lo, F_cr.hi, Omega_cr.lo, Omega_cr.hi, asked.given.b[0].lo,
+                         asked.given.b[0].hi);
+}
+
+static PyMethodDef functions[] = {
+    {"certify_folds", certify_folds, METH_VARARGS,
+     "(model, design, damping, F_0) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, complete; or None"},
+    {"certify_states", certify_states, METH_VARARGS,
+     "(model, design, damping, F_0, Omega) -> the same, with the sign of F_A; or None"},
+    {"certify_onset", certify_onset, METH_VARARGS,
+     "(model, design, damping) -> status, F_SN, Omega, A, kind, whether it is proved; or None"},
+    {"certify_detachment", certify_detachment, METH_VARARGS,
+     "(model, design, damping) -> status, F_cr, Omega_cr, u_cr; or None"},
+    {NULL, NULL, 0, NULL},
+};
+
+int sf_add_certificates(PyObject *module)
+{
+    if (PyArray_ImportNumPyAPI() < 0)
+        return -1;
+    return PyModule_AddFunctions(module, functions);
+}

@@ -1,0 +1,313 @@
+"""Proofs at run time: enclosures hold certified values, nothing is left out, and what is in doubt is left in doubt."""
+
+import dataclasses
+import json
+import math
+import shutil
+import warnings
+from fractions import Fraction
+from pathlib import Path
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, backend
+from slowflow.averaged import proofs, solvers
+from slowflow.paper import example
+from tests.native.intervals import OPERATIONS, Intervals
+from tests.oracles import averaged
+
+DATA = Path(__file__).parent / "data"
+FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
+CASES = [
+    (name, number, case)
+    for name in FILES
+    for number, case in enumerate(json.loads((DATA / f"{name}.json").read_text()))
+    if not any(isinstance(value, str) for value in case["parameters"].values())
+]
+compiled = pytest.mark.skipif(backend.SOLVER is None, reason="proofs need the compiled solvers")
+
+
+def oscillator(case):
+    values = {name: value[1] for name, value in case["parameters"].items()}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return Duffing(**values) if case["mechanism"] == "duffing" else Isolator(**values)
+
+
+def holds(ends, digits):
+    """Whether an enclosure holds a number given by its digits, exactly."""
+    return Fraction(float(ends[0])) <= Fraction(digits) <= Fraction(float(ends[1]))
+
+
+def check_folds(proof, folds):
+    """What is said to be proved, against certified folds: raises where anything differs."""
+    assert len(proof.A) == len(folds)
+    for Omega, A, kind, corner, fold in zip(proof.Omega, proof.A, proof.kind, proof.corner, folds, strict=True):
+        assert holds(Omega, fold["Omega"])
+        assert holds(A, fold["A"])
+        assert (kind, corner) == (fold["kind"], fold["corner"])
+
+
+@compiled
+def test_enclosures_hold_the_certified_folds_and_states_of_every_reference_case():
+    asked = doubtful = 0
+    for _, _, case in CASES:
+        model = oscillator(case).model
+        for forcing in case["forcings"]:
+            F_0 = forcing["F_0"][1]
+            proof = proofs.saddle_nodes(model, F_0)
+            asked, doubtful = asked + 1, doubtful + (not proof.proved)
+            if proof.proved:
+                assert proof.bounded
+                check_folds(proof, forcing["folds"])
+            for at in forcing["amplitudes"]:
+                found = proofs.amplitudes(model, at["Omega"][1], F_0)
+                asked, doubtful = asked + 1, doubtful + (not found.proved)
+                if found.proved:
+                    assert found.stable.tolist() == [state["stable"] for state in at["steady"]]
+                    assert all(holds(A, state["A"]) for A, state in zip(found.A, at["steady"], strict=True))
+    assert asked > 2500
+    assert doubtful < 0.01 * asked
+
+
+@compiled
+def test_enclosures_hold_the_certified_onsets_and_detachments():
+    for _, _, case in CASES:
+        model = oscillator(case).model
+        onset, found = case["onset"], proofs.onset(model)
+        assert found.proved
+        assert found.kind == onset["kind"]
+        assert holds(found.F_0, onset["F_SN"])
+        assert holds(found.Omega, onset["Omega"])
+        assert holds(found.A, onset["A"])
+        if case["mechanism"] == "rod_spring":
+            found = proofs.detachment(model)
+            assert found.proved
+            assert holds(found.F_0, case["detachment"]["F_cr"])
+            assert holds(found.Omega, case["detachment"]["Omega_cr"])
+            assert holds(found.A, case["u_cr"])
+
+
+@compiled
+def test_enclosures_are_narrow():
+    """In units of rounding times the condition number that the reference states."""
+    widest = 0.0
+    for _, _, case in CASES[:60]:
+        model = oscillator(case).model
+        for forcing in case["forcings"]:
+            proof = proofs.saddle_nodes(model, forcing["F_0"][1])
+            for A, fold in zip(proof.A, forcing["folds"], strict=proof.proved):
+                if fold["condition"] is not None and proof.proved and not fold["corner"]:
+                    condition = fold["condition"]["A"] + fold["condition_kernel"]["A"]
+                    widest = max(widest, (A[1] - A[0]) / A[0] / (2**-53 * (1 + condition)))
+    assert 0 < widest < 2000
+
+
+def level_ulps(F_SN):
+    """Doubles around a number given by its digits, and on which side of it each lies."""
+    nearest = float(F_SN)
+    for steps in (-1000, -30, -3, -2, -1, 0, 1, 2, 3, 30, 1000):
+        F_0 = nearest + steps * math.ulp(nearest)
+        yield F_0, Fraction(F_0) > Fraction(F_SN)
+
+
+@compiled
+def test_beside_a_double_fold_what_is_proved_is_true():
+    """At F_SN two folds meet: a few ulps above there are two, below none."""
+    decided = undecided = 0
+    for _, _, case in CASES[::4]:
+        onset = case["onset"]
+        if onset is None or not onset["global"]:
+            continue
+        model = oscillator(case).model
+        for F_0, above in level_ulps(onset["F_SN"]):
+            proof = proofs.saddle_nodes(model, F_0)
+            if proof.proved:
+                assert len(proof.A) == (2 if above else 0)
+            else:
+                assert len(proof.doubt) > 0 or not proof.bounded
+            decided, undecided = decided + proof.proved, undecided + (not proof.proved)
+    assert decided > 100
+    assert undecided > 100
+
+
+@compiled
+def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
+    found = example.isolator().saddle_nodes(0.04, certify=True)
+    assert found.proof.proved
+    assert not found.proof.message
+    one = dataclasses.replace(found, Omega=found.Omega[:1], A=found.A[:1], kind=found.kind[:1], corner=found.corner[:1])
+    monkeypatch.setattr(solvers, "saddle_nodes", lambda model, F_0: one)
+    assert (
+        example.isolator().saddle_nodes(0.04, certify=True).proof.message == "2 folds are proved, saddle_nodes gives 1"
+    )
+
+
+@compiled
+def test_a_tampered_enclosure_is_noticed():
+    (case,) = (case for name, _, case in CASES if name == "table_1")
+    forcing = case["forcings"][0]
+    proof = proofs.saddle_nodes(oscillator(case).model, forcing["F_0"][1])
+    check_folds(proof, forcing["folds"])
+    wide = proof.A[:, 1:] - proof.A[:, :1]
+    for A in (proof.A + 2 * wide, proof.A - 2 * wide, proof.A[:1]):
+        with pytest.raises((AssertionError, ValueError)):
+            check_folds(dataclasses.replace(proof, A=A), forcing["folds"])
+
+
+@compiled
+@pytest.mark.parametrize("steps", [0, 1, -1, 7, -100])
+def test_the_numbers_that_were_given_are_certified_not_parameters_that_were_rounded(steps):
+    """alpha = 1 - lam r delta_h next to 0: the double has lost most digits, the enclosure holds the exact fold."""
+    lam, r = 3.0, 2.7
+    delta_h = 1 / (lam * r) * (1 - 1e-13)
+    delta_h += steps * math.ulp(delta_h)
+    iso = Isolator(lam=lam, r=r, delta_h=delta_h, mu=1e-9, zeta=1e-7)
+    exact = [Fraction(value) for value in (lam, r, delta_h, iso.mu, iso.zeta)]
+    alpha = 1 - exact[0] * exact[1] * exact[2]
+    assert abs(Fraction(iso.alpha) - alpha) > Fraction(1, 10**5) * alpha
+    F_0 = 2 * proofs.onset(iso.model).F_0[1]
+    proof = iso.saddle_nodes(F_0, certify=True).proof
+    assert proof.proved
+    assert len(proof.A) == 2
+    with mpmath.workdps(60):
+        beta = exact[0] * exact[1] * (1 - exact[2]) / 2
+        number = [mpmath.mpf(x.numerator) / x.denominator for x in (alpha, beta, 3 * beta / 4, exact[3], exact[4])]
+        al, be, ga, mu, zeta = number
+
+        def both(w, A):
+            h, h_A = -al * A - 3 * be * A**3 / 4 - 5 * ga * A**5 / 8, -al - 9 * be * A**2 / 4 - 25 * ga * A**4 / 8
+            R, sine = A * w**2 + h, 2 * zeta * A * w + 4 * mu / mpmath.pi
+            return R**2 + sine**2 - mpmath.mpf(float(F_0)) ** 2, R * (w**2 + h_A) + 2 * zeta * w * sine
+
+        for Omega, A in zip(proof.Omega, proof.A, strict=True):
+            w, a = mpmath.findroot(both, (mpmath.mpf(Omega.mean()), mpmath.mpf(A.mean())))
+            assert mpmath.mpf(Omega[0]) <= w <= mpmath.mpf(Omega[1])
+            assert mpmath.mpf(A[0]) <= a <= mpmath.mpf(A[1])
+
+
+@compiled
+def test_a_random_isolators_folds_are_proved_and_as_many_as_the_solvers_find():
+    rng = np.random.default_rng(20260725)
+    proved = 0
+    for _ in range(300):
+        mu, zeta = 10 ** rng.uniform(-4, -1), 10 ** rng.uniform(-3, -0.5)
+        design = {
+            "lam": int(rng.integers(1, 5)),
+            "r": 10 ** rng.uniform(-1, 1),
+            "delta_h": 10 ** rng.uniform(-2.5, -0.05),
+        }
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            iso = Isolator(**design, mu=mu, zeta=zeta)
+        found = iso.saddle_nodes(iso.sticking_forcing * (1 + 10 ** rng.uniform(-2, 2)), certify=True)
+        if found.proof.proved:
+            proved += 1
+            assert len(found) == len(found.proof.A)
+    assert proved >= 0.99 * 300
+
+
+def test_where_there_is_no_proof_the_answer_says_why():
+    iso = example.isolator()
+    if backend.SOLVER is None:
+        assert iso.certify(0.04).saddle_nodes.message == proofs.NO_SOLVERS
+        assert not iso.certify(0.04).saddle_nodes.proved
+        return
+    assert iso.replace(force="untruncated").certify(0.04).saddle_nodes.message == proofs.NO_INTERVALS
+    assert not iso.replace(force="untruncated").certify(0.04).saddle_nodes.proved
+    undamped = iso.replace(zeta=0.0).certify(0.04)
+    assert undamped.saddle_node_onset.message == proofs.NO_LOWEST
+    assert not undamped.saddle_nodes.bounded
+    stuck = iso.certify(0.9 * iso.sticking_forcing).saddle_nodes
+    assert stuck.proved
+    assert len(stuck.A) == 0
+    linear = iso.replace(delta_h=0.0).certify(0.04)
+    assert linear.saddle_nodes.proved
+    assert len(linear.saddle_nodes.A) == 0
+    assert not linear.saddle_node_onset.proved
+    assert str(iso.certify(0.04, Omega=0.9)).count("proved") == 4
+
+
+@pytest.mark.parametrize(
+    "bad", [{"F_0": 0.0}, {"F_0": math.nan}, {"F_0": 0.04, "Omega": 0.0}, {"F_0": 0.04, "Omega": [1]}]
+)
+def test_bad_input_is_refused(bad):
+    with pytest.raises(ValueError, match="is not allowed"):
+        example.isolator().certify(**bad)
+
+
+# ---- the arithmetic underneath --------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def intervals(tmp_path_factory):
+    if shutil.which("gcc") is None:
+        pytest.skip("no gcc on the path")
+    return Intervals(tmp_path_factory.mktemp("intervals"))
+
+
+def sizes(rng, count):
+    """Numbers of all sizes and both signs, some next to the least normal number, some 0."""
+    values = rng.choice([-1, 1], count) * 10.0 ** rng.uniform(-8, 8, count)
+    values[::7] *= 1e-300
+    values[::11] = 0
+    return values
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_an_operation_on_intervals_holds_what_exact_arithmetic_gives(intervals, name):
+    rng = np.random.default_rng(7)
+    a, b = (np.sort(np.stack([sizes(rng, 3000), sizes(rng, 3000)], axis=1), axis=1) for _ in range(2))
+    narrow = rng.random(3000) < 0.5
+    a[narrow, 1], b[narrow, 1] = np.nextafter(a[narrow, 0], np.inf), np.nextafter(b[narrow, 0], np.inf)
+    if name in ("sqrt", "atan2"):
+        a, b = np.sort(np.abs(a), axis=1), np.sort(np.abs(b), axis=1)
+    out = intervals.operate(name, np.hstack([a, b]))
+    flint.ctx.prec = 200
+    for (a_low, a_high), (b_low, b_high), (low, high) in zip(a.tolist(), b.tolist(), out.tolist(), strict=True):
+        for x in (a_low, a_high):
+            for y in (b_low, b_high):
+                if name in ("sqrt", "atan2"):
+                    if name == "atan2" and x == y == 0:
+                        continue
+                    exact = flint.arb(x).sqrt() if name == "sqrt" else flint.arb.atan2(flint.arb(x), flint.arb(y))
+                    assert flint.arb(low) <= exact <= flint.arb(high)
+                    continue
+                p, q = Fraction(x), Fraction(y)
+                if name == "div" and (q == 0 or b_low <= 0 <= b_high):
+                    continue
+                if name in ("add", "sub"):
+                    value = p + q if name == "add" else p - q
+                elif name in ("mul", "div"):
+                    value = p * q if name == "mul" else p / q
+                else:
+                    value = p * p if name == "square" else Fraction(0.1) * p
+                assert math.isinf(low) or Fraction(low) <= value
+                assert math.isinf(high) or value <= Fraction(high)
+
+
+def test_averages_on_intervals_hold_their_balls(intervals):
+    """Design exact, A = u_cr + d above u_cr, d a double: the reference's own formulas in balls of 400 bits."""
+    rng = np.random.default_rng(11)
+    flint.ctx.prec = 400
+    for _ in range(150):
+        design = (float(rng.integers(1, 5)), 10 ** rng.uniform(-1, 1), 10 ** rng.uniform(-4, -0.02))
+        exact = averaged.RodSpring(lam=design[0], r=design[1], delta_h=design[2], mu=0.0, zeta=0.01)
+        u_cr = math.sqrt(design[2] * (2 - design[2]))
+        for share in (1e-3, 0.5, 1 - 1e-12):
+            A = flint.arb(share * u_cr)
+            h = exact.h(A, "attached")
+            for (low, high), value in zip(
+                intervals.known("rod_spring", design, 0, share * u_cr), (*h, h[0] - A * h[1], A), strict=True
+            ):
+                assert flint.arb(low) <= value <= flint.arb(high)
+        for share in (1e-60, 1e-18, 1e-12, 1e-3, 0.2, 0.26, 2.0, 1e3):
+            A = exact.u_cr + flint.arb(share * u_cr)
+            h = exact.h(A, "detached")
+            for (low, high), value in zip(
+                intervals.known("rod_spring", design, 1, share * u_cr), (*h, h[0] - A * h[1], A), strict=True
+            ):
+                assert flint.arb(low) <= value <= flint.arb(high)
