@@ -12,10 +12,18 @@ from typing import TYPE_CHECKING, Any, Self
 
 from slowflow import validate
 from slowflow.averaged.many import Designs
-from slowflow.averaged.questions import Averaged
+from slowflow.averaged.questions import Answer, Averaged
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import Model
-from slowflow.results import Remark, SaddleNodeOnset, joined
+from slowflow.results import (
+    Measured,
+    MeasuredFolds,
+    Remark,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+    joined,
+)
 
 if TYPE_CHECKING:
     from slowflow import exact
@@ -173,6 +181,25 @@ class Oscillator(Averaged):
         from slowflow.exact import questions
 
         return questions.sweep(self.equation_of_motion(force), Omega, F_0)
+
+    def _remarked(self, found: Answer, F_0: float) -> Answer:
+        """The answer with what there is to say beside it, which knows whom it was asked of."""
+        found = super()._remarked(found, F_0)
+        if isinstance(found, SteadyStates | SaddleNodes):
+            found.__dict__["_asked"] = (self, F_0)
+        return found
+
+    def measured_states(self, found: SteadyStates, F_0: float, force: str | None) -> Measured:
+        """See `slowflow.results.SteadyStates.measure`."""
+        from slowflow.exact import measure
+
+        return measure.states(self.equation_of_motion(force), found, F_0)
+
+    def measured_folds(self, found: SaddleNodes, force: str | None) -> MeasuredFolds:
+        """See `slowflow.results.SaddleNodes.measure`."""
+        from slowflow.exact import measure
+
+        return measure.folds(self, self.equation_of_motion(force), found)
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import IntFlag
 from functools import cached_property
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -178,6 +178,92 @@ class IsolaPoint(NamedTuple):
     kind: str
 
 
+class MeasuredState(NamedTuple):
+    """One entry of `Measured`."""
+
+    Omega: float
+    A: float
+    error: float
+    stable: bool
+    stops: int
+    found: bool
+    reason: str
+
+
+class MeasuredFold(NamedTuple):
+    """One entry of `MeasuredFolds`."""
+
+    Omega: float
+    A: float
+    error: float
+    error_of_A: float
+    found: bool
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Measured(Table):
+    """The motions of the equation of motion (3) that averaged states lead to: arrays with one entry for each state.
+
+    Omega, A -- frequency, and largest |u| of the motion
+    error    -- relative error of the averaged amplitude
+    stable, stops -- whether the motion is stable; its rests in one period
+    found    -- whether there is such a motion: A and error are nan where there is none
+    reason   -- why there is none, in words
+    message  -- how many states have none, and why; empty if all have one
+    """
+
+    entry: ClassVar[Any] = MeasuredState
+
+    Omega: Floats
+    A: Floats
+    error: Floats
+    stable: npt.NDArray[np.bool_]
+    stops: npt.NDArray[np.intp]
+    found: npt.NDArray[np.bool_]
+    reason: npt.NDArray[np.str_]
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredFolds(Table):
+    """The folds of the equation of motion (3) that averaged ones lead to: arrays with one entry for each fold.
+
+    Omega, A   -- of the exact fold
+    error      -- relative error of the averaged frequency
+    error_of_A -- relative error of the averaged amplitude
+    found      -- whether there is such a fold: the rest is nan where there is none
+    reason     -- why there is none, in words
+    message    -- how many have none, and why; empty if all have one
+    """
+
+    entry: ClassVar[Any] = MeasuredFold
+
+    Omega: Floats
+    A: Floats
+    error: Floats
+    error_of_A: Floats
+    found: npt.NDArray[np.bool_]
+    reason: npt.NDArray[np.str_]
+    message: str
+
+
+class Measures(Protocol):
+    """What an answer was asked of, as far as it can be held against the equation of motion."""
+
+    def measured_states(self, found: SteadyStates, F_0: float, force: str | None) -> Measured:
+        """See `SteadyStates.measure`."""
+        ...
+
+    def measured_folds(self, found: SaddleNodes, force: str | None) -> MeasuredFolds:
+        """See `SaddleNodes.measure`."""
+        ...
+
+
+#: an answer of averaging alone, which knows no equation of motion
+NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion is known to measure it against"
+
+
 @dataclass(frozen=True, eq=False)
 class SteadyStates(Table):
     """Steady states, one entry each: flat arrays of one length.
@@ -195,6 +281,7 @@ class SteadyStates(Table):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model = field(repr=False)
+    _asked: tuple[Measures, float] | None = field(default=None, kw_only=True, repr=False)
 
     @cached_property
     def phi(self) -> Floats:
@@ -207,6 +294,19 @@ class SteadyStates(Table):
     def validity(self) -> Validity:
         """How far each state may be from the equation of motion, by measurement; looked up when first asked for."""
         return of_states(self._model, self.Omega, self.A)
+
+    def measure(self, force: str | None = None) -> Measured:
+        """How far each state is from the equation of motion (3): measured here and now, some 0.2 ms for each.
+
+        Newton's iteration leads from a state to a motion of half to one and a half times its amplitude; of two states
+        at one frequency that lead to the same motion, one is said to have none. `force`: "truncated" for (6),
+        "untruncated" for (5), by default the one that was averaged. Raises ValueError where there is no such force, or
+        where neither friction nor viscous damping lets a motion settle.
+        """
+        if self._asked is None:
+            raise ValueError(NOT_ASKED)
+        oscillator, F_0 = self._asked
+        return oscillator.measured_states(self, F_0, force)
 
 
 @dataclass(frozen=True, eq=False)
@@ -326,11 +426,22 @@ class SaddleNodes(Table):
     remarks: Remark = field(default=Remark(0), kw_only=True)
     proof: ProvedFolds | None = field(default=None, kw_only=True)
     _model: Model = field(repr=False)
+    _asked: tuple[Measures, float] | None = field(default=None, kw_only=True, repr=False)
 
     @cached_property
     def validity(self) -> Validity:
         """How far each fold may be from the equation of motion, by measurement; looked up when first asked for."""
         return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
+
+    def measure(self, force: str | None = None) -> MeasuredFolds:
+        """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
+
+        The exact curve is followed from motions beside the fold, up to the first one that it meets. `force` and what
+        is raised as in `SteadyStates.measure`.
+        """
+        if self._asked is None:
+            raise ValueError(NOT_ASKED)
+        return self._asked[0].measured_folds(self, force)
 
 
 @dataclass(frozen=True, eq=False)

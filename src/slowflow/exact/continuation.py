@@ -36,6 +36,7 @@ SAME = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn
 LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 MOST_POINTS = 20_000
+FOLDS = ("fold", "corner")  # roles of points
 
 
 @dataclass(frozen=True)
@@ -172,6 +173,27 @@ def exact_response(
         backward = list(path.follow(path.begin(start, -1.0)))[1:]
     points = [point.turned() for point in reversed(backward)] + forward
     return _response(F_0, points, closed)
+
+
+def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, float]) -> Fold | None:
+    """The first fold of the curve from a steady state on, towards rising (1) or falling (-1) Omega.
+
+    None where it leaves the range of Omega before, or cannot be followed.
+    """
+    path = _Path(start.F_0, *Omega_range, STEP)
+    points: list[_Point] = []
+    try:
+        for point in path.follow(path.begin(start, towards)):
+            points.append(point)
+            if len(points) < 3 or points[-2].role not in FOLDS:
+                continue
+            if point.role in FOLDS and _is_same(points[-2], point):
+                del points[-2:]  # there and back: none
+                continue
+            return _fold_between(*points[-3:])
+    except ArithmeticError:
+        pass
+    return None
 
 
 class _Path:
@@ -571,24 +593,36 @@ def _highest(F_0: float, points: tuple[_Point, ...]) -> _Point:
     return best
 
 
+def _is_same(fold: _Point, other: _Point) -> bool:
+    """Whether two folds agree within the accuracy of a fold."""
+    return abs(float(fold.z[-1] - other.z[-1])) < SAME and abs(fold.A - other.A) < SAME
+
+
+def _fold_between(before: _Point, point: _Point, after: _Point) -> Fold:
+    """What a sweep does at a fold: it leaves the stable side, for a larger amplitude if that is the lower one."""
+    corner = point.role == "corner"
+    # beside a sharp peak a neighbour may already lie beyond the peak, where the tangent tells better
+    rises = before.A < after.A if corner else float(point.tangent[0] * point.z[0]) > 0
+    leaves = before.role not in FOLDS and bool(np.all(np.abs(before.multipliers) < 1.0))
+    up = rises if leaves else not rises
+    return Fold(float(point.z[-1]), point.A, "jump-up" if up else "jump-down", corner)
+
+
 def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
     multipliers = np.array([point.multipliers for point in points])
     # at a fold one multiplier is 1 up to rounding
-    at_fold = np.array([point.role in ("fold", "corner") for point in points])
+    at_fold = np.array([point.role in FOLDS for point in points])
     stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
     A = np.array([point.A for point in points])
-    folds: list[Fold] = []
+    folds: list[_Point] = []
+    found: list[Fold] = []
     for i, point in enumerate(points):
-        if point.role in ("fold", "corner") and 0 < i < len(points) - 1:
-            corner = point.role == "corner"
-            # a sweep leaves the stable side, for a larger amplitude if that is the lower one; beside a sharp peak a
-            # neighbour may already lie beyond the peak, where the tangent tells better
-            rises = A[i - 1] < A[i + 1] if corner else point.tangent[0] * point.z[0] > 0
-            up = rises if stable[i - 1] else not rises
-            if folds and abs(folds[-1].Omega - point.z[-1]) < SAME and abs(folds[-1].A - A[i]) < SAME:
-                folds.pop()  # there and back within the accuracy of a fold: none
+        if point.role in FOLDS and 0 < i < len(points) - 1:
+            if folds and _is_same(folds[-1], point):
+                del folds[-1], found[-1]  # there and back: none
                 continue
-            folds.append(Fold(float(point.z[-1]), float(A[i]), "jump-up" if up else "jump-down", corner))
+            folds.append(point)
+            found.append(_fold_between(*points[i - 1 : i + 2]))
     return Response(
         F_0=F_0,
         Omega=np.array([float(point.z[-1]) for point in points]),
@@ -596,7 +630,7 @@ def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
         stable=stable,
         multipliers=multipliers,
         stops=np.array([point.cycle.stops for point in points]),
-        folds=tuple(sorted(folds, key=lambda fold: fold.Omega)),
+        folds=tuple(sorted(found, key=lambda fold: fold.Omega)),
         borders=tuple((float(p.z[-1]), p.A) for p in points if p.role in ("border", "corner")),
         closed=closed,
         states=tuple(points),

@@ -1,0 +1,142 @@
+"""Averaged answers held against the equation of motion, here and now: in go states or folds, out come their errors.
+
+In:  an averaged oscillator and the equation of motion, steady states or folds at one forcing.
+Out: `Measured` or `MeasuredFolds`: the motion or fold that each leads to, and how far from it averaging is; where it
+     leads to none, words.
+
+A state leads to the motion that Newton's iteration finds from it, a fold to the first one of the exact curve that is
+met from a motion beside it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from slowflow.exact import continuation, shooting
+from slowflow.exact.integrate import limited
+from slowflow.mechanism import EquationOfMotion
+from slowflow.results import Measured, MeasuredFolds, SaddleNodes, SteadyStates
+
+if TYPE_CHECKING:
+    from slowflow.averaged.questions import Averaged
+
+#: motions nearer to each other than this, relative in amplitude, are one
+SAME = 1e-8
+
+#: shares of the averaged amplitude from which Newton's iteration starts until it finds a motion
+TRIALS = (1.0, 0.98, 1.02)
+
+#: relative distances of a fold from the frequencies at which motions beside it are looked for
+BESIDE = (0.003, 0.01, 0.03, 0.1)
+
+#: the exact curve is followed to folds within this factor of the averaged frequency
+AROUND = 1.25
+
+#: on one side of a fold there are two states more than on the other, this far from it
+ASIDE = 1e-3
+
+AT_REST = "at Omega = 0 nothing moves"
+NO_MOTION = "Newton's iteration finds no motion near it"
+TAKEN = "it leads to the motion of another state"
+NO_FOLD = f"the exact curve beside it has no fold within a factor of {AROUND:g} of its frequency"
+TAKEN_FOLD = "it leads to the fold of another one"
+
+
+def states(system: EquationOfMotion, found: SteadyStates, F_0: float) -> Measured:
+    """The motion that each averaged state leads to. Raises ValueError for F_0 <= mu."""
+    motions: list[shooting.SteadyState | None] = []
+    reasons = [""] * found.A.size
+    for i, (Omega, A, phi) in enumerate(zip(found.Omega.tolist(), found.A.tolist(), found.phi.tolist(), strict=True)):
+        motion = None
+        for share in TRIALS if Omega > 0.0 else ():
+            motion = shooting.near(system, Omega, F_0, (share * A, phi))
+            if motion is not None:
+                break
+        motions.append(motion)
+        if motion is None:
+            reasons[i] = NO_MOTION if Omega > 0.0 else AT_REST
+    _one_each(found, motions, reasons)
+    return Measured(
+        Omega=found.Omega.copy(),
+        A=np.array([np.nan if motion is None else motion.A for motion in motions]),
+        error=np.array([np.nan if m is None else A / m.A - 1.0 for m, A in zip(motions, found.A, strict=True)]),
+        stable=np.array([motion is not None and motion.stable for motion in motions], dtype=bool),
+        stops=np.array([0 if motion is None else motion.stops for motion in motions], dtype=np.intp),
+        found=np.array([motion is not None for motion in motions], dtype=bool),
+        reason=np.array(reasons, dtype=np.str_),
+        message=_told(reasons, "states"),
+    )
+
+
+def _one_each(found: SteadyStates, motions: list[shooting.SteadyState | None], reasons: list[str]) -> None:
+    """Leaves a motion to one of the states at its frequency that lead to it: as stable as it is, else the nearest."""
+
+    def distance(i: int) -> tuple[bool, float]:
+        motion = motions[i]
+        assert motion is not None
+        return bool(found.stable[i]) != motion.stable, abs(float(found.A[i]) - motion.A)
+
+    for i, motion in enumerate(motions):
+        for j in range(i - 1, -1, -1):
+            other = motions[j]
+            if found.Omega[j] != found.Omega[i]:
+                break
+            if motion is None or other is None or abs(motion.A - other.A) > SAME * motion.A:
+                continue
+            loser = max(i, j, key=distance)
+            motions[loser], reasons[loser] = None, TAKEN
+            motion = motions[i]
+
+
+@limited()
+def folds(averaged: Averaged, system: EquationOfMotion, found: SaddleNodes) -> MeasuredFolds:
+    """The fold of the exact curve that each averaged one leads to. Raises ValueError for F_0 <= mu."""
+    exact: list[continuation.Fold | None] = []
+    reasons = []
+    for Omega, A in zip(found.Omega.tolist(), found.A.tolist(), strict=True):
+        fold = _fold(averaged, system, found.F_0, Omega, A)
+        taken = fold is not None and any(
+            abs(other.Omega / fold.Omega - 1.0) + abs(other.A / fold.A - 1.0) < SAME for other in exact if other
+        )
+        reasons.append(TAKEN_FOLD if taken else "" if fold is not None else NO_FOLD)
+        exact.append(None if taken else fold)
+    pairs = [(np.nan, np.nan) if fold is None else (fold.Omega, fold.A) for fold in exact]
+    at, height = np.array(pairs).reshape(-1, 2).T
+    return MeasuredFolds(
+        Omega=at,
+        A=height,
+        error=found.Omega / at - 1.0,
+        error_of_A=found.A / height - 1.0,
+        found=np.array([fold is not None for fold in exact], dtype=bool),
+        reason=np.array(reasons, dtype=np.str_),
+        message=_told(reasons, "folds"),
+    )
+
+
+def _fold(averaged: Averaged, system: EquationOfMotion, F_0: float, Omega: float, A: float) -> continuation.Fold | None:
+    """The nearest of the folds that the exact curve meets from motions beside the averaged one."""
+    more, fewer = (averaged.states(Omega * (1 + side * ASIDE), F_0).A.size for side in (1, -1))
+    for offset in BESIDE:
+        for side in (1.0, -1.0) if more == fewer else (1.0,) if more > fewer else (-1.0,):
+            at = Omega * (1.0 + side * offset)
+            beside = averaged.states(at, F_0)
+            by_distance = np.argsort(np.abs(beside.A - A) / A + ~beside.stable)
+            for i in by_distance[:2]:
+                start = shooting.near(system, at, F_0, (float(beside.A[i]), float(beside.phi[i])))
+                if start is None:
+                    continue
+                fold = continuation.first_fold(start, -side, (Omega / AROUND, Omega * AROUND))
+                if fold is not None:
+                    return fold
+    return None
+
+
+def _told(reasons: list[str], what: str) -> str:
+    """How many lead nowhere, and why."""
+    told = []
+    for reason in dict.fromkeys(reasons):
+        if reason:
+            told.append(f"{reasons.count(reason)} of {len(reasons)} {what}: {reason}")
+    return "; ".join(told)

@@ -1,0 +1,106 @@
+"""`answer.measure()`: averaged answers held against the equation of motion, and that against closed forms and SciPy."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator
+from slowflow.averaged.questions import Averaged
+from slowflow.backend import EXACT
+from slowflow.exact import steady_state
+from slowflow.exact.integrate import ScipyIntegrator
+from slowflow.exact.measure import AT_REST, NO_MOTION, TAKEN, states
+from slowflow.paper.example import isolator
+from slowflow.results import NOT_ASKED, SteadyStates
+from slowflow_kernels import den_hartog
+
+pytestmark = pytest.mark.skipif(EXACT is None, reason="takes half a minute without the compiled integrator")
+
+
+def test_the_error_of_a_linear_oscillator_is_that_beside_den_hartogs_amplitude():
+    """(35) is the exact amplitude where the mass does not stop."""
+    asked = Duffing(1.0, 0.0, 0.2, 0.0).amplitudes(Omega=np.array([0.7, 0.85, 1.2, 1.4]), F_0=1.0)
+    exact = den_hartog.amplitude(asked.Omega, 1.0, 0.2)
+    measured = asked.measure()
+    assert measured.found.all() and not measured.stops.any() and measured.message == ""
+    np.testing.assert_allclose(measured.A, exact, rtol=1e-13)
+    np.testing.assert_allclose(measured.error, asked.A / exact - 1.0, rtol=0, atol=1e-12)
+
+
+def test_every_state_is_measured_by_the_motion_that_scipy_finds_too():
+    """Two stable states and the unstable one between them."""
+    iso = isolator()
+    asked = iso.amplitudes(Omega=0.9, F_0=0.04)
+    for force in ("truncated", "untruncated"):
+        measured = asked.measure(force)
+        system = iso.equation_of_motion(force)
+        assert measured.stable.tolist() == asked.stable.tolist() == [True, False, True]
+        for state, entry in zip(asked, measured, strict=True):
+            other = steady_state(system, 0.9, 0.04, (state.A, state.phi), integrator=ScipyIntegrator())
+            assert abs(entry.A - other.A) <= 1e-9 and abs(entry.error - (state.A / other.A - 1.0)) <= 1e-8
+    assert asked.measure().A.tolist() == asked.measure("truncated").A.tolist()
+
+
+def test_folds_are_measured_by_those_of_the_exact_curve():
+    for oscillator, F_0, window in ((isolator(), 0.04, (0.5, 1.5)), (Duffing(1.0, 0.1, 0.0, 0.025), 0.18, (0.5, 2.0))):
+        asked = oscillator.saddle_nodes(F_0)
+        measured = asked.measure()
+        exact = oscillator.exact_response(F_0, Omega=window).folds
+        assert measured.found.all() and len(exact) == len(measured)
+        for fold, entry, averaged in zip(exact, measured, asked, strict=True):
+            assert abs(entry.Omega - fold.Omega) <= 1e-10 and abs(entry.A - fold.A) <= 1e-6
+            assert entry.error == averaged.Omega / entry.Omega - 1.0
+            assert entry.error_of_A == averaged.A / entry.A - 1.0
+
+
+def test_states_without_a_motion_say_so_in_words():
+    """Between the exact fold and the averaged one, which lies beyond it; and at rest."""
+    iso = isolator()
+    folds = iso.saddle_nodes(0.04)
+    exact, averaged = folds.measure().Omega[1], folds.Omega[1]
+    assert averaged > exact
+    asked = iso.amplitudes(Omega=0.5 * (exact + averaged), F_0=0.04)
+    measured = asked.measure()
+    assert asked.A.size == 3 and measured.found.tolist() == [True, False, False]
+    assert np.isnan(measured.A[1:]).all() and measured.reason.tolist() == ["", NO_MOTION, NO_MOTION]
+    assert measured.message == f"2 of 3 states: {NO_MOTION}"
+    static = iso.frequency_response(0.04, samples=20, Omega=(0.0, 0.4)).measure()
+    assert static.reason[0] == AT_REST and static.found[-1]
+
+
+def test_one_motion_is_measured_for_one_state_only():
+    """The one as stable as it is, else the nearest."""
+    iso = isolator()
+    (low, _, high) = iso.amplitudes(Omega=0.9, F_0=0.04)
+    A, stable = np.array([low.A, high.A, 1.01 * high.A]), np.array([True, True, False])
+    asked = SteadyStates(np.full(3, 0.9), A, stable, "", iso.model)
+    found = states(iso.equation_of_motion(), asked, 0.04)
+    assert found.found.tolist() == [True, True, False] and found.reason[2] == TAKEN
+    asked = SteadyStates(np.full(2, 0.9), 1.01 * A[1:], np.array([True, True]), "", iso.model)
+    found = states(iso.equation_of_motion(), asked, 0.04)
+    assert found.found.tolist() == [True, False]
+
+
+def test_what_cannot_be_measured_is_refused_or_empty():
+    iso = isolator()
+    alone = Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
+    with pytest.raises(ValueError, match=NOT_ASKED):
+        alone.measure()
+    with pytest.raises(ValueError, match=NOT_ASKED):
+        Averaged(iso.model).saddle_nodes(0.04).measure()
+    with pytest.raises(ValueError, match="force"):
+        iso.amplitudes(Omega=0.9, F_0=0.04).measure("exact")
+    with pytest.raises(ValueError, match="without any damping"):
+        Isolator(lam=3.0, r=0.6, delta_h=0.25).amplitudes(Omega=0.9, F_0=0.04).measure()
+    sticking = iso.amplitudes(Omega=0.9, F_0=0.01)
+    assert "sticks" in sticking.message and len(sticking.measure()) == 0 and sticking.measure().message == ""
+    assert len(iso.saddle_nodes(0.02).measure()) == len(iso.saddle_nodes(0.02)) == 0
+
+
+def test_an_answer_that_knows_whom_it_was_asked_of_is_what_it_was():
+    iso = isolator()
+    asked, alone = iso.amplitudes(Omega=0.9, F_0=0.04), Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
+    assert asked == alone and hash(asked) == hash(alone) and asked.to_dict() == alone.to_dict()
+    back = pickle.loads(pickle.dumps(asked))
+    assert back == asked and back.measure() == asked.measure()
