@@ -13,7 +13,10 @@ from slowflow.averaged.reference import bounds
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from tests.test_solver_paths import random_designs
 
-pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers: NumPy samples the amplitude")
+pytestmark = pytest.mark.both_backends
+
+#: designs; NumPy takes a hundred times as long for each
+MANY = 200 if backend.SOLVER is None else 1000
 
 
 def dense(model, A_max):
@@ -52,12 +55,12 @@ def assert_folds_of_samples(oscillator, F_0):
 
 
 def test_no_fold_is_missed_that_dense_samples_show():
-    for oscillator, F_0 in oscillators(random_designs(2, 1000)):
+    for oscillator, F_0 in oscillators(random_designs(2, MANY)):
         assert_folds_of_samples(oscillator, F_0)
 
 
 def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_are_born_there():
-    for oscillator, _ in oscillators(random_designs(1, 1000)):
+    for oscillator, _ in oscillators(random_designs(1, MANY)):
         onset = oscillator.saddle_node_onset()
         lowest = math.inf if onset.F_SN is None else onset.F_SN
         top = max(10 * oscillator.sticking_forcing, 1.0) if onset.F_SN is None else 2 * onset.F_SN
@@ -72,7 +75,7 @@ def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_a
 
 def test_above_the_peak_dense_samples_show_no_other():
     """Every peak begins two branches, as A falls; a static state begins one, without which there is none."""
-    rows = random_designs(2, 1000)
+    rows = random_designs(2, MANY)
     for oscillator, F_0 in oscillators(rows[rows[:, 0] * rows[:, 1] * rows[:, 2] < 1]):
         model, peak = oscillator.model, oscillator.peak(F_0)
         A = np.linspace(peak.A * (1 + 1e-9), max(2 * peak.A, bounds.amplitude_bound(model, F_0)[0]), 2000)
@@ -128,7 +131,7 @@ def test_folds_states_and_stability_next_to_them_are_all_there():
 
 def test_no_fold_of_a_softening_spring_is_missed():
     rng = np.random.default_rng(5)
-    for _ in range(1000):
+    for _ in range(MANY):
         alpha, beta = rng.uniform(-1, 3), rng.uniform(-1, 1)
         mu, zeta = rng.choice([0.0, 10 ** rng.uniform(-4, -1)]), 10 ** rng.uniform(-2, 0.2)
         with warnings.catch_warnings():

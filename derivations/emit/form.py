@@ -62,7 +62,8 @@ class Kernel:
     domain     -- where it holds
     generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
                   floats, complex numbers, arrays, an integrator's symbols
-    enclosed   -- whether it is wanted on intervals too
+    enclosed   -- whether it is wanted on intervals too, in C
+    searched   -- and on arrays of intervals, in Python
     """
 
     name: str
@@ -75,6 +76,7 @@ class Kernel:
     returns: str = "scalar"
     generic: bool = False
     enclosed: bool = False
+    searched: bool = False
 
     @property
     def width(self) -> int:

@@ -70,5 +70,27 @@ STATIC_MULTIPLE = 100.0
 RAISE = 4.0
 # how often, at most
 RAISES = 30
+# bounds that are tried on an amplitude, each twice the last
+FINE_RUNGS = 12
+# and in all, in steps that double too
+RUNGS = 100
+# until they exceed this
+COARSEST = 10000.0
+# stands for an infinite amplitude, and an infinite multiple of one
+ENDLESS = 1.152921504606847e+18
+# relative error that is taken for granted in a kernel's value
+DOUBT = 3.5527136788005009e-15
+# share of h below which h - A h_A has lost digits as a difference
+CANCELLED = 0.25
+# where a search begins that cannot begin at A = 0
+FIRST = 6.2230152778611417e-61
+# relative width of an interval of A that is not cut any more
+NARROW = 8.8817841970012523e-16
+# intervals of A, after which a search is given up: numbers overflow
+MOST_CELLS = 50000
+# events closer than this, relatively, may have changed their order
+COINCIDE = 5.6843418860808015e-14
+# frequencies closer than this are one where a curve ends
+NEAR_END = 9.0949470177292824e-13
 # amplitudes closer than this, relatively, are one
 SAME = 1.7763568394002505e-15

@@ -540,6 +540,7 @@ MECHANISM = Mechanism(
     jumps=jumps,
     hardening=hardening,
     averaged=averaged,
+    intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=float("inf"),
     digits_up_to=float("inf"),

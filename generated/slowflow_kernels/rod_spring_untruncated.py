@@ -3210,6 +3210,7 @@ MECHANISM = Mechanism(
     jumps=jumps,
     hardening=hardening,
     averaged=averaged,
+    intercept=None,
     harmonics=harmonics,
     harmonics_up_to=0.75,
     digits_up_to=0.9998,

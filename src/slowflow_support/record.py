@@ -59,6 +59,7 @@ class Mechanism:
     jumps       -- of the parameters: what the force loses at each breakpoint, f below less f above
     hardening   -- of the parameters: f(u)/u rises with |u| where none of these numbers is negative
     averaged    -- h = H - A and its first three derivatives at (A, *parameters) (20)-(22), (31)
+    intercept   -- h - A h_A at (A, *parameters) without what cancels in it; None where no form is known
     harmonics   -- h_3, h_5, each with its first three derivatives, at (A, *parameters)
     harmonics_up_to -- the largest breakpoint for which `harmonics` holds
     digits_up_to -- the largest breakpoint for which `averaged` keeps its digits
@@ -78,6 +79,7 @@ class Mechanism:
     jumps: Function
     hardening: Function
     averaged: Function
+    intercept: Function | None
     harmonics: Function
     harmonics_up_to: float
     digits_up_to: float

@@ -48,14 +48,17 @@ IN_SCENES = (
 )
 
 #: what the solvers and their proofs ask on whole intervals, by scene: the general form where it holds for zeros too
-ENCLOSED = {
+SEARCHED = {
+    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak"),
+    "mu0": ("isola",),
+    "zeta0": ("fold",),
+}
+#: beside these, what proofs at run time ask
+PROVED = {
     "": (
-        *("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak"),
         *("friction", "R", "F", "F_Omega", "F_OmegaOmega", "F_AOmega", "level", "most_restoring"),
         *("level_rise", "cusp_bend", "isola_bend"),
     ),
-    "mu0": ("isola",),
-    "zeta0": ("fold",),
 }
 
 
@@ -65,7 +68,8 @@ def slow_flow_modules(results: Results) -> list[Module]:
     modules = []
     for scene in SCENES:
         kernels = [kernel for kernel in kernels_of(results, scene) if not scene or kernel.name in IN_SCENES]
-        enclosed = ENCLOSED.get(scene, ())
+        searched = SEARCHED.get(scene, ())
+        enclosed = (*searched, *PROVED.get(scene, ()))
         borrowed = tuple(kernel.name for kernel in kernels if scene and kernel in general)
         modules.append(
             Module(
@@ -81,7 +85,7 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     "resultants.py",
                 ),
                 kernels=tuple(
-                    replace(kernel, enclosed=kernel.name in enclosed)
+                    replace(kernel, enclosed=kernel.name in enclosed, searched=kernel.name in searched)
                     for kernel in kernels
                     if kernel.name not in borrowed
                 ),

@@ -1,6 +1,7 @@
 """The questions about one oscillator on the compiled solvers: in go a model and numbers, out come the same answers.
 
-Same names, arguments and answers as in `folds`, `response` and `locus`, which run on NumPy; `solvers` chooses.
+Same names, arguments and answers as in `folds`, `onset`, `response` and `locus` of `reference`, which run on NumPy;
+`solvers` chooses.
 """
 
 from __future__ import annotations
@@ -10,7 +11,8 @@ from types import ModuleType
 import numpy as np
 
 from slowflow import backend
-from slowflow.averaged.reference import folds
+from slowflow.averaged.reference import folds, locus
+from slowflow.averaged.reference import onset as critical
 from slowflow.averaged.reference.bounds import cut
 from slowflow.model import Floats, Model
 from slowflow.results import (
@@ -62,9 +64,9 @@ def onset(model: Model) -> SaddleNodeOnset:
     status, F_SN, Omega, A, kind, at_rest = _solver().onset(model.native)
     _check(status)
     if status == Status.UNBOUNDED:
-        return SaddleNodeOnset(None, None, None, "", folds.NO_LOWEST.format(model.m))
-    return folds.with_folds_at_rest(
-        SaddleNodeOnset(None, None, None, "", folds.NO_ONSET)
+        return SaddleNodeOnset(None, None, None, "", critical.NO_LOWEST.format(model.m))
+    return critical.with_folds_at_rest(
+        SaddleNodeOnset(None, None, None, "", critical.NO_ONSET)
         if status == Status.NONE
         else SaddleNodeOnset(F_SN, Omega, A, OnsetKind(kind).name.lower(), ""),
         at_rest,
@@ -75,7 +77,7 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = _solver().detachment(model.native)
     if status == Status.NONE:
-        return Detachment(None, None, None, folds.NO_DETACHMENT)
+        return Detachment(None, None, None, critical.NO_DETACHMENT)
     return Detachment(F_cr, Omega_cr, u_cr, "")
 
 
@@ -84,7 +86,7 @@ def peak(model: Model, F_0: float) -> Peak:
     status, A, Omega = _solver().peak(model.native, F_0)
     _check(status, F_0)
     if status == Status.UNBOUNDED:
-        return Peak(None, None, F_0, folds.NO_PEAK)
+        return Peak(None, None, F_0, critical.NO_PEAK)
     return Peak(A, Omega, F_0, "")
 
 
@@ -92,7 +94,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
     status, Omega, A, F_0, branch, _ = _solver().fold_locus(model.native, A_max, samples)
     _check(status)
-    return FoldLocus(Omega, A, F_0, branch, "" if A.size else folds.NO_LOCUS.format(A_max))
+    return FoldLocus(Omega, A, F_0, branch, "" if A.size else locus.NO_LOCUS.format(A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
@@ -102,10 +104,10 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     table = np.array(found, dtype=float).reshape(-1, 6)
     isola = table[:, 3] == 1
     F_0, Omega, A, _, minimum, saddle = table[~isola].T
-    cusps = Cusps(F_0, Omega, A, minimum == 1, "" if A.size else folds.NO_CUSP.format(A_max))
+    cusps = Cusps(F_0, Omega, A, minimum == 1, "" if A.size else locus.NO_CUSP.format(A_max))
     F_0, Omega, A, _, minimum, saddle = table[isola].T
     kind = np.where(saddle == 1, "merger", np.where(minimum == 1, "birth", "death"))
-    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else folds.NO_ISOLA.format(A_max))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else locus.NO_ISOLA.format(A_max))
 
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:

@@ -10,6 +10,7 @@ import numpy as np
 
 from slowflow.averaged import compiled
 from slowflow.averaged.reference import folds, locus, response
+from slowflow.averaged.reference import onset as critical
 from slowflow.model import Model
 
 Question = TypeVar("Question", bound=Callable[..., Any])
@@ -27,10 +28,10 @@ def _either(on_compiled: Question, on_numpy: Question) -> Question:
 
 
 amplitudes = _either(compiled.amplitudes, response.amplitudes)
-detachment = _either(compiled.detachment, folds.detachment)
+detachment = _either(compiled.detachment, critical.detachment)
 extrema = _either(compiled.extrema, locus.extrema)
 fold_locus = _either(compiled.fold_locus, locus.fold_locus)
 frequency_response = _either(compiled.frequency_response, response.frequency_response)
-onset = _either(compiled.onset, folds.onset)
-peak = _either(compiled.peak, folds.peak)
+onset = _either(compiled.onset, critical.onset)
+peak = _either(compiled.peak, critical.peak)
 saddle_nodes = _either(compiled.saddle_nodes, folds.saddle_nodes)

@@ -39,6 +39,7 @@ typedef struct {
     int exists[2];
     double y[2], dy[2], Omega[2], level[2];
     double Omega_A[2]; /* dOmega/dA, where it is known; else 0 */
+    int edge;          /* the sign where the channel ends, if it ends next to the sample; 0 where that is not known */
 } sf_answer;
 
 typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
@@ -98,6 +99,8 @@ static inline double sf_fold_Omega(const sf_asked *asked, const sf_sample *at, d
 static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
     const sf_model *model = asked->model;
     double fold[3], tangent[2];
+    if (model->zeta > 0)
+        out->edge = at->h_A > 0 ? 1 : -1; /* F_A has the sign of h_A where the channel ends */
     if (model->zeta == 0 ? !(at->h_A < 0) : !(fabs(at->k) >= asked->least))
         return;
     slow_flow_intercept(at->A, at->h, at->h_A, at->h_AA, tangent);
@@ -111,7 +114,7 @@ static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_an
             slow_flow_fold(at->A, asked->F_0, model->m, model->zeta, at->h, at->h_A, at->k, tangent[1], fold);
         out->Omega[0] = sf_fold_Omega(asked, at, fold[2], fold[0]);
     }
-    out->exists[0] = 1;
+    out->exists[0] = !isnan(fold[0]); /* |k| may be the least but for the rounding of that */
     out->y[0] = fold[0], out->dy[0] = fold[1];
 }
 

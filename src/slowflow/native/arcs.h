@@ -10,8 +10,6 @@
 
 enum { SF_MOST_EVENTS = 112, SF_MOST_ARCS = 3 * SF_MOST_EVENTS };
 
-#define SF_COINCIDE 0x1p-44
-
 typedef enum {
     SF_THROUGH,   /* all arcs go on */
     SF_CUT,       /* all arcs end: an end of the range, or a jump */

@@ -13,11 +13,6 @@
 #include "interval.h"
 #include "model.h"
 
-/* kernels are right to a few units of rounding; this many are taken for granted on either side */
-#define SF_DOUBT 0x1p-48
-/* below this share of h the difference h - A h_A has lost too many digits */
-#define SF_CANCELLED 0.25
-
 /* A piece of the force: from its first amplitude (0 or a breakpoint, as its own side has it) to its last. */
 typedef struct {
     sf_sample first, last;

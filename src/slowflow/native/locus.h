@@ -53,7 +53,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
             return SF_OK;
         }
         A *= step;
-        if (i >= SF_FINE_RUNGS && step < 1e4)
+        if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
             step *= 2;
     }
     return SF_NO_BOUND;
@@ -208,7 +208,7 @@ static void sf_trace_arcs(const sf_curve *curve, sf_graph *graph) {
         return;
     for (k = 1; k + 1 < graph->events; k++)
         sf_link(curve, graph, k);
-    if (graph->event[0].A > 0) {
+    if (graph->event[0].A > 0 || curve->F_0 < 0) {
         sf_sample_at(curve->model, graph->event[0].A, &at);
         sf_end_all(curve, graph, &at, 0, 0);
     } else { /* the response comes from A = 0, Omega = inf */

@@ -11,13 +11,6 @@
 
 #include "zeros.h"
 
-/* what is not settled after so many intervals is given up: numbers that overflow */
-#define SF_MOST_CELLS 50000
-/* from here on instead of from 0, where a function vanishes at 0: its fifth power is still a double */
-#define SF_FIRST 0x1p-200
-/* a narrower interval, relatively, is not cut any more */
-#define SF_NARROW 0x1p-50
-
 typedef struct {
     sf_asked asked;
     double base; /* where the piece begins */
@@ -41,11 +34,12 @@ static int sf_is_negative(const sf_probe *probe, int channel, int edge) {
     return probe->answer.exists[channel] ? probe->answer.y[channel] < 0 : edge < 0;
 }
 
-/* Omega at the zero itself, which lies within roundings of A: where h_A is large that moves Omega by much. */
+/* Omega at the zero itself, which lies within roundings of A: where h_A is large, but no limit, that moves Omega by
+ * much. */
 static double sf_Omega_at_zero(const sf_probe *probe, int channel) {
     const double Omega_A = probe->answer.Omega_A[channel];
     const double beyond = probe->answer.y[channel] / probe->answer.dy[channel];
-    if (Omega_A != 0 && fabs(beyond) <= 0x1p-50 * probe->at.A)
+    if (Omega_A != 0 && fabs(Omega_A) < HUGE_VAL && fabs(beyond) <= 0x1p-50 * probe->at.A)
         return probe->answer.Omega[channel] - Omega_A * beyond;
     return probe->answer.Omega[channel];
 }
@@ -91,6 +85,7 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
                      int last) {
     const int both = a->answer.exists[c] && b->answer.exists[c];
     const int passes = both && sf_opposite(a->answer.y[c], b->answer.y[c]);
+    const int edge = range->edge == 0 && last && a->answer.edge == b->answer.edge ? a->answer.edge : range->edge;
     sf_interval y = range->y;
     if (range->where == SF_NOWHERE)
         return 1;
@@ -105,9 +100,9 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
             sf_find_zero(search, a, b, c, 0);
         return 1;
     }
-    if (range->edge != 0 && a->answer.exists[c] != b->answer.exists[c]) {
-        if (sf_is_negative(a, c, range->edge) != sf_is_negative(b, c, range->edge))
-            sf_find_zero(search, a, b, c, range->edge);
+    if (edge != 0 && a->answer.exists[c] != b->answer.exists[c]) {
+        if (sf_is_negative(a, c, edge) != sf_is_negative(b, c, edge))
+            sf_find_zero(search, a, b, c, edge);
         return 1;
     }
     return last;

@@ -4,10 +4,7 @@
 
 #include "arcs.h"
 
-enum { SF_MOST_FOLDS = 48, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS, SF_RUNGS = 100, SF_FINE_RUNGS = 12 };
-
-#define SF_ENDLESS 0x1p60   /* stands for an infinite amplitude, and for an infinite multiple of one */
-#define SF_NEAR_END 0x1p-40 /* frequencies closer than this, relatively, are one where a curve ends */
+enum { SF_MOST_FOLDS = 48, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS };
 
 /* up: whether a sweep leaves the fold for a larger amplitude */
 typedef struct {

@@ -1,11 +1,12 @@
-"""Kernels on whole intervals of their arguments: a C header for each module that has any.
+"""Kernels on whole intervals of their arguments: a C header and a Python module for each module that has any.
 
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `enclosed`, and `cells`.
 Out: a dict from file name (below `generated/`) to text.
 
-What is written calls native/interval.h, which is runtime code. A let that stands for a series cut short is widened by
-the bound that the derivation gives. By how much an amplitude exceeds the breakpoint where its piece begins is an
-argument of its own: the difference would lose its digits next to a breakpoint that is known to a rounding only.
+The C calls native/interval.h, which is runtime code; the Python takes objects with operators, `square` and `sqrt`, and
+has what the search along the amplitude asks. In C a let that stands for a series cut short is widened by the bound that
+the derivation gives. By how much an amplitude exceeds the breakpoint where its piece begins is an argument of its own:
+the difference would lose its digits next to a breakpoint that is known to a rounding only.
 """
 
 from __future__ import annotations
@@ -19,30 +20,35 @@ import sympy as sp
 from derivations.emit.form import Branch, Kernel, Module
 from derivations.emit.passes import Program
 from derivations.emit.provenance import tools
-from derivations.emit.targets.interval.printer import IntervalPrinter
+from derivations.emit.targets.interval.printer import CIntervalPrinter, PythonIntervalPrinter
 from derivations.emit.targets.printing import literal
 from derivations.emit.views import BranchView, Code, KernelView, Language, sources, templates, view
 from derivations.symbols import A
 
 #: how much an amplitude exceeds the breakpoint where its piece begins
 BEYOND = sp.Symbol("beyond", nonnegative=True)
-LANGUAGE = Language(IntervalPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+C = Language(CIntervalPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+PYTHON = Language(PythonIntervalPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
-    """Every file of this language."""
-    template = templates(Path(__file__).parent).get_template("header.h.jinja")
+    """Every file of both languages."""
+    environment = templates(Path(__file__).parent)
     result = {}
     for module in modules:
         enclosed = [*(kernel for kernel in module.kernels if kernel.enclosed), *module.cells]
+        known = {"module": module, "tools": tools(), **sources(module)}
         if enclosed:
-            result[f"native/{name_of(module)}.h"] = template.render(
-                module=module,
+            result[f"native/{name_of(module)}.h"] = environment.get_template("header.h.jinja").render(
                 prefix=name_of(module),
                 kernels=[widened(kernel, code[module.name][kernel.name]) for kernel in enclosed],
                 choices={kernel.name: choice(kernel) for kernel in enclosed if len(kernel.branches) > 1},
-                tools=tools(),
-                **sources(module),
+                **known,
+            )
+        searched = [kernel for kernel in module.kernels if kernel.searched]
+        if searched:
+            result[f"slowflow_kernels/{name_of(module)}.py"] = environment.get_template("module.py.jinja").render(
+                kernels=[view(kernel, code[module.name][kernel.name], PYTHON) for kernel in searched], **known
             )
     return result
 
@@ -54,7 +60,7 @@ def name_of(module: Module) -> str:
 
 def widened(kernel: Kernel, code: Sequence[Program]) -> KernelView:
     """A kernel printed, its series widened by what they leave out."""
-    printed = view(*(beyond_breakpoints(kernel, code) if len(kernel.branches) > 1 else (kernel, code)), LANGUAGE)
+    printed = view(*(beyond_breakpoints(kernel, code) if len(kernel.branches) > 1 else (kernel, code)), C)
     branches = (widened_branch(*both) for both in zip(printed.branches, kernel.branches, strict=True))
     return dataclasses.replace(printed, branches=tuple(branches))
 
@@ -92,7 +98,7 @@ def choice(kernel: Kernel) -> list[tuple[str, str]]:
 
     Branches are chosen by the number of breakpoints passed; a series far from these where all of the interval lies far.
     """
-    show = LANGUAGE.printer.doprint
+    show = C.printer.doprint
     found = []
     for branch in kernel.branches:
         near = [f"{show(left)}.lo <= {show(right)}.hi" for left, right in branch.guards if not right.is_Symbol]

@@ -1,4 +1,4 @@
-"""SymPy expressions as calls of interval arithmetic in C."""
+"""SymPy expressions as calls of interval arithmetic in C, and as operators on intervals in Python."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
+from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.precedence import PRECEDENCE
 
 from derivations.emit.passes import is_constant
 from derivations.emit.targets.printing import Rules, Unprintable, literal
 
 
-class IntervalPrinter(Rules, C99CodePrinter):
+class CIntervalPrinter(Rules, C99CodePrinter):
     """C99, with the functions of native/interval.h."""
 
     infinity = "sfi_point(HUGE_VAL)"
@@ -85,3 +87,30 @@ class IntervalPrinter(Rules, C99CodePrinter):
         if exponent in (-1, -2, sp.Rational(-1, 2)):
             return f"sfi_inverse({self._print(sp.Pow(base, -exponent))})"
         raise Unprintable(f"the power {expr} is not a chain of multiplications: it has to go through the passes")
+
+
+class PythonIntervalPrinter(Rules, NumPyPrinter):
+    """Python, with the operators of an interval class and its methods `square` and `sqrt`."""
+
+    infinity = "np.inf"
+    functions: ClassVar = {sp.sqrt: "sqrt"}
+
+    def _print_Rational(self, expr: sp.Expr) -> str:
+        return self._number(expr)
+
+    _print_Integer = _print_Half = _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Rational
+
+    def _number(self, expr: sp.Expr) -> str:
+        text = literal(expr)
+        if not (expr.doit().is_Rational and sp.Rational(float(text)) == expr.doit()):
+            raise Unprintable(f"a number that no double is equal to, on intervals: {expr}")
+        return text
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        return expr.name
+
+    def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
+        method = {sp.Integer(2): "square", sp.Rational(1, 2): "sqrt"}.get(expr.exp)
+        if is_constant(expr) or method is None:
+            return super()._print_Pow(expr, rational)
+        return f"{self.parenthesize(expr.base, PRECEDENCE['Atom'], strict=True)}.{method}()"

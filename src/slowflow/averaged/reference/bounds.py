@@ -4,13 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 
+from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.roots import peak_roots
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import STATIC_MULTIPLE
+from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS, STATIC_MULTIPLE
 
-#: multiples of the least amplitude that are tried as a bound
-RUNGS = np.ldexp(1.0, [*range(16), *range(16, 117, 4)])
+
+def _rungs() -> Floats:
+    """Multiples of the least amplitude that are tried as a bound, in steps that grow."""
+    found, step = [1.0], 2.0
+    for i in range(RUNGS - 1):
+        found.append(found[-1] * step)
+        if i >= FINE_RUNGS and step < COARSEST:
+            step *= 2
+    return np.array(found)
+
+
+_RUNGS = _rungs()
 
 
 def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
@@ -35,20 +46,20 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     return A_max, f"{words}{A_max:g}"
 
 
+@np.errstate(all="ignore")
 def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     """An amplitude above that of every steady state at F_0, and a remark in words where the response has to be cut.
 
-    Raises OverflowError where no such amplitude is found.
+    From there on |h| is too large for a state: it is so there, and rises up to where it has no bound in doubles. Raises
+    OverflowError where no such amplitude is found.
     """
     if model.zeta == 0:
         return cut(model, F_0)
-    # From the bound on |h| is too large for a state, and h keeps its sign: where it changes between two rungs, |h| is
-    # small.
-    ladder = max(2 * max(model.breakpoints, default=0.0), F_0, 1e-6) * RUNGS
-    h = model.averaged(ladder)[0]
-    with np.errstate(over="ignore"):
-        holds = ~(np.abs(h) > slow_flow.most_restoring(ladder, F_0, model.m, model.zeta) + 0.01 * F_0)
-    if holds[-1]:
-        raise OverflowError(f"no amplitude up to {ladder[-1]:g} bounds the response to F_0 = {F_0}")
-    below = np.flatnonzero(holds[:-1] | ((h[1:] > 0) != (h[:-1] > 0)))
-    return float(ladder[below[-1] + 1 if below.size else 0]), ""
+    rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
+    at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
+    slope = cells_of(at, far).h_A
+    rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
+    bounds = rises & (np.abs(at.h) > slow_flow.most_restoring(rungs, F_0, model.m, model.zeta))
+    if not bounds.any():
+        raise OverflowError(f"no amplitude bounds the response at F_0 = {F_0:.17g}")
+    return float(rungs[np.argmax(bounds)]), ""

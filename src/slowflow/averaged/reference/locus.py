@@ -1,81 +1,114 @@
-"""The fold locus as a result, on NumPy: in go a model and a range of A, out come its points, cusps and isola points."""
+"""The fold locus as a result, on NumPy: in go a model and a range of A, out come its points, cusps and isola points.
+
+Between neighbouring stations (cusps, isola points, turning points, ends at Omega = 0, breakpoints) the number of
+branches is constant, and along each branch Omega and the level F_0 are monotone. As in native/locus.h.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
-import numpy.typing as npt
 
-from slowflow.averaged.reference.folds import NO_CUSP, NO_ISOLA, NO_LOCUS
+from slowflow.averaged.reference.along import Cusp, Isola, Stiffness, Turn, Undamped
+from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
+from slowflow.averaged.reference.cells import Piece, pieces_up_to
 from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
-from slowflow.averaged.reference.spans import Ints, Spans, _on_span, spans
-from slowflow.averaged.reference.spans import fold_locus as locus_of_folds
-from slowflow.model import Floats, Model
+from slowflow.averaged.reference.search import Zeros, find_zeros
+from slowflow.model import Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
+from slowflow_kernels import slow_flow
 
-#: Newton steps at isola points, and the relative size from which on a step is none
-NEWTON_STEPS, NEAR = 3, 1e-4
+NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
+NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
+NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
+
+
+@dataclass(frozen=True)
+class _Stations:
+    """Zeros along the fold locus, by question; those of a question that its damping has not are None."""
+
+    pieces: list[Piece]
+    stiffness: Zeros
+    cusps: Zeros
+    isolas: Zeros | None
+    turns: Zeros | None
+
+    @classmethod
+    def of(cls, model: Model, A_max: float) -> _Stations:
+        pieces = pieces_up_to(model, A_max)
+        if model.zeta == 0:
+            stiffness, cusps = find_zeros(model, [Stiffness(model), Undamped(model)], pieces)
+            return cls(pieces, stiffness, cusps, None, None)
+        questions = [Stiffness(model), Cusp(model), Isola(model), Turn(model)]
+        stiffness, cusps, isolas, turns = find_zeros(model, questions, pieces)
+        return cls(pieces, stiffness, cusps, isolas, turns)
+
+    def events(self) -> list[Event]:
+        """By rising A."""
+        found: list[Event] = []
+        for number, piece in enumerate(self.pieces):
+            inside: list[Event] = []
+            for zeros in (self.stiffness, self.isolas, self.cusps, self.turns):
+                own = zeros.take(zeros.piece == number) if zeros is not None else None
+                for i in range(0 if own is None else len(own)):
+                    assert own is not None
+                    kind, gain = Kind.THROUGH, 0
+                    if zeros is self.stiffness:
+                        kind = Kind.TO_ZERO
+                    elif zeros is self.turns:
+                        # where a maximum of F_A over Omega rises above zero a pair is born
+                        low = own.channel[i] == 0
+                        kind, gain = (Kind.PAIR_LOW if low else Kind.PAIR_HIGH), 2 if own.rising[i] == low else -2
+                    inside.append(Event(float(own.A[i]), float(own.Omega[i]), kind, gain))
+            first = piece.base if number == 0 else float(np.nextafter(piece.base, np.inf))
+            ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
+            found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
+        return merged(found)
 
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
-    """About `samples` points of the fold locus up to A_max."""
-    located = spans(locus_of_folds(model), A_max)
-    rows, branch = _in_order(located)
-    if not rows.size:
-        return FoldLocus(np.empty(0), np.empty(0), np.empty(0), branch, NO_LOCUS.format(A_max))
-    per_row = max(1, round(samples / rows.size))
-    share = np.linspace(0.0, 1.0, per_row, endpoint=False)
-    s = (located.s[rows, :1] + (located.s[rows, 1:] - located.s[rows, :1]) * share).ravel()
-    A, Omega = _on_span(located, np.repeat(rows, per_row), s)
-    last = np.flatnonzero(np.append(branch[1:] != branch[:-1], True))
-    at = (last + 1) * per_row
-    A, Omega = np.insert(A, at, located.A[rows[last], 1]), np.insert(Omega, at, located.Omega[rows[last], 1])
-    number = np.insert(np.repeat(branch, per_row), at, branch[last]).astype(np.intp)
-    return FoldLocus(Omega, A, located.locus.level(A, Omega), number, "")
-
-
-def _in_order(located: Spans) -> tuple[Ints, npt.NDArray[np.intp]]:
-    """Rows of spans, those that follow each other on one branch side by side, and the number of the branch."""
-    keys = np.stack([located.index, located.count, located.chart])
-    order = np.lexsort((located.s[:, 0], *keys))
-    new = (keys[:, order[1:]] != keys[:, order[:-1]]).any(axis=0) | (
-        located.s[order[1:], 0] != located.s[order[:-1], 1]
-    )
-    return order, np.cumsum(np.concatenate([[0] if order.size else [], new]).astype(np.intp))
+    """About `samples` points of the fold locus up to A_max, in order along each branch."""
+    roots = Roots(model, -1.0)
+    graph = Graph(roots, _Stations.of(model, A_max).events())
+    arcs = graph.arcs
+    if not arcs:
+        none = np.empty(0)
+        return FoldLocus(none, none, none, np.empty(0, dtype=np.intp), NO_LOCUS.format(A_max))
+    A, Omega = (np.array([getattr(arc, name) for arc in arcs]) for name in ("A", "Omega"))
+    with np.errstate(all="ignore"):
+        weight = np.abs(np.diff(Omega / (1 + Omega), axis=1)[:, 0]) + np.diff(A, axis=1)[:, 0] / A_max + 1e-3
+        steps = np.ceil(samples * weight / weight.sum()).astype(int)
+        of, share, branch = [], [], []
+        for number, tour in enumerate(graph.tours):
+            for place, (arc, upward) in enumerate(tour.steps):
+                n = steps[arc]
+                along = np.arange(n + (place + 1 == len(tour.steps))) / n
+                share.append(0.5 - 0.5 * np.cos(np.pi * (along if upward else 1 - along)))
+                of.append(np.full(along.size, arc))
+                branch.append(np.full(along.size, number, dtype=np.intp))
+        at, s = np.concatenate(of), np.concatenate(share)
+        low, high = s == 0, s == 1
+        A_at = np.where(high, A[at, 1], A[at, 0] + (A[at, 1] - A[at, 0]) * s)
+        count, index = (np.array([getattr(arc, name) for arc in arcs])[at] for name in ("count", "index"))
+        # the Omega of the ends is known; at A = 0 there is no quartic
+        inside = roots.at(np.where(A_at > 0, A_at, A_max), count, index)
+        Omega_at = np.where(low, Omega[at, 0], np.where(high, Omega[at, 1], inside))
+        F_0 = model.flow.level(Omega_at, A_at, model.m, model.zeta, model.averaged(A_at)[0])
+    return FoldLocus(Omega_at, A_at, np.asarray(F_0), np.concatenate(branch), "")
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    located = spans(locus_of_folds(model), A_max)
-    cusp, isola = (_by_amplitude(located, mark) for mark in ("cusp", "isola"))
-    F_0, Omega, A = _points(located, cusp)
-    cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else NO_CUSP.format(A_max))
-    Omega, A = _sharpened(model, _points(located, isola)[2])
-    F_0 = located.locus.level(A, Omega)
-    kind = np.where(is_saddle(model, Omega, A), "merger", np.where(isola_is_minimum(model, Omega, A), "birth", "death"))
+    stations = _Stations.of(model, A_max)
+    with np.errstate(all="ignore"):
+        at = stations.cusps
+        Omega, A = at.Omega, at.A
+        level = slow_flow.level(Omega, A, model.m, model.zeta, model.averaged(A)[0])
+        F_0 = at.level if model.zeta > 0 else np.asarray(level)
+        cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else NO_CUSP.format(A_max))
+        Omega, A = (np.empty(0),) * 2 if stations.isolas is None else (stations.isolas.Omega, stations.isolas.A)
+        F_0 = np.asarray(slow_flow.level(Omega, A, model.m, model.zeta, model.averaged(A)[0]))
+        birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")
+        kind = np.where(is_saddle(model, Omega, A), "merger", birth)
     return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else NO_ISOLA.format(A_max))
-
-
-def _by_amplitude(located: Spans, mark: str) -> Ints:
-    rows = located.marked(mark)
-    return rows[np.argsort(located.A[rows, 1], kind="stable")]
-
-
-def _points(located: Spans, rows: Ints) -> tuple[Floats, Floats, Floats]:
-    return located.level[rows, 1], located.Omega[rows, 1], located.A[rows, 1]
-
-
-def _sharpened(model: Model, A: Floats) -> tuple[Floats, Floats]:
-    """Omega and A of isola points, from amplitudes that are nearly theirs.
-
-    F_A = 0 and F_Omega = 0 leave a function of A alone, whose Newton steps are better conditioned than those on both.
-    """
-    flow, m, zeta = model.flow, model.m, model.zeta
-    if not A.size:
-        return A, A
-    for _ in range(NEWTON_STEPS):
-        h, h_A, h_AA, _ = model.averaged(A)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            value, slope = flow.isola(A, m, zeta, h, h_A, h_AA)
-            step = value / slope
-        A = A - np.where(np.abs(step) < NEAR * A, step, 0.0)
-    return flow.isola_Omega(np.maximum(model.averaged(A)[1], 0.0)), A

@@ -1,32 +1,34 @@
 """The response curve at one forcing: in go a model and F_0, out come every branch, and every state at a frequency.
 
-For a given A the frequencies are the roots of a quartic. Their number changes only where the level of the peak locus or
-of the static locus crosses F_0; between those amplitudes each root is an arc, continuous in A, and the folds cut an arc
-into segments along which Omega is monotone too. So a segment holds at most one state at any frequency, and has one
-stability.
+For a given A the frequencies are the roots of a quartic. Their number changes only at peaks and at static states;
+between those amplitudes each root is an arc, continuous in A, and the folds cut an arc into segments along which Omega
+is monotone too. So a segment holds at most one state at any frequency, and has one stability. As in native/curve.h.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
+from slowflow.averaged.reference.along import Peak, Rest
+from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
-from slowflow.averaged.reference.folds import F_A, saddle_nodes
-from slowflow.averaged.reference.roots import peak_roots, response_roots
-from slowflow.averaged.reference.spans import peak_locus, spans, static_locus
+from slowflow.averaged.reference.cells import amid, pieces_up_to
+from slowflow.averaged.reference.folds import saddle_nodes
+from slowflow.averaged.reference.roots import Quartics
+from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, joined
-from slowflow_kernels import slow_flow
+from slowflow_kernels import frequencies, slow_flow
 from slowflow_kernels.conventions import SAME
 
 
 @dataclass(frozen=True)
 class Segment:
-    """A stretch of curve monotone in A and Omega: the `index`-th root by rising Omega, for low[0] <= A <= high[0].
+    """A stretch of curve monotone in A and Omega: root `index` of `count` by rising Omega, for low[0] <= A <= high[0].
 
     low, high -- (A, Omega) at both ends; Omega is inf at A = 0
     stable    -- the same all along
@@ -36,7 +38,7 @@ class Segment:
     count: int
     low: tuple[float, float]
     high: tuple[float, float]
-    stable: bool
+    stable: bool = False
 
     @property
     def range(self) -> tuple[float, float]:
@@ -52,11 +54,9 @@ class Skeleton:
     closed -- for each curve whether it is an isola
     """
 
-    model: Model
-    F_0: float
+    roots: Roots
     curves: list[list[tuple[Segment, bool]]]
     closed: list[bool]
-    folds: SaddleNodes
     message: str
 
     @property
@@ -64,156 +64,88 @@ class Skeleton:
         return [segment for curve in self.curves for segment, _ in curve]
 
 
-def _roots(model: Model, A: Floats, F_0: float) -> tuple[Floats, np.ndarray]:
-    return response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
-
-
-def _events(model: Model, F_0: float, A_max: float) -> list[tuple[float, float]]:
-    """(A, Omega) where the number of roots may change, by rising A: peaks, static states, breakpoints (Omega = nan)."""
-    found = [(b, np.nan) for b in model.breakpoints if b < A_max]
-    for locus in (peak_locus(model), static_locus(model)):
-        found += zip(*(array.tolist() for array in spans(locus, A_max).crossings(F_0)), strict=True)
-    merged: list[tuple[float, float]] = []
-    for A, Omega in sorted(found, key=lambda event: event[0]):
-        if merged and A - merged[-1][0] <= SAME * A:
-            merged[-1] = (merged[-1][0], Omega if np.isnan(merged[-1][1]) else merged[-1][1])
-        else:
-            merged.append((A, Omega))
-    return merged
-
-
 def skeleton(model: Model, F_0: float) -> Skeleton:
-    """Pieces and how they hang together, for F_0 > m."""
+    """Segments and how they hang together, for F_0 > m."""
     A_max, remark = amplitude_bound(model, F_0)
-    folds = saddle_nodes(model, F_0)
-    events = _events(model, F_0, A_max)
-    edges = np.array([0.0, *(A for A, _ in events), A_max])
-    _, counts = _roots(model, 0.5 * (edges[:-1] + edges[1:]), F_0)
-
-    # Which arcs meet at each event: a pair that is born or dies there, the others one to one.
-    arcs = [(k, i) for k in range(counts.size) for i in range(counts[k])]
-    ends: dict[tuple[int, int, bool], tuple[float, float]] = {}
-    joins: dict[tuple[int, int, bool], tuple[int, int, bool]] = {}
-
-    def join(one: tuple[int, int, bool], other: tuple[int, int, bool], at: tuple[float, float]) -> None:
-        joins[one], joins[other] = other, one
-        ends[one] = ends[other] = at
-
-    for k, (A, Omega) in enumerate(events):
-        left, right = int(counts[k]), int(counts[k + 1])
-        at_event, n_here = _roots(model, np.array([A]), F_0)
-        here = at_event[0, : n_here[0]]
-        richer, poorer, upper = (k, k + 1, True) if left > right else (k + 1, k, False)
-        more, fewer = max(left, right), min(left, right)
-        lost: set[int] = set()
-        if (more - fewer) % 2:
-            lost = {0}
-            ends[richer, 0, upper] = (A, 0.0)
-        if more - fewer >= 2:
-            # the pair meets at Omega; the roots that stay lie on either side of it
-            Omega = Omega if Omega > 0 else _stationary(model, A, F_0)
-            below = len(lost) + int(np.searchsorted(_without_pair(here, Omega, fewer), Omega))
-            lost |= {below, below + 1}
-            join((richer, below, upper), (richer, below + 1, upper), (A, Omega))
-        staying = [i for i in range(more) if i not in lost]
-        at_staying = here if here.size == fewer else _without_pair(here, Omega, fewer)
-        for place, (i, j) in enumerate(zip(staying, range(fewer), strict=True)):
-            join((richer, i, upper), (poorer, j, not upper), (A, float(at_staying[place])))
-    for i in range(int(counts[0])):
-        ends[0, i, False] = (0.0, np.inf)
-    last = counts.size - 1
-    for i in range(int(counts[last])):
-        ends[last, i, True] = (A_max, float(_roots(model, np.array([A_max]), F_0)[0][0, i]))
-
-    segments = _cut_at_folds(model, arcs, counts, ends, edges, folds)
-    curves, closed = _trace(arcs, joins, segments)
-    return Skeleton(model, F_0, curves, closed, folds, remark)
-
-
-def _stationary(model: Model, A: float, F_0: float) -> float:
-    """Omega where a pair of roots meets at A: of the points with F_Omega = 0 the one whose level is nearest to F_0.
-
-    For an event that is a breakpoint or a state at rest, and to rounding a peak as well.
-    """
-    at = np.array([A])
-    h = model.averaged(at)[0]
-    Omega = peak_roots(at, h, model.m, model.zeta)[0][0]
-    level = model.flow.level(Omega, A, model.m, model.zeta, h)
-    return float(Omega[np.nanargmin(np.abs(level - F_0))])
-
-
-def _without_pair(roots: Floats, Omega: float, fewer: int) -> Floats:
-    """The `fewer` roots that are left when those nearest to Omega are taken away."""
-    if roots.size <= fewer:
-        return roots
-    order = np.argsort(np.abs(roots - Omega))
-    return np.sort(roots[order[roots.size - fewer :]])
-
-
-def _cut_at_folds(
-    model: Model,
-    arcs: list[tuple[int, int]],
-    counts: np.ndarray,
-    ends: dict[tuple[int, int, bool], tuple[float, float]],
-    edges: Floats,
-    folds: SaddleNodes,
-) -> dict[tuple[int, int], list[Segment]]:
-    """Each arc's segments by rising A."""
-    cuts: dict[tuple[int, int], list[tuple[float, float]]] = {arc: [] for arc in arcs}
-    roots, n = _roots(model, folds.A, folds.F_0)
-    for f in range(len(folds)):
-        if folds.corner[f]:
-            continue  # an arc ends at every breakpoint already
-        k = int(np.searchsorted(edges, folds.A[f])) - 1
-        k -= int(k > 0 and not counts[k])  # a fold at the tip of the curve may lie beyond it by rounding
-        at_fold = roots[f, : n[f]]
-        if not n[f]:  # what lies next to the tip tells
-            at_fold = _roots(model, np.array([0.5 * (edges[k] + edges[k + 1])]), folds.F_0)[0][0, : counts[k]]
-        nearest = int(np.argmin(np.abs(at_fold - folds.Omega[f])))
-        cuts[k, min(nearest, int(counts[k]) - 1)].append((float(folds.A[f]), float(folds.Omega[f])))
-    segments: dict[tuple[int, int], list[Segment]] = {}
-    for k, i in arcs:
-        corners = [ends[k, i, False], *sorted(cuts[k, i]), ends[k, i, True]]
-        A = np.array([0.5 * (low[0] + high[0]) for low, high in pairwise(corners)])
-        Omega, _ = _roots(model, A, folds.F_0)
-        stable = F_A(model, Omega[:, i], A) > 0
-        segments[k, i] = [
-            Segment(i, int(counts[k]), low, high, bool(sign))
-            for (low, high), sign in zip(pairwise(corners), stable, strict=True)
-        ]
-    return segments
-
-
-def _trace(
-    arcs: list[tuple[int, int]],
-    joins: dict[tuple[int, int, bool], tuple[int, int, bool]],
-    segments: dict[tuple[int, int], list[Segment]],
-) -> tuple[list[list[tuple[Segment, bool]]], list[bool]]:
-    """Curves from arcs: open ones from one loose end to the other, at the lower Omega first, then the closed ones."""
-    loose = [(k, i, end) for k, i in arcs for end in (False, True) if (k, i, end) not in joins]
-    # the main curve first: it is the one that reaches A = 0
-    loose.sort(key=lambda end: (end[0] != 0 or end[2], end))
-    visited: set[tuple[int, int]] = set()
-    curves: list[list[tuple[Segment, bool]]] = []
-    closed: list[bool] = []
-    for start in [*loose, *((k, i, False) for k, i in arcs)]:
-        if start[:2] in visited:
-            continue
+    roots, folds = Roots(model, F_0), saddle_nodes(model, F_0)
+    graph = Graph(roots, _events(model, F_0, A_max))
+    on_arc = _arcs_of_folds(roots, graph, folds)
+    curves = []
+    for tour in graph.tours:
         curve: list[tuple[Segment, bool]] = []
-        end: tuple[int, int, bool] | None = start
-        while end is not None and end[:2] not in visited:
-            k, i, at_high = end
-            visited.add((k, i))
-            upward = not at_high
-            curve += [(segment, upward) for segment in (segments[k, i] if upward else segments[k, i][::-1])]
-            end = joins.get((k, i, upward))
-        is_closed = start not in loose
-        first, final = _end(curve[0], first=True), _end(curve[-1], first=False)
-        if not is_closed and first[1] > final[1]:
-            curve = [(segment, not upward) for segment, upward in reversed(curve)]
+        for number, upward in tour.steps:
+            arc = graph.arcs[number]
+            corners = [(arc.A[0], arc.Omega[0]), *sorted(on_arc.get(number, [])), (arc.A[1], arc.Omega[1])]
+            parts = [Segment(arc.index, arc.count, low, high) for low, high in pairwise(corners)]
+            curve += [(part, upward) for part in (parts if upward else parts[::-1])]
         curves.append(curve)
-        closed.append(is_closed)
-    return curves, closed
+    return Skeleton(roots, _with_stability(roots, curves), [tour.closed for tour in graph.tours], remark)
+
+
+def _events(model: Model, F_0: float, A_max: float) -> list[Event]:
+    """Where the number of roots may change, by rising A: peaks, static states, breakpoints."""
+    pieces = pieces_up_to(model, A_max)
+    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces)
+    # where F is biquadratic in Omega with a minimum inside, it is a second root that comes from Omega = 0
+    with np.errstate(all="ignore"):
+        (w1, _), _ = (at_rest := Quartics(static.A, *model.averaged(static.A)[:2], model.m, model.zeta, F_0)).critical
+        second = at_rest.exist & (w1 == 0)
+    found = [Event(0.0, np.inf, Kind.CUT)]
+    for number, piece in enumerate(pieces):
+        inside = []
+        for i in np.flatnonzero(peaks.piece == number):
+            up, low = (1 if peaks.rising[i] else -1), peaks.channel[i] == 0
+            kind, gain = (Kind.PAIR_LOW, 2 * up) if low else (Kind.PAIR_HIGH, -2 * up)
+            inside.append(Event(float(peaks.A[i]), float(peaks.Omega[i]), kind, gain))
+        for i in np.flatnonzero(static.piece == number):
+            # h^2 rises with h - c, and falls as h + c rises
+            up = 1 if static.rising[i] else -1
+            gain = up if bool(second[i]) == (static.channel[i] == 0) else -up
+            inside.append(Event(float(static.A[i]), 0.0, Kind.TO_ZERO, gain))
+        found += sorted(inside, key=lambda event: event.A)
+        if number + 1 < len(pieces):
+            found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
+    return merged([*found, Event(A_max, 0.0, Kind.CUT)])
+
+
+def _arcs_of_folds(roots: Roots, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
+    """The folds (A, Omega) on each arc: of those that reach a fold's amplitude the one that is nearest."""
+    pairs = [
+        (f, number)
+        for f in np.flatnonzero(~folds.corner)  # an arc ends at every breakpoint already
+        for number, arc in enumerate(graph.arcs)
+        if arc.A[0] <= folds.A[f] <= arc.A[1]
+    ]
+    if not pairs:
+        return {}
+    of, numbers = (np.array(column, dtype=np.intp) for column in zip(*pairs, strict=True))
+    count, index = (np.array([getattr(graph.arcs[n], name) for n in numbers]) for name in ("count", "index"))
+    with np.errstate(all="ignore"):
+        off = np.abs(roots.at(folds.A[of], count, index) - folds.Omega[of])
+    found: dict[int, list[tuple[float, float]]] = {}
+    for f in np.unique(of):
+        own = np.flatnonzero(of == f)
+        found.setdefault(int(numbers[own[np.argmin(off[own])]]), []).append((float(folds.A[f]), float(folds.Omega[f])))
+    return found
+
+
+def _with_stability(roots: Roots, curves: list[list[tuple[Segment, bool]]]) -> list[list[tuple[Segment, bool]]]:
+    """The same with each segment's stability: a state is stable where F_A is positive (30)."""
+    segments = [segment for curve in curves for segment, _ in curve]
+    if not segments:
+        return curves
+    model = roots.model
+    A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
+    with np.errstate(all="ignore"):
+        Omega = roots.at(A, *_numbers(segments))
+        h, h_A = model.averaged(A)[:2]
+        stable = iter(np.asarray(model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A) > 0).tolist())
+    return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
+
+
+def _numbers(segments: list[Segment]) -> tuple[Any, Any]:
+    """Of how many roots each segment has which."""
+    return np.array([segment.count for segment in segments]), np.array([segment.index for segment in segments])
 
 
 def _end(step: tuple[Segment, bool], first: bool) -> tuple[float, float]:
@@ -228,7 +160,7 @@ def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarra
         low, high = segment.range
         hits += [(int(q), segment) for q in np.flatnonzero((low <= Omega) & (Omega <= high))]
     which = np.array([q for q, _ in hits], dtype=np.intp)
-    A = solve_segments(found.model, found.F_0, [segment for _, segment in hits], Omega[which])
+    A = solve_segments(found.roots, [segment for _, segment in hits], Omega[which])
     stable = np.array([segment.stable for _, segment in hits], dtype=bool)
     order = np.lexsort((A, which))
     which, A, stable = which[order], A[order], stable[order]
@@ -240,59 +172,62 @@ def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarra
     return Omega[which][keep], A[keep], stable[keep]
 
 
-def solve_segments(model: Model, F_0: float, segments: list[Segment], Omega: Floats) -> Floats:
-    """The amplitude at which each segment has the given Omega, which must lie in its range."""
+@np.errstate(all="ignore")
+def solve_segments(roots: Roots, segments: list[Segment], Omega: Floats) -> Floats:
+    """The amplitude at which each segment has the given Omega, which must lie in its range: Newton, bracketed."""
     if not segments:
         return np.empty(0)
-    from scipy.optimize import elementwise
-
-    index = np.array([segment.index for segment in segments])
-    low = np.array([segment.low[0] for segment in segments])
-    high = np.array([segment.high[0] for segment in segments])
-    # At A = 0 Omega is infinite: the least amplitude that balances F_0 there is below F_0/(Omega^2 + ...).
-    low = np.where(low == 0, np.minimum(0.5 * high, _tail_amplitude(model, F_0, Omega)), low)
-
-    def off(A: Floats, which: np.ndarray, target: Floats) -> Floats:
-        roots, count = _roots(model, A, F_0)
-        i = index[which.astype(np.intp)]
-        picked = np.take_along_axis(roots, np.minimum(i, 2)[:, np.newaxis], axis=-1)[:, 0]
-        return np.where(i < count, picked - target, np.nan)
-
-    # inside an event the roots that meet there are lost to rounding: the ends' values are known, not computed
-    step = SAME * high
-    places = np.arange(index.size)
-    result = elementwise.find_root(off, (low + step, high - step), args=(places, Omega))
-    at_low, at_high = (_segment_end(segments, side) for side in ("low", "high"))
-    near_low = np.abs(at_low - Omega) <= np.abs(at_high - Omega)
-    A = np.where(result.success, result.x, np.where(near_low, low, high))
-    A = _newton_in_A(model, F_0, Omega, A)
-    # an end is known better than it can be solved for: A is a square root of Omega there
-    return np.asarray(np.where(at_low == Omega, low, np.where(at_high == Omega, high, A)))
-
-
-def _segment_end(segments: list[Segment], side: str) -> Floats:
-    return np.array([getattr(segment, side)[1] for segment in segments])
-
-
-def _tail_amplitude(model: Model, F_0: float, Omega: Floats) -> Floats:
-    """An amplitude below the state of the branch that comes from A = 0, Omega = inf."""
-    A = np.asarray(slow_flow.tail(Omega, F_0, model.m))
+    model = roots.model
+    count, index = _numbers(segments)
+    (low, at_low), (high, at_high) = (
+        np.array([getattr(segment, side) for segment in segments]).T for side in ("low", "high")
+    )
+    falls, tail = at_low > at_high, low == 0
+    lo, hi = low.copy(), high.copy()
+    lo[tail] = _tail_amplitudes(roots, high[tail], count[tail], index[tail], Omega[tail])
+    A = np.where(tail, lo, lo + (hi - lo) * ((Omega - at_low) / (at_high - at_low)))
+    last, x = hi - lo, A.copy()
+    active = np.flatnonzero((Omega != at_low) & (Omega != at_high))
     for _ in range(200):
-        roots, count = _roots(model, A, F_0)
-        top = np.take_along_axis(roots, np.maximum(count - 1, 0)[:, np.newaxis], axis=-1)[:, 0]
-        if np.all(top > Omega):
+        below, above, at = lo[active], hi[active], A[active]
+        at = np.where((at > below) & (at < above), at, amid(np.zeros(1), below, above))
+        w = roots.at(at, count[active], index[active])
+        h, h_A = model.averaged(at)[:2]
+        left = (w > Omega[active]) == falls[active]
+        below, above = np.where(left, at, below), np.where(left, above, at)
+        following = at - (w - Omega[active]) / slow_flow.Omega_A(w, at, model.m, model.zeta, h, h_A)
+        moved = np.abs(following - at)
+        x[active], lo[active], hi[active] = at, below, above
+        done = (moved <= 2.0**-50 * at) | ~(below < above)
+        outside = ~((following > below) & (following < above)) | (moved > 0.6 * last[active])
+        following = np.where(outside, amid(np.zeros(1), below, above), following)
+        done |= ~((following > below) & (following < above))
+        last[active], A[active] = np.abs(following - at), following
+        active = active[~done]
+        if not active.size:
             break
-        A = np.where(top > Omega, A, 0.25 * A)
+    x = np.clip(_polished(roots, Omega, x), low, high)
+    # an end is known better than it can be solved for: A is a square root of Omega there
+    return np.where(at_low == Omega, low, np.where(at_high == Omega, high, x))
+
+
+def _tail_amplitudes(roots: Roots, high: Floats, count: Any, index: Any, Omega: Floats) -> Floats:
+    """An amplitude below the state of the branch that comes from A = 0, Omega = inf."""
+    A = np.minimum(slow_flow.tail(Omega, roots.F_0, roots.model.m), 0.5 * high)
+    for _ in range(500 if A.size else 0):
+        beyond = roots.at(A, count, index) > Omega
+        if beyond.all():
+            break
+        A = np.where(beyond, A, 0.25 * A)
     return np.asarray(A)
 
 
-def _newton_in_A(model: Model, F_0: float, Omega: Floats, A: Floats) -> Floats:
-    """A last Newton step on F at fixed Omega, where F_A leaves one."""
-    h, h_A, _, _ = model.averaged(A)
-    F = model.flow.F(Omega, A, F_0, model.m, model.zeta, h)
-    slope = model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        step = F / slope
+def _polished(roots: Roots, Omega: Floats, A: Floats) -> Floats:
+    """A last Newton step on F at fixed Omega, where F_A leaves one; the residual is in double-double."""
+    model = roots.model
+    h, h_A = model.averaged(A)[:2]
+    residual, _ = frequencies.response_fine(Omega, A, roots.F_0, model.m, model.zeta, h)[:2]
+    step = residual / slow_flow.F_A(Omega, A, model.m, model.zeta, h, h_A)
     return np.asarray(np.where(np.abs(step) < 1e-8 * A, A - step, A))
 
 
@@ -309,7 +244,7 @@ def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tu
     A_cut = dict(
         zip(
             ((id(segment), edge) for segment, edge in zip(cut, edges, strict=True)),
-            solve_segments(found.model, found.F_0, cut, np.array(edges)).tolist(),
+            solve_segments(found.roots, cut, np.array(edges)).tolist(),
             strict=True,
         )
     )
@@ -321,7 +256,7 @@ def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tu
         for A, Omega in (segment.low, segment.high):
             edge = min(max(Omega, low), high)
             ends.append((A, Omega) if edge == Omega else (A_cut[id(segment), edge], edge))
-        return Segment(segment.index, segment.count, ends[0], ends[1], segment.stable)
+        return replace(segment, low=ends[0], high=ends[1])
 
     out: list[tuple[list[tuple[Segment, bool]], bool]] = []
     for curve, closed in zip(found.curves, found.closed, strict=True):
@@ -349,15 +284,15 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     weights = _weights([segment for _, segment, _ in steps])
     inner = np.ceil(samples * weights / weights.sum()).astype(int) if steps else np.empty(0, dtype=int)
 
-    grids, indices = [], []
-    for (_, segment, upward), n in zip(steps, inner, strict=True):
-        grid = _inside(segment, int(n))
+    grids, count, index = [], [], []
+    for (_, segment, upward), n in zip(steps, inner.tolist(), strict=True):
+        grid = _inside(segment, n)
         grids.append(grid if upward else grid[::-1])
-        indices.append(np.full(grid.size, segment.index))
+        count.append(np.full(grid.size, segment.count))
+        index.append(np.full(grid.size, segment.index))
     A_inner = np.concatenate(grids) if grids else np.empty(0)
-    roots, _ = _roots(model, A_inner, F_0)
-    index = np.concatenate(indices) if indices else np.empty(0, dtype=int)
-    Omega_inner = np.take_along_axis(roots, index[:, np.newaxis], axis=-1)[:, 0] if index.size else np.empty(0)
+    with np.errstate(all="ignore"):
+        Omega_inner = found.roots.at(A_inner, np.concatenate(count), np.concatenate(index)) if grids else np.empty(0)
 
     Omega: list[Any] = []
     A: list[Any] = []
@@ -368,11 +303,10 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         first, final = _end((segment, upward), True), _end((segment, upward), False)
         inside = slice(at, at + max(n - 1, 0))
         at = inside.stop
-        resolved = ~np.isnan(Omega_inner[inside])
         starts = k == 0 or steps[k - 1][0] != number
-        Omega += [[first[1]] if starts else [], Omega_inner[inside][resolved], [final[1]]]
-        A += [[first[0]] if starts else [], A_inner[inside][resolved], [final[0]]]
-        points = int(starts) + int(resolved.sum()) + 1
+        Omega += [[first[1]] if starts else [], Omega_inner[inside], [final[1]]]
+        A += [[first[0]] if starts else [], A_inner[inside], [final[0]]]
+        points = int(starts) + (inside.stop - inside.start) + 1
         stable.append(np.full(points, segment.stable))
         branch.append(np.full(points, number))
     if not steps:

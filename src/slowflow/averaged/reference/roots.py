@@ -299,66 +299,98 @@ def _refine(s: _Quartic, w: Floats, lo: Floats, hi: Floats, rising: Floats) -> F
     return w
 
 
+@dataclass(frozen=True)
+class _Isolated:
+    """Quartics with what tells where their roots lie: the values f0 at 0, f1 at the maximum w1, f2 at the minimum w2.
+
+    Without critical points their values are NaN; where the quartic is biquadratic w1 is 0.
+    """
+
+    s: _Quartic
+    exist: Bools
+    w1: Floats
+    w2: Floats
+    f0: Floats
+    f1: Floats
+    f2: Floats
+
+    @classmethod
+    def of(cls, s: _Quartic) -> Self:
+        f0 = s.value_at_0()
+        exist, w1, w2 = _critical_points(s)
+        f1, f2 = np.full(s.A.size, np.nan), np.full(s.A.size, np.nan)
+        f2[exist] = _critical_values(s.take(exist), w2[exist])
+        inside = exist & (w1 > 0)
+        f1[inside] = _critical_values(s.take(inside), w1[inside])
+        f1 = np.where(exist & (w1 == 0), f0, f1)
+        return cls(s, exist, w1, w2, f0, f1, f2)
+
+    def places(self) -> tuple[NDArray[np.intp], Counts]:
+        """The places of the roots that the signs show, by rising w, `NO_PLACE` behind the last; and their number.
+
+        A pair that touches is not counted.
+        """
+        shown = (
+            self.exist & (self.f0 < 0) & (self.f1 > 0),
+            self.exist & (self.f1 > 0) & (self.f2 < 0),
+            self.exist & (self.f2 < 0),
+            ~self.exist & (self.f0 < 0),
+        )
+        place = np.sort([np.where(there, code, NO_PLACE) for code, there in enumerate(shown)], axis=0)
+        return place, np.sum(shown, axis=0, dtype=np.int32)
+
+    def roots(self, which: NDArray[np.intp], place: NDArray[np.intp]) -> Floats:
+        """The roots of the given elements at the given places: each by a first guess, refined between its bounds."""
+        if not which.size:
+            return np.empty(0)
+        s = self.s.take(which)
+        w1, w2, f0, f1, f2 = (part[which] for part in (self.w1, self.w2, self.f0, self.f1, self.f2))
+        A, k, p, q = s.A, s.k, s.p, s.q
+        # between 0 and the maximum the quartic is concave: the tangent at 0 and the parabola at w1 end below the root
+        drop = np.sqrt(2 * np.maximum(f1, 0.0) / (-k * s.cubic_slope(w1)))
+        # with v^2 = slope'(w2)/(2A), d (v ± d/2) = ±S is exact for q = 0, and a close first guess otherwise
+        vv = 0.5 * np.maximum(3 * w2 * w2 + p / A, 0.0)
+        twice_S = 2 * np.sqrt(np.maximum(-f2, 0.0) / (k * A))
+        down = w2 - twice_S / (np.sqrt(vv) + np.sqrt(np.maximum(vv - twice_S, 0.0)))
+        above = w2 + twice_S / (np.sqrt(vv) + np.sqrt(vv + twice_S))
+        # rising everywhere: one root, below the biquadratic's and, for p >= 0, below the line's
+        E = -f0 / k
+        root = np.sqrt(p * p + 4 * A * E)
+        high = np.sqrt(np.where(p > 0, 4 * E / (p + root), (root - p) / A))
+        rising = np.where(p >= 0, np.minimum(high, E / q), high)
+        # biquadratic: closed form, the guess is the root but for rounding
+        xx = w2 * w2 + twice_S
+        zero, two = np.zeros_like(A), w1 == 0
+        cases = (
+            (place == BELOW, np.maximum(-f0 / (k * q), w1 - drop), zero, w1),
+            (two & (place == BETWEEN), np.sqrt(4 * f0 / (k * A * xx)), zero, w2),
+            (two & (place == ABOVE), np.sqrt(xx), w2, 2 * np.sqrt(xx)),
+            (place == BETWEEN, np.where(f1 < -f2, w1 + drop, down), w1, w2),
+            (place == ABOVE, above, w2, 2 * above),
+            (place == RISING, rising, zero, 2 * high),
+        )
+        start, lo, hi = (np.select([case[0] for case in cases], [case[j] for case in cases]) for j in (1, 2, 3))
+        return _refine(s, start, lo, hi, np.where(place == BETWEEN, -1.0, 1.0))
+
+
+#: where a root lies: below the maximum, between it and the minimum, above that, or where there are none; and, of a
+#: curve's root that the signs don't show, the point that stands for it
+BELOW, BETWEEN, ABOVE, RISING, AT_W1, AT_W2, AT_0, NO_PLACE = range(8)
+
+
 def _quartic_roots(s: _Quartic) -> tuple[Floats, Counts]:
     """All positive roots of each quartic, shape (n, 3), and their number."""
-    n = s.A.size
-    found = np.full((n, 3), np.nan)
-    f0 = s.value_at_0()
-    exist, w1, w2 = _critical_points(s)
-    f1, f2 = np.full(n, np.nan), np.full(n, np.nan)
-    f2[exist] = _critical_values(s.take(exist), w2[exist])
-    biquadratic = exist & (w1 == 0)
-    has_maximum = exist & (w1 > 0)
-    f1[has_maximum] = _critical_values(s.take(has_maximum), w1[has_maximum])
-
+    found = np.full((s.A.size, 3), np.nan)
+    q = _Isolated.of(s)
     # where the quartic touches zero; NaN compares false
-    found[f1 == 0, :2] = w1[f1 == 0, None]
-    found[f2 == 0, 1:] = w2[f2 == 0, None]
-
-    # simple roots: (place, which, first guess, lo, hi, rising)
-    todo: list[tuple[int, NDArray[np.intp], Floats, Floats, Floats, float]] = []
-    A, k, p, q = s.A, s.k, s.p, s.q
-
-    # the quartic rises everywhere: one root, below the biquadratic's and, for p >= 0, below the line's
-    i = np.flatnonzero(~exist & (f0 < 0))
-    E = -f0[i] / k[i]
-    root = np.sqrt(p[i] * p[i] + 4 * A[i] * E)
-    high = np.sqrt(np.where(p[i] > 0, 4 * E / (p[i] + root), (root - p[i]) / A[i]))
-    start = np.where(p[i] >= 0, np.minimum(high, E / q[i]), high)
-    todo.append((0, i, start, np.zeros_like(high), 2 * high, 1.0))
-
-    # between 0 and the maximum the quartic is concave: the tangent at 0 and the parabola at w1 end below the root
-    drop = np.sqrt(2 * np.maximum(f1, 0.0) / (-k * s.cubic_slope(w1)))
-    i = np.flatnonzero((f0 < 0) & (f1 > 0))
-    start = np.maximum(-f0[i] / (k[i] * q[i]), w1[i] - drop[i])
-    todo.append((0, i, start, np.zeros_like(start), w1[i], 1.0))
-
-    # with v^2 = slope'(w2)/(2A), d (v ± d/2) = ±S is exact for q = 0, and a close first guess otherwise
-    vv = 0.5 * np.maximum(3 * w2 * w2 + p / A, 0.0)
-    twice_S = 2 * np.sqrt(np.maximum(-f2, 0.0) / (k * A))
-    i = np.flatnonzero((f1 > 0) & (f2 < 0))
-    down = w2[i] - twice_S[i] / (np.sqrt(vv[i]) + np.sqrt(np.maximum(vv[i] - twice_S[i], 0.0)))
-    start = np.where(f1[i] < -f2[i], w1[i] + drop[i], down)
-    todo.append((1, i, start, w1[i], w2[i], -1.0))
-
-    i = np.flatnonzero(has_maximum & (f2 < 0))
-    start = w2[i] + twice_S[i] / (np.sqrt(vv[i]) + np.sqrt(vv[i] + twice_S[i]))
-    todo.append((2, i, start, w2[i], 2 * start, 1.0))
-
-    # biquadratic: closed form, the guess is the root but for rounding
-    i = np.flatnonzero(biquadratic & (f2 < 0))
-    xx = w2[i] * w2[i] + twice_S[i]
-    todo.append((2, i, np.sqrt(xx), w2[i], 2 * np.sqrt(xx), 1.0))
-    two = f0[i] > 0
-    i, xx = i[two], xx[two]
-    todo.append((1, i, np.sqrt(4 * f0[i] / (k[i] * A[i] * xx)), np.zeros_like(xx), w2[i], -1.0))
-
-    which = np.concatenate([item[1] for item in todo])
-    if which.size:
-        place = np.repeat([item[0] for item in todo], [item[1].size for item in todo])
-        rising = np.repeat([item[5] for item in todo], [item[1].size for item in todo])
-        start, lo, hi = (np.concatenate([item[j] for item in todo]) for j in (2, 3, 4))
-        found[which, place] = _refine(s.take(which), start, lo, hi, rising)
+    at_maximum, at_minimum = (q.f1 == 0) & (q.w1 > 0), q.f2 == 0
+    found[at_maximum, :2] = q.w1[at_maximum, None]
+    found[at_minimum, 1:] = q.w2[at_minimum, None]
+    place, _ = q.places()
+    number, which = np.nonzero(place < NO_PLACE)
+    place = place[number, which]
+    column = np.array([0, 1, 2, 0])[place]
+    found[which, column] = q.roots(which, place)
     found.sort(axis=-1)
     return found, np.sum(found > 0, axis=-1, dtype=np.int32)
 
@@ -396,6 +428,79 @@ def _peak(A: Floats, h: Floats, m: Floats, zeta: Floats) -> tuple[Floats, Counts
         found[which, place] = _polish_cubic(s.take(which), w[which])
     found.sort(axis=-1)
     return found, np.sum(found > 0, axis=-1, dtype=np.int32)
+
+
+def _quartic_of(fold: bool, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: float) -> _Quartic:
+    numbers = (np.full_like(A, m), np.full_like(A, zeta))
+    return _Fold.of(A, h, h_A, *numbers) if fold else _Response.of(A, h, *numbers, np.full_like(A, F_0))
+
+
+class Quartics:
+    """The response quartics at F_0, or for F_0 < 0 the fold quartics, at amplitudes: arrays A, h, h_A of one length.
+
+    Along a curve the number of roots is known from both sides. Where rounding hides a pair that is about to meet, or
+    shows one that has met already, the known number decides, and the place where the pair meets stands for the root.
+    """
+
+    def __init__(self, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: float) -> None:
+        self._isolated = _Isolated.of(_quartic_of(F_0 < 0, A, h, h_A, m, zeta, F_0))
+
+    @property
+    def exist(self) -> Bools:
+        """Whether there are critical points."""
+        return self._isolated.exist
+
+    @property
+    def critical(self) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
+        """Where the maximum and the minimum over Omega lie, and the values there, with a certain sign."""
+        q = self._isolated
+        return (q.w1, q.f1), (q.w2, q.f2)
+
+    def count(self) -> Counts:
+        """How many roots the signs show; a pair that touches is not counted."""
+        return self._isolated.places()[1]
+
+    def roots(self, count: NDArray[np.intp], index: NDArray[np.intp]) -> Floats:
+        """Root number `index` of `count`, also where the signs count otherwise."""
+        q = self._isolated
+        place = self._place(count, index)
+        Omega = np.where(place == AT_W1, q.w1, np.where((place == AT_W2) & q.exist, q.w2, 0.0))
+        proper = np.flatnonzero(place <= RISING)
+        Omega[proper] = q.roots(proper, place[proper])
+        return Omega
+
+    def _place(self, count: NDArray[np.intp], index: NDArray[np.intp]) -> NDArray[np.intp]:
+        q = self._isolated
+        places, shown = q.places()
+
+        def at(number: NDArray[np.intp]) -> NDArray[np.intp]:
+            picked: NDArray[np.intp] = np.take_along_axis(places, np.clip(number, 0, 3)[np.newaxis], axis=0)[0]
+            return picked
+
+        # a pair that is about to meet: where maximum and minimum are about to as well, all three roots are
+        lower = np.where(index < 2, AT_W1, at(index - 2))
+        upper = np.where(index < count - 2, at(index), AT_W2)
+        hidden = np.where(q.exist, np.where(q.f1 > 0, upper, lower), np.where(q.f0 < 0, RISING, AT_0))
+        # of two too many the pair that is nearest to nothing does not count
+        surplus = at(np.where(np.abs(q.f1) < np.abs(q.f2), index + 2, index))
+        chosen: NDArray[np.intp] = np.select(
+            [shown == count, shown == count - 1, shown == count + 1, shown == count - 2, shown == count + 2],
+            [
+                np.where(index < count, at(index), AT_W2),
+                np.where(index == 0, AT_0, at(index - 1)),  # the lowest has gone to 0
+                at(index + 1),  # one has come from 0
+                hidden,
+                surplus,
+            ],
+            np.where(shown > 0, at(shown.astype(np.intp) - 1), AT_0),
+        )
+        return chosen
+
+
+def critical_points(A: Floats, p: Floats, q: float) -> tuple[Bools, Floats, Floats]:
+    """Where A w^3 + p w + q, q >= 0, vanishes on w >= 0, and the two points; A and p of one length."""
+    none = np.zeros_like(A)
+    return _critical_points(_Quartic(A, none, none, none, none, none, p, none, np.full_like(A, q), none))
 
 
 def _broadcast(

@@ -1,0 +1,30 @@
+"""Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0: on whole intervals.
+
+Written by `make derive`; never edit.
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/along.py, derivations/slopes.py, derivations/bounds.py, derivations/resultants.py
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Each output holds every value that the function of the same name takes on the arguments: objects with operators and
+the methods `square` and `sqrt`.
+"""
+
+# a formatter would spread each polynomial over a page
+# fmt: off
+
+__all__ = [
+    "isola",
+]
+
+
+def isola(A, m, zeta, h, h_A, h_AA):
+    """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
+
+    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
+    """
+    t0 = 2.0 * zeta.square()
+    bracket = A * (h_A + t0) + h
+    bracket_A = A * h_AA + 2.0 * h_A + t0
+    return (
+        bracket,
+        bracket_A,
+    )

@@ -1,0 +1,29 @@
+"""Slow flow of any mechanism, in h = H - A and its derivatives, in the scene zeta = 0: on whole intervals.
+
+Written by `make derive`; never edit.
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/along.py, derivations/slopes.py, derivations/bounds.py, derivations/resultants.py
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Each output holds every value that the function of the same name takes on the arguments: objects with operators and
+the methods `square` and `sqrt`.
+"""
+
+# a formatter would spread each polynomial over a page
+# fmt: off
+
+__all__ = [
+    "fold",
+]
+
+
+def fold(F_0, m, k, k_A):
+    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
+
+    Equation from (24), (30). Domain: F_0 > m.
+    """
+    excess = (F_0 - m) * (F_0 + m)
+    least = excess.sqrt()
+    return (
+        (k - least) * (k + least),
+        2.0 * k * k_A,
+    )

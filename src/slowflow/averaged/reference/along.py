@@ -1,0 +1,381 @@
+"""What is asked along the amplitude: samples of the averaged force in, functions of A whose zeros count out.
+
+Or cells of amplitudes in, and out what these functions and their slopes are on all of each cell.
+
+=========  ==================  ======================================================================================
+Stiffness                      h and h_A: the static state and its fold at Omega = 0
+Fold       F = F_A = 0         R, I and so Omega from both, put into R = A Omega^2 + h
+Isola      F_A = F_Omega = 0   Omega from both, put into F_Omega
+Cusp       F_A = F_AA = 0      F_AA is biquadratic in Omega: both roots in closed form, put into F_A
+Turn       F_A = F_AOmega = 0  F_A at its two critical points in Omega
+Undamped   cusps for zeta = 0  h_AA = 0, or the locus touches the backbone R = 0
+Peak       F = F_Omega = 0     F at its two critical points in Omega
+Rest       F = Omega = 0       h^2 + m^2 = F_0^2
+=========  ==================  ======================================================================================
+
+As in native/along.h. The functions are generated, for numbers and for intervals (derivations/along.py).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from slowflow.averaged.reference.cells import Cells, Samples
+from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.averaged.reference.roots import Quartics, critical_points, peak_roots
+from slowflow.model import Floats, Model
+from slowflow_kernels import slow_flow, slow_flow_intervals, slow_flow_mu0_intervals, slow_flow_zeta0_intervals
+from slowflow_kernels.conventions import DOUBT
+
+#: where a channel is defined on a cell
+NOWHERE, PARTLY, THROUGHOUT = 0, 1, 2
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """One channel at samples.
+
+    exists, y, dy  -- whether it is defined, its value and slope
+    Omega, Omega_A -- of its zero, and dOmega/dA where that is known, else 0
+    level          -- a cusp's forcing
+    edge           -- its sign where it ends, if it ends next to the sample; 0 where that is not known
+    """
+
+    exists: Bools
+    y: Floats
+    dy: Floats
+    Omega: Floats
+    Omega_A: Floats
+    level: Floats
+    edge: Floats
+
+    def take(self, which: Any) -> Answer:
+        """At some of them."""
+        return Answer(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
+
+
+@dataclass(frozen=True, eq=False)
+class Range:
+    """One channel on cells: where it is defined, what holds it and its slope there.
+
+    edge -- its sign at the end of where it is defined, if there is one such end in the cell and the sign is known; or 0
+    """
+
+    where: np.ndarray[Any, np.dtype[np.int_]]
+    y: Interval
+    dy: Interval
+    edge: np.ndarray[Any, np.dtype[np.int_]]
+
+
+def _answer(like: Samples, exists: Any, y: Any, dy: Any, Omega: Any = 0.0, *beside: Any) -> Answer:
+    values = (exists, y, dy, Omega, *beside, *(0.0,) * (3 - len(beside)))
+    return Answer(*(np.broadcast_to(np.asarray(value), like.A.shape) for value in values))
+
+
+def _range(like: Cells, where: Any, y: Interval, dy: Interval, edge: Any = 0) -> Range:
+    shape = like.A.lo.shape
+    return Range(np.broadcast_to(where, shape), y, dy, np.broadcast_to(edge, shape))
+
+
+def _unknown(like: Cells) -> Interval:
+    shape = like.A.lo.shape
+    return Interval.of(np.full(shape, -np.inf), np.full(shape, np.inf))
+
+
+def _where_positive(x: Interval) -> np.ndarray[Any, np.dtype[np.int_]]:
+    return np.where(x.lo > 0, THROUGHOUT, np.where(x.hi <= 0, NOWHERE, PARTLY))
+
+
+class Question:
+    """One of those above, about a model. `ask` and `range` give one entry for each of its `channels`."""
+
+    channels: ClassVar[int] = 2
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.m, self.zeta = Interval.point(model.m), Interval.point(model.zeta)
+
+    def ask(self, at: Samples) -> list[Answer]:
+        """At samples."""
+        raise NotImplementedError
+
+    def range(self, cells: Cells) -> list[Range]:
+        """On cells."""
+        raise NotImplementedError
+
+
+class Stiffness(Question):
+    """h, next to A = 0 over A, and h_A."""
+
+    def ask(self, at: Samples) -> list[Answer]:
+        return [_answer(at, True, np.where(at.A > 0, at.h, at.h_A), at.h_A), _answer(at, True, at.h_A, at.h_AA)]
+
+    def range(self, cells: Cells) -> list[Range]:
+        inside = cells.A.lo > 0
+        first = cells.h.where(inside, cells.h_A), cells.h_A.where(inside, cells.h_AA)
+        return [_range(cells, THROUGHOUT, *first), _range(cells, THROUGHOUT, cells.h_A, cells.h_AA)]
+
+
+class Fold(Question):
+    """At a forcing. With viscous damping the channel ends at Omega = 0, where |k| is the least."""
+
+    channels = 1
+
+    def __init__(self, model: Model, F_0: float) -> None:
+        super().__init__(model)
+        self.F_0 = F_0
+        self.least = float(np.sqrt(F_0 - model.m) * np.sqrt(F_0 + model.m))
+
+    def ask(self, at: Samples) -> list[Answer]:
+        model, flow, F_0 = self.model, self.model.flow, self.F_0
+        _, k_A = slow_flow.intercept(at.A, at.h, at.h_A, at.h_AA)
+        if model.zeta == 0:
+            y, dy = flow.fold(F_0, model.m, at.k, k_A)
+            return [_answer(at, at.h_A < 0, y, dy, flow.undamped_Omega(np.minimum(at.h_A, 0.0)))]
+        y, dy, Omega = flow.fold(at.A, F_0, model.m, model.zeta, at.h, at.h_A, at.k, k_A)
+        # |k| may be the least but for the rounding of that: then y is NaN
+        exists = (np.abs(at.k) >= self.least) & ~np.isnan(y)
+        # F_A has the sign of h_A where the channel ends
+        return [_answer(at, exists, y, dy, self._Omega(at, Omega, y), 0.0, 0.0, np.sign(at.h_A))]
+
+    def _Omega(self, at: Samples, Omega: Floats, y: Floats) -> Floats:
+        """Where a fold may be, from I or from R, y being what the two lack of agreeing: what rounding moves less.
+
+        I exceeds m by little if damping is weak, and |k| the least if Omega is low.
+        """
+        lag, square = 2 * self.model.zeta * at.A * Omega, Omega * Omega - y / at.A
+        least = self.least / at.k
+        of_I = (lag + self.model.m) / (lag * (1 - least) * (1 + least))
+        of_R = (2 * np.abs(at.h) + at.A * square) / (at.A * square)
+        return np.where((square > 0) & ~(of_R >= of_I), np.sqrt(np.maximum(square, 0.0)), Omega)
+
+    def range(self, cells: Cells) -> list[Range]:
+        model, least, k, F_0 = self.model, self.least, cells.k, Interval.point(self.F_0)
+        if model.zeta == 0:
+            y, dy = slow_flow_zeta0_intervals.fold(F_0, self.m, k, cells.k_A)
+            return [_range(cells, _where_positive(-cells.h_A), y, dy)]
+        nowhere = (k.hi < least) & (k.lo > -least)
+        both_sides = ~((k.hi < least) | (k.lo > -least))
+        whole = (k.lo >= least) | (k.hi <= -least)
+        above = k.hi >= least
+        part = Interval.of(np.where(above, np.maximum(k.lo, least), k.lo), np.where(above, k.hi, -least))
+        k = k.where(whole, part)
+        where = np.where(nowhere, NOWHERE, np.where(whole, THROUGHOUT, PARTLY))
+        # F_A has the sign of h_A where the channel ends
+        known = ~whole & ~both_sides & cells.k_A.has_sign & cells.h_A.has_sign
+        edge = np.where(known, np.where(cells.h_A.lo > 0, 1, -1), 0)
+        y, dy, _ = slow_flow_intervals.fold(cells.A, F_0, self.m, self.zeta, cells.h, cells.h_A, k, cells.k_A)
+        unknown = _unknown(cells)
+        return [_range(cells, where, unknown.where(both_sides, y), unknown.where(both_sides, dy), edge)]
+
+
+class Isola(Question):
+    """For zeta > 0; for m = 0 without the factor Omega."""
+
+    channels = 1
+
+    def ask(self, at: Samples) -> list[Answer]:
+        model = self.model
+        rises = np.maximum(at.h_A, 0.0)
+        y, dy = model.flow.isola(at.A, model.m, model.zeta, at.h, rises, at.h_AA)
+        return [_answer(at, at.h_A > 0, y, dy, self._Omega(at, rises))]
+
+    def _Omega(self, at: Samples, rises: Floats) -> Floats:
+        """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that."""
+        Omega = slow_flow.isola_Omega(rises)
+        roots, count = peak_roots(np.where(at.A > 0, at.A, 1.0), at.h, self.model.m, self.model.zeta)
+        lost = (rises * at.A < 0.01 * np.abs(at.h)) & (count == 2) & (np.abs(roots[:, 0] - Omega) < 1e-3 * Omega)
+        return np.where(lost, roots[:, 0], Omega)
+
+    def range(self, cells: Cells) -> list[Range]:
+        intervals = slow_flow_mu0_intervals if self.model.m == 0 else slow_flow_intervals
+        y, dy = intervals.isola(cells.A, self.m, self.zeta, cells.h, cells.h_A, cells.h_AA)
+        return [_range(cells, _where_positive(cells.h_A), y, dy)]
+
+
+def _quadratic_root(a: Floats, b: Floats, root: Floats, larger: bool) -> Floats:
+    """A root of x^2 + 2 a x + b: the larger or the smaller one, root^2 = a^2 - b."""
+    if larger:
+        return np.where(a > 0, -b / (a + root), root - a)
+    return np.where(a < 0, b / (root - a), -a - root)
+
+
+def _quadratic_root_range(a: Interval, b: Interval, root: Interval, larger: bool) -> Interval:
+    """The same as of numbers; both forms hold the root."""
+    if larger:
+        direct, quotient, apart = root - a, -(b / (a + root)), a.lo >= 0
+    else:
+        direct, quotient, apart = -a - root, b / (root - a), a.hi <= 0
+    return direct.both(quotient).where(apart, direct)
+
+
+class Cusp(Question):
+    """For zeta > 0; those at a forcing above F_0 may be left out. The first channel is the larger root Omega^2."""
+
+    def __init__(self, model: Model, F_0: float = np.inf) -> None:
+        super().__init__(model)
+        self.F_0 = F_0
+
+    def ask(self, at: Samples) -> list[Answer]:
+        model = self.model
+        a, b, c, d, square = slow_flow.cusps(at.A, model.zeta, at.h, at.h_A, at.h_AA, at.k)
+        root, answers = np.sqrt(np.maximum(square, 0.0)), []
+        for larger in (True, False):
+            X, T = _quadratic_root(c, d, root, larger), _quadratic_root(a, b, root, larger)
+            exists = (square >= 0) & (X > 0)
+            X, signed = np.where(exists, X, np.nan), root if larger else -root
+            R, _ = slow_flow.cusp_R(at.A, model.zeta, at.h_AA, at.k, X, T)
+            y, _, dy, level = slow_flow.cusp(at.A, model.m, model.zeta, at.h_AA, at.h_AAA, at.k, X, T, R, signed)
+            answers.append(_answer(at, exists, y, dy, np.sqrt(X), 0.0, level))
+        return answers
+
+    def range(self, cells: Cells) -> list[Range]:
+        """On the fold locus R has the sign of k.
+
+        There F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the other sign.
+        """
+        alike = ((cells.h_AA.lo >= 0) & (cells.k.lo >= 0)) | ((cells.h_AA.hi <= 0) & (cells.k.hi <= 0))
+        a, b, c, d, square = slow_flow_intervals.cusps(cells.A, self.zeta, cells.h, cells.h_A, cells.h_AA, cells.k)
+        root, ranges = square.sqrt(), []
+        for larger in (True, False):
+            X, T = _quadratic_root_range(c, d, root, larger), _quadratic_root_range(a, b, root, larger)
+            where = np.where(square.lo > 0, _where_positive(X), np.minimum(_where_positive(X), PARTLY))
+            X, signed = Interval.of(np.maximum(X.lo, 0.0), X.hi), root if larger else -root
+            by_tangent, by_F_AA = slow_flow_intervals.cusp_R(cells.A, self.zeta, cells.h_AA, cells.k, X, T)
+            y, less, dy, level = slow_flow_intervals.cusp(
+                cells.A, self.m, self.zeta, cells.h_AA, cells.h_AAA, cells.k, X, T, by_tangent.both(by_F_AA), signed
+            )
+            where = np.where(alike | (square.hi < 0) | (level.lo > self.F_0), NOWHERE, where)
+            ranges.append(_range(cells, where, y.both(less), dy))
+        return ranges
+
+
+def _critical_of(model: Model, cells: Cells, p: Interval, q: float) -> tuple[Any, Interval, Interval]:
+    """Positive roots w1 < w2 of A w^3 + p w + q: where they exist, and what holds them.
+
+    As A and p rise w1 rises and w2 falls, so the corners of the box (A, p) hold them. Next to A = 0, where p vanishes
+    too, p/A is that of the slopes of h; with friction there is no root for small A.
+    """
+    A, n = cells.A, cells.A.lo.size
+    square = -cells.h_A.lo - 2 * model.zeta * model.zeta
+    origin = A.lo == 0
+    inner = np.where(origin, A.hi, A.lo)
+    steepest = np.where(origin, -np.maximum(square, 0.0) * (1 + DOUBT) * A.hi, p.lo)
+    exist, first, second = critical_points(np.concatenate((inner, A.hi)), np.concatenate((steepest, p.hi)), q)
+    low, high = exist[:n], exist[n:]
+    where = np.where(low, np.where(high, THROUGHOUT, PARTLY), NOWHERE)
+    # where only the lower corner has them they meet in between, or at 0
+    w1 = Interval.of(first[:n] * (1 - DOUBT), np.where(high, first[n:], second[:n] if q > 0 else 0.0) * (1 + DOUBT))
+    w2 = Interval.of(np.where(high, second[n:], first[:n]) * (1 - DOUBT), second[:n] * (1 + DOUBT))
+    where = np.where(origin, np.where((square > 0) & low, PARTLY, NOWHERE), where)
+    next_to_0 = Interval.of(np.zeros(n), np.sqrt(np.maximum(square, 0.0)) * (1 + DOUBT))
+    return where, next_to_0.where(origin, w1), next_to_0.where(origin, w2)
+
+
+class Turn(Question):
+    """For zeta > 0; without friction the first channel lies at Omega = 0 and belongs to other questions."""
+
+    def ask(self, at: Samples) -> list[Answer]:
+        model, flow = self.model, slow_flow
+        inside = at.A > 0
+        A = np.where(inside, at.A, 1.0)
+        quartics = Quartics(A, at.h, at.h_A, model.m, model.zeta, -1.0)
+        answers = []
+        for w, y in quartics.critical:
+            dy = 0.5 * flow.F_AA(w, A, model.m, model.zeta, at.h, at.h_A, at.h_AA)
+            answers.append(_answer(at, inside & quartics.exist & (w > 0), y, dy, w))
+        return answers
+
+    def range(self, cells: Cells) -> list[Range]:
+        model = self.model
+        _, q, p, _ = slow_flow_intervals.fold_quartic(cells.A, self.m, self.zeta, cells.h, cells.h_A)
+        where, *critical = _critical_of(model, cells, 0.5 * p, 0.25 * float(q.lo[0]))
+        origin, ranges = cells.A.lo == 0, []
+        # next to A = 0 F_A over A, where h/A is a slope of h
+        A = Interval.point(1.0).where(origin, cells.A)
+        m, h = (self.m / cells.A).where(origin, self.m), cells.h_A.where(origin, cells.h)
+        for channel, w in enumerate(critical):
+            y = 0.5 * slow_flow_intervals.F_A(w, A, m, self.zeta, h, cells.h_A)
+            dy = 0.5 * slow_flow_intervals.F_AA(w, A, m, self.zeta, h, cells.h_A, cells.h_AA)
+            there = where if channel == 1 or model.m > 0 else NOWHERE
+            ranges.append(_range(cells, there, y, _unknown(cells).where(origin, dy)))
+        return ranges
+
+
+class Undamped(Question):
+    """For zeta = 0: h_AA, next to A = 0 over A, and R, there over A^3/3."""
+
+    def ask(self, at: Samples) -> list[Answer]:
+        flow = self.model.flow
+        first, first_A, second, second_A = flow.undamped(at.A, at.h, at.h_A, at.h_AA, at.h_AAA)
+        falls, inside = at.h_A < 0, at.A > 0
+        Omega = flow.undamped_Omega(np.minimum(at.h_A, 0.0))
+        return [
+            _answer(at, falls, np.where(inside, first, at.h_AAA), first_A, Omega),
+            _answer(at, falls, np.where(inside, second, -at.h_AAA), second_A, Omega),
+        ]
+
+    def range(self, cells: Cells) -> list[Range]:
+        where, inside, unknown = _where_positive(-cells.h_A), cells.A.lo > 0, _unknown(cells)
+        return [
+            _range(cells, where, cells.h_AA.where(inside, cells.h_AAA), cells.h_AAA.where(inside, unknown)),
+            _range(cells, where, cells.k.where(inside, -cells.h_AAA), cells.k_A.where(inside, unknown)),
+        ]
+
+
+class Peak(Question):
+    """At a forcing, for zeta > 0. The second channel is the minimum over Omega; without friction it is the only one."""
+
+    def __init__(self, model: Model, F_0: float) -> None:
+        super().__init__(model)
+        self.F_0 = F_0
+
+    def ask(self, at: Samples) -> list[Answer]:
+        m, zeta = self.model.m, self.model.zeta
+        inside = at.A > 0
+        A = np.where(inside, at.A, 1.0)
+        w, n = peak_roots(A, at.h, m, zeta)
+        answers = []
+        for channel in (0, 1):
+            exists = inside & (n > 1 - channel) & (zeta > 0)
+            place = np.clip(channel + n - 2, 0, 1)
+            Omega = np.where(exists, np.take_along_axis(w, place[:, np.newaxis], axis=-1)[:, 0], np.nan)
+            y, dy = slow_flow.peak(Omega, A, self.F_0, m, zeta, at.h_A)
+            answers.append(_answer(at, exists, y, dy, Omega, slow_flow.peak_Omega_A(Omega, A, m, zeta, at.h_A)))
+        return answers
+
+    def range(self, cells: Cells) -> list[Range]:
+        model = self.model
+        if model.zeta == 0:
+            return [_range(cells, NOWHERE, _unknown(cells), _unknown(cells))] * 2
+        _, p, _ = slow_flow_intervals.peak_cubic(cells.A, self.m, self.zeta, cells.h)
+        where, *critical = _critical_of(model, cells, p, model.zeta * model.m)
+        ranges = []
+        for channel, w in enumerate(critical):
+            y, dy = slow_flow_intervals.peak(w, cells.A, Interval.point(self.F_0), self.m, self.zeta, cells.h_A)
+            ranges.append(_range(cells, where if channel == 1 or model.m > 0 else NOWHERE, y, dy))
+        return ranges
+
+
+class Rest(Question):
+    """At a forcing: h^2 + m^2 = F_0^2 has two smooth halves."""
+
+    def __init__(self, model: Model, F_0: float) -> None:
+        super().__init__(model)
+        self.F_0 = F_0
+
+    def ask(self, at: Samples) -> list[Answer]:
+        lower, upper, slope = slow_flow.rest(self.F_0, self.model.m, at.h, at.h_A)
+        return [_answer(at, True, lower, slope), _answer(at, True, upper, slope)]
+
+    def range(self, cells: Cells) -> list[Range]:
+        # F at A = 0: -c and c
+        ranges = []
+        for half in slow_flow.rest(self.F_0, self.model.m, 0.0, 0.0)[:2]:
+            around = Interval.of(half - DOUBT * abs(half), half + DOUBT * abs(half))
+            around = Interval(around.ends.reshape(2, 1))
+            ranges.append(_range(cells, THROUGHOUT, cells.h + around, cells.h_A))
+        return ranges

@@ -1,0 +1,186 @@
+"""Cells: two amplitudes of one piece of the force in, what h and its derivatives are on all of the interval out.
+
+On each piece h_AAA is monotone: the derivation proves it (derivations/monotone.py). So its values at the ends bound it,
+and what is known of a slope bounds the function between two of its values. Where the force or its slope jumps, the
+derivatives of h tend to infinity as A falls to the breakpoint: that is the sample at the beginning of a piece.
+k = h - A h_A is where the tangent of h meets A = 0. As in native/cells.h.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.model import Floats, Model
+from slowflow_kernels.conventions import CANCELLED, DOUBT
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """The averaged force at amplitudes.
+
+    rows -- array (6, n): A, h, h_A, h_AA, h_AAA, k
+    """
+
+    rows: Floats
+
+    def take(self, which: Any) -> Samples:
+        """Some of them."""
+        return Samples(self.rows[:, which])
+
+    def __len__(self) -> int:
+        return int(self.rows.shape[1])
+
+    @property
+    def A(self) -> Floats:
+        return np.asarray(self.rows[0])
+
+    @property
+    def h(self) -> Floats:
+        return np.asarray(self.rows[1])
+
+    @property
+    def h_A(self) -> Floats:
+        return np.asarray(self.rows[2])
+
+    @property
+    def h_AA(self) -> Floats:
+        return np.asarray(self.rows[3])
+
+    @property
+    def h_AAA(self) -> Floats:
+        return np.asarray(self.rows[4])
+
+    @property
+    def k(self) -> Floats:
+        return np.asarray(self.rows[5])
+
+
+def joined(*parts: Samples) -> Samples:
+    """All of them, in order."""
+    return Samples(np.concatenate([part.rows for part in parts], axis=1))
+
+
+def samples_at(model: Model, A: Any) -> Samples:
+    """At amplitudes of any number; k without what cancels in it, where it has lost digits as a difference."""
+    A = np.array(A, dtype=float, ndmin=1)
+    h, h_A, h_AA, h_AAA = model.averaged(A)
+    k = np.asarray(h - A * h_A)
+    lost = np.abs(k) < CANCELLED * np.abs(h)
+    if model.law.intercept is not None and lost.any():
+        k[lost] = model.law.intercept(A[lost], *model.parameters)
+    return Samples(np.array((A, *np.broadcast_arrays(h, h_A, h_AA, h_AAA, k))))
+
+
+def sample_above(model: Model, i: int) -> Samples:
+    """The limit from above at breakpoint i: the force's jump makes h_A infinite there, a jump of its slope h_AA."""
+    b, jump = model.breakpoints[i], model.jumps[i]
+    A, h, h_A, h_AA, h_AAA, k = samples_at(model, b).rows[:, 0]
+    if jump != 0:
+        h_A = h_AAA = np.copysign(np.inf, jump)
+        h_AA = k = -h_A
+    else:
+        h_AA = np.copysign(np.inf, samples_at(model, np.nextafter(b, np.inf)).h_AA[0] - h_AA)
+        h_AAA = -h_AA
+    return Samples(np.array([[A], [h], [h_A], [h_AA], [h_AAA], [k]]))
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A piece of the force, from its first amplitude (0 or a breakpoint, as its own side has it) to its last.
+
+    base -- where the piece begins, which may be below its first amplitude
+    """
+
+    first: Samples
+    last: Samples
+    base: float
+
+
+def pieces_up_to(model: Model, A_max: float) -> list[Piece]:
+    """All pieces up to an amplitude."""
+    ends = [b for b in model.breakpoints if b < A_max]
+    firsts = [samples_at(model, 0.0), *(sample_above(model, i) for i in range(len(ends)))]
+    return [
+        Piece(first, samples_at(model, last), float(first.A[0]))
+        for first, last in zip(firsts, [*ends, A_max], strict=True)
+    ]
+
+
+def between(f_a: Floats, f_b: Floats, slope: Interval, width: Floats) -> Interval:
+    """A function between two of its values whose slope is known."""
+    lo, hi = slope.ends
+    no_low, no_high = lo == -np.inf, hi == np.inf
+    x_below = np.maximum(0, np.minimum(width, (f_b - f_a - hi * width) / (lo - hi)))
+    x_above = np.maximum(0, np.minimum(width, (f_b - f_a - lo * width) / (hi - lo)))
+    below = np.where(no_low, f_b - hi * width, f_a + lo * np.where(no_high, width, x_below))
+    above = np.where(no_low, f_a + hi * width, np.where(no_high, f_b - lo * width, f_a + hi * x_above))
+    doubt = DOUBT * (np.abs(f_a) + np.abs(f_b))
+    monotone = (lo >= 0) | (hi <= 0)
+    known = (lo < 0) & (hi > 0) & ~(no_low & no_high)
+    low = np.where(monotone, np.minimum(f_a, f_b), np.where(known, below - doubt, -np.inf))
+    high = np.where(monotone, np.maximum(f_a, f_b), np.where(known, above + doubt, np.inf))
+    return Interval(np.array((low, high)))
+
+
+def _doubt(f: Floats, A: Floats, slope: Floats) -> Floats:
+    """By how much a kernel may err: relatively, and as if its argument were a rounding away."""
+    doubt = DOUBT * (np.abs(f) + A * np.abs(slope))
+    return np.asarray(np.where(doubt < np.inf, doubt, DOUBT * np.abs(f)))
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """What h and its derivatives are on intervals of A."""
+
+    A: Interval
+    h: Interval
+    h_A: Interval
+    h_AA: Interval
+    h_AAA: Interval
+    k: Interval
+    k_A: Interval
+
+    def take(self, which: Any) -> Cells:
+        """Some of them."""
+        return Cells(*(getattr(self, name).take(which) for name in self.__dataclass_fields__))
+
+
+def cells_of(a: Samples, b: Samples) -> Cells:
+    """From samples at the ends, by rising A."""
+    width = b.A - a.A
+
+    def along(f_a: Floats, f_b: Floats, slope_a: Floats, slope_b: Floats, slope: Interval) -> Interval:
+        # both ends in doubt, below and above, at once
+        d_a, d_b = _doubt(f_a, a.A, slope_a), _doubt(f_b, b.A, slope_b)
+        doubled = between(
+            np.concatenate((f_a - d_a, f_a + d_a)),
+            np.concatenate((f_b - d_b, f_b + d_b)),
+            Interval(np.concatenate((slope.ends, slope.ends), axis=1)),
+            np.concatenate((width, width)),
+        )
+        n = len(a)
+        return Interval(np.array((doubled.ends[0, :n], doubled.ends[1, n:])))
+
+    A = Interval(np.array((a.A, b.A)))
+    h_AAA = Interval.hull(a.h_AAA, b.h_AAA)
+    h_AA = along(a.h_AA, b.h_AA, a.h_AAA, b.h_AAA, h_AAA)
+    h_A = along(a.h_A, b.h_A, a.h_AA, b.h_AA, h_AA)
+    h = along(a.h, b.h, a.h_A, b.h_A, h_A)
+    k_A = -(A * h_AA)
+    k = along(a.k, b.k, a.A * a.h_AA, b.A * b.h_AA, k_A)
+    return Cells(A, h, h_A, h_AA, h_AAA, k, k_A)
+
+
+def amid(base: Floats, a: Floats, b: Floats) -> Floats:
+    """Amplitudes well inside: halfway in the coordinate in which h is smooth, in orders of magnitude if there are many.
+
+    base -- where the piece begins
+    """
+    p, q = a / base, b / base
+    r = 0.5 * (np.sqrt((p - 1) * (p + 1)) + np.sqrt((q - 1) * (q + 1)))
+    middle = np.where(base > 0, base + base * (r * r / (1 + np.sqrt(1 + r * r))), 0.5 * (a + b))
+    return np.where(a == 0, 0.125 * b, np.where(b > 4 * a, np.sqrt(a) * np.sqrt(b), middle))

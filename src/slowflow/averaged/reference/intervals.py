@@ -1,0 +1,141 @@
+"""Arithmetic on closed intervals of doubles, rounded outwards: arrays of intervals in, one that holds every result out.
+
+What is not known is NaN, or reaches to infinity: a test that asks whether something is proved fails there. 0 times
+infinity is 0, as infinity stands for arbitrarily large numbers. As in native/interval.h each operation is rounded to
+nearest and then moved by more than an ulp, so that no rounding mode is switched.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.model import Floats
+
+Bools = NDArray[np.bool_]
+
+#: an ulp outwards of the lower and of the upper end, and what a product that is no double may have lost
+_ULP = np.array([[-(2.0**-52)], [2.0**-52]])
+_LEAST = np.array([[-(2.0**-1022)], [2.0**-1022]])
+
+
+def _wider(ends: Floats) -> Floats:
+    """The ends of sums and roots, an ulp outwards: they are exact where they are subnormal."""
+    return np.asarray(ends + _ULP * np.abs(ends))
+
+
+class Interval:
+    """Intervals, elementwise; in sums and products numbers stand for themselves.
+
+    ends -- array (2, n): the lower and the upper ends
+    """
+
+    __slots__ = ("ends",)
+
+    def __init__(self, ends: Floats) -> None:
+        self.ends = ends
+
+    @classmethod
+    def of(cls, lo: Any, hi: Any) -> Interval:
+        """From lower and upper ends, which broadcast."""
+        return cls(np.stack(np.broadcast_arrays(lo, hi)))
+
+    @classmethod
+    def hull(cls, a: Floats, b: Floats) -> Interval:
+        """From the lesser to the greater."""
+        return cls(np.array((np.minimum(a, b), np.maximum(a, b))))
+
+    @classmethod
+    def point(cls, x: float) -> Interval:
+        """A number, for any number of elements."""
+        return cls(np.full((2, 1), x))
+
+    @property
+    def lo(self) -> Floats:
+        """Lower ends."""
+        return np.asarray(self.ends[0])
+
+    @property
+    def hi(self) -> Floats:
+        """Upper ends."""
+        return np.asarray(self.ends[1])
+
+    @property
+    def has_sign(self) -> Bools:
+        """Whether all of it lies on one side of 0."""
+        return np.asarray((self.ends[0] > 0) | (self.ends[1] < 0))
+
+    def __neg__(self) -> Interval:
+        return Interval(-self.ends[::-1])
+
+    def __add__(self, other: Any) -> Interval:
+        return Interval(_wider(self.ends + (other.ends if isinstance(other, Interval) else other)))
+
+    def __sub__(self, other: Any) -> Interval:
+        return Interval(_wider(self.ends - (other.ends[::-1] if isinstance(other, Interval) else other)))
+
+    def __rsub__(self, other: float) -> Interval:
+        return Interval(_wider(other - self.ends[::-1]))
+
+    def __mul__(self, other: Any) -> Interval:
+        if not isinstance(other, Interval):
+            product = (self.ends if other >= 0 else self.ends[::-1]) * other
+            return Interval(_wider(product) + _LEAST * (product != 0))
+        a, b = self.ends[:, np.newaxis], other.ends
+        product = a * b
+        doubt = 2.0**-52 * np.abs(product) + 2.0**-1022
+        below, above = product - doubt, product + doubt
+        zero = (a == 0) | (b == 0)
+        if zero.any():
+            below[zero] = above[zero] = 0.0
+        # an infinite product has no lower end, or no upper one, of its own: the others have, or it is not known
+        ends = np.array((np.fmin.reduce(below, axis=(0, 1)), np.fmax.reduce(above, axis=(0, 1))))
+        unknown = np.isnan(product) & ~zero
+        if unknown.any():
+            ends[:, unknown.any(axis=(0, 1))] = np.nan
+        return Interval(ends)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def __truediv__(self, other: Interval) -> Interval:
+        return self * other._inverse()
+
+    def __rtruediv__(self, other: float) -> Interval:
+        inverse = self._inverse()
+        return inverse if other == 1 else inverse * other
+
+    def _inverse(self) -> Interval:
+        """1 over an interval on one side of 0, which it may touch; anything over one that holds 0 inside."""
+        lo, hi = self.ends
+        inverse = 1 / self.ends[::-1]
+        inverse = _wider(inverse) + _LEAST
+        low = np.where(hi > 0, np.where(lo >= 0, np.maximum(inverse[0], 0.0), -np.inf), inverse[0])
+        high = np.where(lo < 0, np.where(hi <= 0, np.minimum(inverse[1], 0.0), np.inf), inverse[1])
+        low, high = np.where(hi == 0, -np.inf, low), np.where(lo == 0, np.inf, high)
+        return Interval(np.where(lo <= hi, np.array((low, high)), np.nan))
+
+    def square(self) -> Interval:
+        """The square, which is not negative."""
+        lo, hi = self.ends
+        least, most = np.maximum(np.maximum(lo, -hi), 0.0), np.maximum(-lo, hi)
+        squares = np.array((least * least, most * most))
+        squares = _wider(squares) + _LEAST * (squares != 0)
+        return Interval(np.where(lo <= hi, np.maximum(squares, 0.0), np.nan))
+
+    def sqrt(self) -> Interval:
+        """The root of the part that is not negative."""
+        return Interval(np.maximum(_wider(np.sqrt(np.maximum(self.ends, 0.0))), 0.0))
+
+    def both(self, other: Interval) -> Interval:
+        """What both hold, each being known to hold the value."""
+        return Interval(np.array((np.fmax(self.ends[0], other.ends[0]), np.fmin(self.ends[1], other.ends[1]))))
+
+    def where(self, condition: Bools, other: Interval) -> Interval:
+        """These where the condition holds, others elsewhere."""
+        return Interval(np.where(condition, self.ends, other.ends))
+
+    def take(self, which: Any) -> Interval:
+        """Some of them."""
+        return Interval(self.ends[:, which])

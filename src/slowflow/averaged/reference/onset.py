@@ -1,0 +1,190 @@
+"""Critical forcings: in goes a model, out come detachment, the onset of folds, and the peak at a forcing.
+
+Cusps and isola points are explicit in A (see along), so the onset needs no locus. The last piece of the force, which
+has no end, is looked through as far as a state at the best forcing found so far can lie. As in native/onset.h.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+
+from slowflow.averaged.reference.along import Cusp, Isola, Peak, Rest, Stiffness
+from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
+from slowflow.averaged.reference.cells import Piece, Samples, pieces_up_to, sample_above, samples_at
+from slowflow.averaged.reference.folds import saddle_nodes
+from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
+from slowflow.averaged.reference.roots import fold_roots, peak_roots
+from slowflow.averaged.reference.search import find_zeros
+from slowflow.model import Floats, Model
+from slowflow.results import Detachment, Remark, SaddleNodeOnset
+from slowflow.results import Peak as PeakFound
+from slowflow_kernels import slow_flow
+from slowflow_kernels.conventions import RAISE, RAISES
+
+#: what is said where there is no answer
+NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
+NO_ONSET = "no saddle node"
+AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
+NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
+NO_DETACHMENT = "no detachment: the force has one piece only"
+NO_PEAK = "no peak: without viscous damping the response is unbounded"
+
+
+@dataclasses.dataclass
+class _Best:
+    """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at Omega = 0."""
+
+    F_SN: float = math.inf
+    Omega: float = math.nan
+    A: float = math.nan
+    kind: str = ""
+    rest: float = math.inf
+
+    def consider(self, level: Floats, Omega: Floats, A: Floats, kind: str) -> None:
+        """Points where the level may be least."""
+        if level.size and level.min() < self.F_SN:
+            least = int(np.argmin(level))
+            self.F_SN, self.Omega, self.A, self.kind = float(level[least]), float(Omega[least]), float(A[least]), kind
+
+    def consider_ends(self, model: Model, A: Floats, level: Floats) -> None:
+        """Ends of the fold locus at Omega = 0, from where the level rises along it.
+
+        It does not where there is no friction and F_Omega falls below 0: then there are folds at every higher forcing,
+        down to this one and without it.
+        """
+        counts = (model.m > 0) | (slow_flow.F_OmegaOmega(0.0, A, model.zeta, model.averaged(A)[0]) >= 0)
+        self.rest = float(np.min(np.where(counts, level, math.inf), initial=self.rest))
+
+
+def onset(model: Model) -> SaddleNodeOnset:
+    """The lowest forcing that has a fold, in whatever regime it lies."""
+    with np.errstate(all="ignore"):
+        if model.zeta == 0:
+            return _onset_without_viscous_damping(model)
+        best = _lowest(model)
+    if not best.kind:
+        return with_folds_at_rest(SaddleNodeOnset(None, None, None, "", NO_ONSET), best.rest)
+    return with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
+
+
+def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
+    """The onset, with the remark that there are folds at lower forcings: the locus ends at Omega = 0 at this level."""
+    if not rest < (math.inf if onset.F_SN is None else onset.F_SN):
+        return onset
+    words = (NONE_BUT_AT_REST if onset.F_SN is None else AT_REST).format(rest)
+    return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
+
+
+def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
+    """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
+    if not saddle_nodes(model, 2 * model.m + 1.0).A.size:
+        return SaddleNodeOnset(None, None, None, "", NO_ONSET)
+    return SaddleNodeOnset(None, None, None, "", NO_LOWEST.format(model.m))
+
+
+def _lowest(model: Model) -> _Best:
+    """Of all pieces and breakpoints; first what leaves less to search."""
+    best, first = _Best(), samples_at(model, 0.0)
+    bounded = []
+    for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
+        at, above = samples_at(model, b), sample_above(model, i)
+        _consider_breakpoint(model, at, jump, float(above.h_AA[0]), best)
+        bounded.append(Piece(first, at, float(first.A[0])))
+        first = above
+    if bounded:
+        _consider_pieces(model, bounded, best)
+    _consider_last(model, first, best)
+    return best
+
+
+def _consider_pieces(model: Model, pieces: list[Piece], best: _Best) -> None:
+    """Where the level may be least inside of pieces: cusps, isola points, ends."""
+    zeta, m = model.zeta, model.m
+    ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
+    at_rest = slow_flow.level(0.0, ends.A, m, zeta, model.averaged(ends.A)[0])
+    best.consider_ends(model, ends.A, np.where(ends.channel == 0, m, at_rest))
+    least = isola_is_minimum(model, isolas.Omega, isolas.A)
+    level = slow_flow.level(isolas.Omega, isolas.A, m, zeta, model.averaged(isolas.A)[0])
+    best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
+    least = cusp_is_minimum(model, cusps.Omega, cusps.A)
+    best.consider(cusps.level[least], cusps.Omega[least], cusps.A[least], "cusp")
+
+
+def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: float, best: _Best) -> None:
+    """The least forcing on a breakpoint.
+
+    Where the force jumps by J folds sit on the breakpoint where F_A has there the other sign than R J, which it has
+    next to it: from where the locus below ends, and, for J < 0, from R = 0 on, where the locus above comes in; both
+    lead to a higher Omega and level. Between, the level may be stationary. Where only the slope jumps the locus goes
+    on, but its level may turn, as F_AA above is infinite.
+    """
+    m, zeta = model.m, model.zeta
+    (b,), (h,), (h_A,), (h_AA,) = at.A, at.h, at.h_A, at.h_AA
+    sign = jump if jump != 0 else math.copysign(1.0, h_AA_above)
+
+    def consider(Omega: Floats) -> None:
+        best.consider(slow_flow.level(Omega, b, m, zeta, h), Omega, np.full_like(Omega, b), "corner")
+
+    if h < 0 and jump < 0:
+        consider(np.array([slow_flow.backbone(b, h)]))
+    roots, count = fold_roots(at.A, at.h, at.h_A, m, zeta)
+    w = roots[0, : count[0]]
+    turns = slow_flow.F_Omega(w, b, m, zeta, h) * slow_flow.F_AOmega(w, b, m, zeta, h, h_A)
+    falls = slow_flow.level_rise(w, b, m, zeta, h, h_A, h_AA) < 0
+    consider(w[falls & (turns * slow_flow.R(w, b, h) * sign < 0)])
+    if jump == 0:
+        return
+    roots, count = peak_roots(at.A, at.h, m, zeta)
+    w = roots[0, : count[0]]
+    inside = slow_flow.F_A(w, b, m, zeta, h, h_A) * slow_flow.R(w, b, h) * jump < 0
+    consider(w[inside & (slow_flow.F_OmegaOmega(w, b, zeta, h) > 0)])
+    if h_A * jump < 0:
+        best.consider_ends(model, at.A, slow_flow.level(0.0, at.A, m, zeta, at.h))
+
+
+def _consider_last(model: Model, first: Samples, best: _Best) -> None:
+    """The piece without an end.
+
+    It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one.
+    """
+    base = float(first.A[0])
+    F_0 = best.F_SN if best.kind else RAISE * max(model.m, 1e-6)
+    for _ in range(RAISES):
+        A_max, _ = amplitude_bound(model, F_0)
+        if A_max > first.A[0]:  # what lies below has been looked through
+            last = samples_at(model, A_max)
+            if first.A[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
+                return  # linear
+            _consider_pieces(model, [Piece(first, last, base)], best)
+            first = last
+        if best.F_SN <= F_0:
+            return
+        F_0 = best.F_SN if best.kind else RAISE * F_0
+
+
+def detachment(model: Model) -> Detachment:
+    """The lowest forcing for which the first breakpoint is a steady state (34)."""
+    if not model.breakpoints:
+        return Detachment(None, None, None, NO_DETACHMENT)
+    level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
+    return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
+
+
+def peak(model: Model, F_0: float) -> PeakFound:
+    """The highest peak at F_0 > m, isolas included; where A only falls with Omega, the static amplitude at Omega = 0.
+
+    Raises ArithmeticError where there is neither to rounding.
+    """
+    if model.zeta == 0:
+        return PeakFound(None, None, F_0, NO_PEAK)
+    A_max, _ = amplitude_bound(model, F_0)
+    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces_up_to(model, A_max))
+    # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
+    tops = peaks.take(peaks.rising == (peaks.channel == 1))
+    found = tops if len(tops) else static
+    if not len(found):
+        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+    return PeakFound(float(found.A[-1]), float(found.Omega[-1]), F_0, "")
