@@ -89,7 +89,9 @@ def averaged(oscillator):
     close(peak.A, -highest.fun, 1e-9)
     locus = oscillator.fold_locus(A_max=2.0)
     close(level(locus.Omega, locus.A), locus.F_0, 1e-12)
-    assert oscillator.cusps(A_max=2.0).F_0.min() == onset.F_SN and len(oscillator.isola_points(A_max=2.0)) == 0
+    # found on another range, from another bracket
+    close(oscillator.cusps(A_max=2.0).F_0.min(), onset.F_SN, 1e-13)
+    assert len(oscillator.isola_points(A_max=2.0)) == 0
     assert "all pieces" in str(oscillator.explain("saddle_nodes", F_0))
 
 

@@ -45,7 +45,8 @@ class _Best:
 
     def consider(self, level: Floats, Omega: Floats, A: Floats, kind: str) -> None:
         """Points where the level may be least."""
-        if level.size and level.min() < self.F_SN:
+        level = np.where(level < self.F_SN, level, math.inf)
+        if np.isfinite(level).any():
             least = int(np.argmin(level))
             self.F_SN, self.Omega, self.A, self.kind = float(level[least]), float(Omega[least]), float(A[least]), kind
 
