@@ -68,6 +68,22 @@ def relative_error(value: float, exact: Number) -> float:
         return float(abs(mpmath.mpf(value) / exact - 1))
 
 
+def motion() -> Number:
+    """A of the motion that `benchmarks.motions` follows, the lower one of two at its frequency."""
+    return min(_digits(case["A"]) for case in _exact_cases() if case["Omega"] == 0.9)
+
+
+def exact_folds() -> list[Number]:
+    """Omega of the folds of the equation of motion at F_0 = 0.04, by rising Omega."""
+    return sorted(_digits(case["Omega"]) for case in _exact_cases() if case["fold"])
+
+
+def _exact_cases() -> list[dict[str, Any]]:
+    """Motions and folds of Table 1, untruncated, to 40 digits."""
+    cases = json.loads((DATA / "exact_motions.json").read_text())
+    return [case for case in cases if case["force"] == "untruncated" and case["numbers"]["mu"] == TABLE_1["mu"]]
+
+
 class Table1:
     """The averaged equations of Table 1 at 40 digits, the missing force integrated over the detached arc."""
 

@@ -21,8 +21,12 @@ COLOURS = {
     "numpy.roots": "#D55E00",
     "bracketing": "#009E73",
     "the paper's recipe": "#CC79A7",
+    "heyoka, events": "#E69F00",
+    "DOP853, events": "#D55E00",
+    "LSODA, events": "#009E73",
+    "Radau, events": "#000000",
 }
-MARKERS = dict(zip(COLOURS, "oso^Dv", strict=True))
+MARKERS = dict(zip(COLOURS, "oso^DvPsdX", strict=True))
 #: offset of a text in points, and which of its ends is there
 BELOW, ABOVE = ((0, -7), "center", "top"), ((0, 7), "center", "bottom")
 LEFT, RIGHT = ((-8, 0), "right", "center"), ((9, 0), "left", "center")

@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from typing import Any
 
-from benchmarks import bench_kernels, bench_roots, certified, footprint
+from benchmarks import bench_exact, bench_kernels, bench_roots, certified, footprint
 from benchmarks.document import quantity
 from benchmarks.remote import Remote, in_turn
 from slowflow import backend
@@ -60,7 +60,7 @@ class Target:
 def measure(size: Size) -> list[dict[str, Any]]:
     """All targets."""
     found: list[Target] = []
-    for part in (quartics, kernels, curves, batches, starting, remembering):
+    for part in (quartics, kernels, curves, batches, motions, starting, remembering):
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         found += part(size)
     return [{**asdict(row), "reached": row.reached} for row in found]
@@ -229,6 +229,34 @@ def batches(size: Size) -> list[Target]:
                 *(name, answer["here"]["status"] < UNSOLVED),
             )
         )
+    return out
+
+
+def motions(size: Size) -> list[Target]:
+    """The equation of motion itself: times, residuals and folds."""
+    system = bench_exact.table_1(True)
+    integrator = bench_exact.default_integrator(system)
+    out = []
+    for job in bench_exact.jobs():
+        if job.bound is not None:
+            seconds = bench_exact.best(partial(job.run, integrator), min(job.repeats, 5 * size.rounds))
+            out.append(Target(f"exact: {job.name}", *(1e-3 * job.bound, seconds, "s", True), "", *("", "motion")))
+    for row in (*bench_exact.measured(), *bench_exact.first_answer()):
+        scale = 1e-3 if row.unit == "ms" else 1.0
+        out.append(
+            Target(f"exact: {row.job}", *(scale * row.bound, scale * row.measured, "s", True), "", *("", "motion"))
+        )
+    curve = bench_exact.exact_response(system, certified.F_0)
+    smooth = [i for i, point in enumerate(curve.states) if point.role not in ("border", "corner")]
+    residual = max(curve.steady_state(i).residual for i in smooth)
+    exact = certified.exact_folds()
+    error = max(certified.relative_error(fold.Omega, Omega) for fold, Omega in zip(curve.folds, exact, strict=True))
+    out += [
+        Target(
+            "exact: residual of periodicity, largest on the curve", *(1e-14, residual, "", True), "", *("", "motion")
+        ),
+        Target("exact: Omega of the folds against 40 digits", *(1e-13, error, "", True), "", *("", "motion")),
+    ]
     return out
 
 

@@ -77,7 +77,7 @@ def measure(rounds: int) -> dict[str, Any]:
     """Scenes and scaling."""
     processes = Processes()
     try:
-        return {"scenes": precision(processes, rounds), "scaling": scaling(processes, 1)}
+        return {"scenes": [*precision(processes, rounds), motion()], "scaling": scaling(processes, 1)}
     finally:
         processes.stop()
 
@@ -112,6 +112,25 @@ def precision(processes: Processes, rounds: int) -> list[dict[str, Any]]:
         sought = sum(map(len, certain[scene]))
         scenes.append({"scene": scene, "title": title.format(sought), "sought": sought, "rows": rows})
     return scenes
+
+
+def motion() -> dict[str, Any]:
+    """The scene of the equation of motion itself, in one round: some integrators take half a minute."""
+    remote = Remote("benchmarks.motions")
+    try:
+        answers, failures = in_turn({job: (remote, job) for job in remote.jobs}, 1)
+    finally:
+        remote.stop()
+    if failures:
+        raise RuntimeError(f"jobs failed: {failures}")
+    exact = certified.motion()
+    rows = []
+    for key, answer in answers.items():
+        _, method, variant = key.split(" | ")
+        (error,) = (certified.relative_error(A, exact) for A in answer["found"])
+        row = {"method": method, "variant": variant, "seconds": answer["seconds"], "error": error, "error_max": error}
+        rows.append({**row, "missed": int(error > MISSED), "false": 0})
+    return {"scene": "motion", "title": "exact motion: its amplitude", "sought": 1, "rows": rows}
 
 
 def scaling(processes: Processes, rounds: int) -> dict[str, list[dict[str, Any]]]:

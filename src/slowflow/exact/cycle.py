@@ -408,12 +408,14 @@ class Cycle:
             stays = error <= 100.0 * tolerance and size >= 0.5 * last
             if stays and own > LOOSE:
                 return None
-            if stays or (error <= tolerance and own <= TIGHT):
+            converges = error <= tolerance and own <= TIGHT
+            if not stays:  # the last step is taken, too, where it is more than rounding
+                z = z.copy()
+                z[: step.size] += step
+            if stays or converges:
                 if extra is not None:
                     found = found._replace(along=np.linalg.solve(jacobian, np.eye(step.size)[-1]))
                 return z, found
-            z = z.copy()
-            z[: step.size] += step
             last = size
         return None
 

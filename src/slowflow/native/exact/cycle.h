@@ -251,13 +251,15 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
         const int stays = error <= 100.0 * tolerance && length >= 0.5 * last;
         if (stays && own > SF_LOOSE * size_of_u)
             return SF_DIVERGES;
-        if (stays || (error <= tolerance && own <= SF_TIGHT * size_of_u)) {
+        const int converges = error <= tolerance && own <= SF_TIGHT * size_of_u;
+        /* the last step is taken, too, where it is more than rounding: it leaves the square of its length */
+        for (long j = 0; !stays && j < size; j++)
+            z[j] += step[j];
+        if (stays || converges) {
             if (along != NULL)
                 memcpy(along, other, (size_t)size * sizeof *along);
             return SF_GOOD;
         }
-        for (long j = 0; j < size; j++)
-            z[j] += step[j];
         last = length;
     }
     return SF_DIVERGES;

@@ -1,0 +1,226 @@
+"""Cases in; tests/data/exact_motions.json out: motions and folds of the equation of motion (3) to 40 digits.
+
+    python -m tests.oracles.make_exact_motions [--out DIR]
+
+A half-wave symmetric motion without rest is a pair (A, theta) that half a turn takes from (u, v) = (A, 0) to (-A, 0);
+a fold is one for which the derivative of that map by (A, theta) is singular, too. Half a turn is integrated by power
+series of 100 terms in FLINT's arithmetic of 320 bits, from breakpoint to breakpoint;
+derivatives are differences over 2^-83. Nothing is shared with the package: the forces are typed from (5), (6) and
+Duffing's, and the values that a search starts from are typed in, too. Two to three minutes of one processor.
+"""
+
+import argparse
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+from flint import arb, arb_mat, ctx
+
+BITS, TERMS, DIGITS = 320, 100, 40
+NOTHING = arb(2) ** -290
+LONGEST = arb("0.4").mid()  # step, within which the mass does not come back to a breakpoint
+APART = arb(2) ** -83  # exact: of the values whose difference is a derivative
+FURTHER = arb(2) ** -67  # of those whose difference is a second one: Newton's iteration needs no more
+
+TABLE_1 = {"lam": 3.0, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+WITHOUT_FRICTION = TABLE_1 | {"mu": 0.0}
+HARDENING = {"alpha": 1.0, "beta": 0.1, "mu": 0.0, "zeta": 0.025}
+RUBBING = {"alpha": 0.3, "beta": 1.5, "mu": 0.01, "zeta": 0.03}
+#: force, its numbers, F_0, Omega or None for a fold, then A, theta and Omega to start from
+CASES: tuple[tuple[str, dict[str, float], float, float | None, tuple[float, ...]], ...] = (
+    ("untruncated", TABLE_1, 0.04, 0.9, (0.408, 0.84)),
+    ("untruncated", TABLE_1, 0.04, 0.9, (0.123, 2.59)),
+    ("untruncated", TABLE_1, 0.04, 1.2, (0.0374, 2.63)),
+    ("truncated", TABLE_1, 0.04, 0.9, (0.410, 0.84)),
+    ("truncated", TABLE_1, 0.04, 0.9, (0.312, 2.40)),
+    ("duffing", HARDENING, 0.18, 1.2, (2.287, 2.29)),
+    ("untruncated", TABLE_1, 0.04, None, (0.2039, 2.52, 0.8663)),
+    ("untruncated", TABLE_1, 0.04, None, (0.5581, 1.93, 0.9933)),
+    ("truncated", TABLE_1, 0.04, None, (0.2040, 2.52, 0.8663)),
+    ("truncated", TABLE_1, 0.04, None, (0.5596, 1.92, 0.9930)),
+    ("untruncated", WITHOUT_FRICTION, 0.04, None, (0.2098, 2.96, 0.8847)),
+    ("untruncated", WITHOUT_FRICTION, 0.04, None, (0.6328, 2.45, 1.0117)),
+    ("duffing", HARDENING, 0.18, None, (1.085, 2.80, 1.1157)),
+    ("duffing", HARDENING, 0.18, None, (2.872, 1.62, 1.2696)),
+    ("duffing", RUBBING, 0.06, None, (0.2997, 2.67, 0.7619)),
+    ("duffing", RUBBING, 0.06, None, (0.7983, 1.61, 0.9995)),
+)
+
+#: in goes n and the coefficients of u up to n, out comes coefficient n of f(u); it keeps what it needs of earlier ones
+Piece = Callable[[int, list[arb]], arb]
+
+
+def product(a: list[arb], b: list[arb], n: int) -> arb:
+    """Coefficient n of a b."""
+    return sum((a[k] * b[n - k] for k in range(n + 1)), arb(0))
+
+
+def untruncated(springs: arb, left: arb) -> Piece:
+    """f = u + springs (left/s - 1) u, s = sqrt(1 - u^2)."""
+    root: list[arb] = []
+    over: list[arb] = []
+    factor: list[arb] = []
+
+    def coefficient(n: int, u: list[arb]) -> arb:
+        inside = (1 if n == 0 else 0) - product(u, u, n)
+        if n == 0:
+            root.append(inside.sqrt())
+            over.append(1 / root[0])
+        else:
+            root.append((inside - sum((root[k] * root[n - k] for k in range(1, n)), arb(0))) / (2 * root[0]))
+            over.append(-sum((root[k] * over[n - k] for k in range(1, n + 1)), arb(0)) / root[0])
+        factor.append(springs * left * over[n] + (1 - springs if n == 0 else 0))
+        return product(factor, u, n)
+
+    return coefficient
+
+
+def polynomial(*factors: arb) -> Piece:
+    """f = u (factors[0] + factors[1] u^2 + ...)."""
+    square: list[arb] = []
+    sums: list[list[arb]] = [[] for _ in factors]
+
+    def coefficient(n: int, u: list[arb]) -> arb:
+        square.append(product(u, u, n))
+        for i in range(len(factors) - 1, -1, -1):
+            above = product(square, sums[i + 1], n) if i + 1 < len(factors) else arb(0)
+            sums[i].append(above + (factors[i] if n == 0 else 0))
+        return product(u, sums[0], n)
+
+    return coefficient
+
+
+def forces(kind: str, numbers: dict[str, float]) -> tuple[list[Callable[[], Piece]], arb | None]:
+    """The pieces of the whole restoring force by rising |u|, to be begun at each step, and the breakpoint."""
+    if kind == "duffing":
+        return [lambda: polynomial(arb(numbers["alpha"]), arb(numbers["beta"]))], None
+    springs, left = arb(numbers["lam"]) * arb(numbers["r"]), 1 - arb(numbers["delta_h"])
+    u_cr = (1 - left * left).sqrt()
+    if kind == "untruncated":
+        return [lambda: untruncated(springs, left), lambda: polynomial(arb(1))], u_cr
+    inner = (1 - springs * (1 - left), springs * left / 2, springs * left * 3 / 8)
+    return [lambda: polynomial(*inner), lambda: polynomial(arb(1))], u_cr
+
+
+def expanded(piece: Piece, u: arb, v: arb, theta: arb, Omega: arb, F_0: arb, zeta: arb, mu: arb) -> list[arb]:
+    """The series of u(t) for a mass that moves downwards: u'' = F_0 cos theta - f(u) - 2 zeta u' + mu."""
+    x, cosine, sine = [u, v], F_0 * theta.cos(), F_0 * theta.sin()
+    for n in range(TERMS - 2):
+        rate = cosine - piece(n, x) - 2 * zeta * (n + 1) * x[n + 1] + (mu if n == 0 else 0)
+        x.append(rate / ((n + 1) * (n + 2)))
+        cosine, sine = -Omega * sine / (n + 1), Omega * cosine / (n + 1)
+    return x
+
+
+def at(coefficients: list[arb], t: arb) -> tuple[arb, arb]:
+    """u and v at t, rounded to the middles of their balls."""
+    u, v = arb(0), arb(0)
+    for n in range(len(coefficients) - 1, -1, -1):
+        v = v * t + u
+        u = u * t + coefficients[n]
+    return u.mid(), v.mid()
+
+
+def half_turn(case: tuple[str, dict[str, float], float], A: arb, theta: arb, Omega: arb) -> tuple[arb, arb]:
+    """(u + A, v) half a turn after the maximum A at phase theta."""
+    kind, numbers, F_0 = case
+    pieces, u_cr = forces(kind, numbers)
+    zeta, mu = arb(numbers["zeta"]), arb(numbers["mu"])
+    # downwards through the regions; what ends each
+    if u_cr is not None and A > u_cr:
+        course = [(pieces[1], u_cr), (pieces[0], -u_cr), (pieces[1], None)]
+    else:
+        course = [(pieces[0], None)]
+    u, v, passed, end = A, arb(0), arb(0), arb.pi() / Omega
+    for piece, edge in course:
+        while True:
+            x = expanded(piece(), u, v, theta + Omega * passed, Omega, arb(F_0), zeta, mu)
+            scale = max(abs(x[0].mid()), abs(x[1].mid()), abs(x[2].mid()))
+            tail = max(abs(x[TERMS - 1].mid()), abs(x[TERMS - 2].mid()))
+            step = min(LONGEST, ((scale * NOTHING / tail).log() / (TERMS - 1)).exp().mid())
+            last = not passed + step < end
+            step = (end - passed).mid() if last else step
+            there, rate = at(x, step)
+            if edge is not None and there < edge:
+                step = crossing(x, edge, step)
+                u, v = edge.mid(), at(x, step)[1]
+                passed = (passed + step).mid()
+                break
+            u, v, passed = there, rate, (passed + step).mid()
+            if last:
+                return (u + A).mid(), v
+    raise AssertionError("half a turn ends before a breakpoint is met")
+
+
+def crossing(x: list[arb], edge: arb, step: arb) -> arb:
+    """Where u falls through the edge within the step, by Newton's iteration."""
+    t = step
+    for _ in range(60):
+        u, v = at(x, t)
+        change = ((u - edge) / v).mid()
+        t = (t - change).mid()
+        if abs(change) < NOTHING:
+            return t
+    raise AssertionError("a breakpoint's time does not converge")
+
+
+def residual(case: tuple[str, dict[str, float], float], fold: bool, given: list[arb], Omega: arb | None) -> list[arb]:
+    """What vanishes at a motion or a fold."""
+    A, theta, frequency = (*given, Omega) if Omega is not None else given
+    out = list(half_turn(case, A, theta, frequency))
+    if fold:
+        (a, b), (c, d) = (
+            [
+                (more - less) / (2 * APART)
+                for more, less in zip(
+                    half_turn(case, A + dA, theta + dt, frequency),
+                    half_turn(case, A - dA, theta - dt, frequency),
+                    strict=True,
+                )
+            ]
+            for dA, dt in ((APART, arb(0)), (arb(0), APART))
+        )
+        out.append((a * d - b * c).mid())
+    return out
+
+
+def solved(case: tuple[str, dict[str, float], float], Omega: float | None, start: tuple[float, ...]) -> list[arb]:
+    """Newton's iteration, until a step is below what is kept."""
+    x, given = [arb(value) for value in start], None if Omega is None else arb(Omega)
+    fold = Omega is None
+    for _ in range(40):
+        f = residual(case, fold, x, given)
+        columns = []
+        for i in range(len(x)):
+            moved = [value + (FURTHER if i == j else 0) for j, value in enumerate(x)]
+            changed = residual(case, fold, moved, given)
+            columns.append([(more - less) / FURTHER for more, less in zip(changed, f, strict=True)])
+        matrix = arb_mat(len(x), len(x), [columns[j][i].mid() for i in range(len(x)) for j in range(len(x))])
+        step = matrix.solve(arb_mat(len(x), 1, [-value for value in f]))
+        size = max(abs(step[i, 0].mid()) for i in range(len(x)))
+        # a start typed to a few digits may be too far for whole steps
+        share = min(arb(1), arb("0.1") / size) if size > arb("0.1") else arb(1)
+        x = [(value + share * step[i, 0]).mid() for i, value in enumerate(x)]
+        if size < arb(10) ** -(DIGITS + 3):
+            return x
+    raise AssertionError(f"no motion found: {case}, {Omega}, {start}")
+
+
+def main() -> None:
+    """Write the file."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "data")
+    options = parser.parse_args()
+    ctx.prec = BITS
+    rows = []
+    for kind, numbers, F_0, Omega, start in CASES:
+        found = solved((kind, numbers, F_0), Omega, start)
+        A, theta, *rest = (value.str(DIGITS, radius=False) for value in found)
+        row = {"force": kind, "numbers": numbers, "F_0": F_0, "fold": Omega is None}
+        rows.append(row | {"Omega": rest[0] if rest else Omega, "A": A, "theta": theta})
+        print(rows[-1], flush=True)
+    (options.out / "exact_motions.json").write_text(json.dumps(rows, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()
