@@ -11,36 +11,29 @@
 
 #include "interval.h"
 
-/* h, h_A, h_AA, h_AAA together.
-   Equation (20)-(22), (31). Domain: A >= 0. */
-static inline void duffing_intervals_averaged(sf_interval A, const sf_interval *p, sf_interval *out)
-{
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval t0 = sfi_mul(sfi_square(A), beta);
-    const sf_interval t1 = sfi_times(4.5, beta);
-    out[0] = sfi_mul(A, sfi_sub(sfi_neg(alpha), sfi_times(0.75, t0)));
-    out[1] = sfi_sub(sfi_neg(alpha), sfi_times(2.25, t0));
-    out[2] = sfi_neg(sfi_mul(A, t1));
-    out[3] = sfi_neg(t1);
-}
-
-/* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0. */
-static inline sf_interval duffing_intervals_intercept(sf_interval A, const sf_interval *p)
-{
-    const sf_interval beta = p[1];
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval A3 = sfi_mul(A, A2);
-    return sfi_times(1.5, sfi_mul(A3, beta));
-}
-
 /* The parameters alpha, beta from the design.
    Equation (5), (7). Domain: any design. */
 static inline void duffing_intervals_coefficients(sf_interval alpha, sf_interval beta, sf_interval *out)
 {
     out[0] = alpha;
     out[1] = beta;
+}
+
+/* h, h_A, h_AA, h_AAA, h - A h_A together.
+   Equation (20)-(22), (31). Domain: A >= 0. */
+static inline void duffing_intervals_known(sf_interval A, const sf_interval *p, sf_interval *out)
+{
+    const sf_interval alpha = p[0];
+    const sf_interval beta = p[1];
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval t0 = sfi_mul(A2, beta);
+    const sf_interval t1 = sfi_times(4.5, beta);
+    const sf_interval A3 = sfi_mul(A, A2);
+    out[0] = sfi_mul(A, sfi_sub(sfi_neg(alpha), sfi_times(0.75, t0)));
+    out[1] = sfi_sub(sfi_neg(alpha), sfi_times(2.25, t0));
+    out[2] = sfi_neg(sfi_mul(A, t1));
+    out[3] = sfi_neg(t1);
+    out[4] = sfi_times(1.5, sfi_mul(A3, beta));
 }
 
 #endif

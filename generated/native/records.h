@@ -132,8 +132,7 @@ static void duffing_record_averaged_within(int passed, sf_interval A, sf_interva
 {
     (void)(passed);
     (void)(beyond);
-    duffing_intervals_averaged(A, p, out);
-    out[4] = duffing_intervals_intercept(A, p);
+    duffing_intervals_known(A, p, out);
 }
 
 _Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
@@ -265,8 +264,7 @@ static void rod_spring_record_parameters_within(const double *design, sf_interva
 static void rod_spring_record_averaged_within(int passed, sf_interval A, sf_interval beyond,
                                                            const sf_interval *p, sf_interval *out)
 {
-    rod_spring_intervals_averaged(passed, A, beyond, p, out);
-    out[4] = rod_spring_intervals_intercept(passed, A, beyond, p);
+    rod_spring_intervals_known(passed, A, beyond, p, out);
 }
 
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,

@@ -12,25 +12,60 @@
 
 #include "interval.h"
 
-/* h, h_A, h_AA, h_AAA together.
+/* The parameters alpha, beta, gamma, u_cr from the design.
+   Equation (5), (7). Domain: any design. */
+static inline void rod_spring_intervals_coefficients(sf_interval lam, sf_interval r, sf_interval delta_h, sf_interval *out)
+{
+    const sf_interval t0 = sfi_mul(lam, r);
+    const sf_interval t1 = sfi_mul(t0, sfi_sub(delta_h, sfi_point(1.0)));
+    out[0] = sfi_add(sfi_neg(sfi_mul(delta_h, t0)), sfi_point(1.0));
+    out[1] = sfi_neg(sfi_times(0.5, t1));
+    out[2] = sfi_neg(sfi_times(0.375, t1));
+    out[3] = sfi_mul(sfi_sqrt(delta_h), sfi_sqrt(sfi_sub(sfi_point(2.0), delta_h)));
+}
+
+/* The |u| at which a piece of the force ends.
+   Equation (5). Domain: any parameters. */
+static inline void rod_spring_intervals_breakpoints(const sf_interval *p, sf_interval *out)
+{
+    const sf_interval u_cr = p[3];
+    out[0] = u_cr;
+}
+
+/* What the force loses at each breakpoint: f below less f above.
+   Equation (6). Domain: any parameters. */
+static inline void rod_spring_intervals_jumps(const sf_interval *p, sf_interval *out)
+{
+    const sf_interval alpha = p[0];
+    const sf_interval beta = p[1];
+    const sf_interval gamma = p[2];
+    const sf_interval u_cr = p[3];
+    const sf_interval t0 = sfi_square(u_cr);
+    out[0] = sfi_mul(u_cr, sfi_sub(sfi_add(alpha, sfi_mul(t0, sfi_add(beta, sfi_mul(gamma, t0)))),
+        sfi_point(1.0)));
+}
+
+/* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-static inline void rod_spring_intervals_averaged_passed_0(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
+static inline void rod_spring_intervals_known_passed_0(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
     const sf_interval alpha = p[0];
     const sf_interval beta = p[1];
     const sf_interval gamma = p[2];
     (void)(beyond);
     const sf_interval t0 = sfi_neg(alpha);
-    const sf_interval t1 = sfi_square(A);
-    const sf_interval t2 = sfi_mul(gamma, t1);
-    const sf_interval t3 = sfi_times(4.5, beta);
-    out[0] = sfi_mul(A, sfi_add(t0, sfi_mul(t1, sfi_sub(sfi_neg(sfi_times(0.75, beta)), sfi_times(0.625, t2)))));
-    out[1] = sfi_add(t0, sfi_mul(t1, sfi_sub(sfi_neg(sfi_times(2.25, beta)), sfi_times(3.125, t2))));
-    out[2] = sfi_mul(A, sfi_sub(sfi_neg(sfi_times(12.5, t2)), t3));
-    out[3] = sfi_sub(sfi_neg(sfi_times(37.5, t2)), t3);
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval t1 = sfi_mul(A2, gamma);
+    const sf_interval t2 = sfi_times(4.5, beta);
+    const sf_interval A3 = sfi_mul(A, A2);
+    out[0] = sfi_mul(A, sfi_add(sfi_mul(A2, sfi_sub(sfi_neg(sfi_times(0.75, beta)), sfi_times(0.625, t1))), t0));
+    out[1] = sfi_add(sfi_mul(A2, sfi_sub(sfi_neg(sfi_times(2.25, beta)), sfi_times(3.125, t1))), t0);
+    out[2] = sfi_mul(A, sfi_sub(sfi_neg(sfi_times(12.5, t1)), t2));
+    out[3] = sfi_sub(sfi_neg(sfi_times(37.5, t1)), t2);
+    out[4] = sfi_mul(A3, sfi_add(sfi_times(1.5, beta), sfi_times(2.5, t1)));
 }
 
-static inline void rod_spring_intervals_averaged_passed_1(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
+static inline void rod_spring_intervals_known_passed_1(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
     const sf_interval alpha = p[0];
     const sf_interval beta = p[1];
@@ -71,7 +106,7 @@ static inline void rod_spring_intervals_averaged_passed_1(sf_interval A, sf_inte
     const sf_interval root2 = sfi_square(root);
     const sf_interval root3 = sfi_mul(root, root2);
     const sf_interval t15 = sfi_div(u_cr3, root3);
-    const sf_interval t16 = sfi_mul(t13, t15);
+    const sf_interval t16 = sfi_mul(t0, t13);
     const sf_interval t17 = sfi_mul(t10, u_cr3);
     const sf_interval t18 = sfi_div(t17, A3);
     const sf_interval t19 = sfi_sub(sfi_neg(t12), sfi_mul(u_cr2, sfi_add(sfi_times(5.0, t11), t8)));
@@ -79,22 +114,25 @@ static inline void rod_spring_intervals_averaged_passed_1(sf_interval A, sf_inte
     const sf_interval t21 = sfi_mul(t17, t20);
     const sf_interval u_cr4 = sfi_square(u_cr2);
     const sf_interval u_cr5 = sfi_mul(u_cr, u_cr4);
+    const sf_interval A5 = sfi_mul(A, A4);
     out[0] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_mul(A, sfi_add(sfi_add(sfi_mul(A2, t4), t6),
         t7))));
     out[1] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_sub(sfi_add(sfi_neg(sfi_mul(sfi_mul(A2, M4),
         t8)), sfi_mul(sfi_mul(sfi_mul(t10, t13), t9), u_cr3)), sfi_times(5.0, t6)), t7));
     out[2] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, t14),
-        sfi_times(20.0, sfi_mul(A3, t5))), sfi_mul(t0, t16)), sfi_times(2.0, sfi_mul(t13, t18))), sfi_mul(t18,
+        sfi_times(20.0, sfi_mul(A3, t5))), sfi_times(2.0, sfi_mul(t13, t18))), sfi_mul(t15, t16)), sfi_mul(t18,
         t19))));
     out[3] = sfi_mul(sfi_around(1.2732395447351628),
-        sfi_add(sfi_add(sfi_add(sfi_sub(sfi_add(sfi_add(sfi_add(sfi_neg(sfi_times(60.0, sfi_mul(A2, t5))),
+        sfi_add(sfi_add(sfi_sub(sfi_add(sfi_add(sfi_add(sfi_add(sfi_neg(sfi_times(60.0, sfi_mul(A2, t5))),
         sfi_times(2.0, sfi_mul(sfi_mul(sfi_mul(t10, t20), u_cr5), sfi_add(sfi_times(10.0, t11), t8)))),
-        sfi_mul(sfi_mul(t13, t15), t9)), sfi_times(6.0, sfi_mul(t13, t21))), t14), sfi_mul(sfi_mul(t15, t19), t9)),
-        sfi_mul(t16, sfi_add(sfi_times(2.0, t9), sfi_div(sfi_point(3.0), root2)))), sfi_times(3.0, sfi_mul(t19,
-        t21))));
+        sfi_mul(sfi_mul(t13, t15), t9)), sfi_mul(sfi_mul(t13, t15), sfi_add(sfi_times(2.0, t9),
+        sfi_div(sfi_point(3.0), root2)))), sfi_times(6.0, sfi_mul(t13, t21))), t14), sfi_mul(sfi_mul(t15, t19),
+        t9)), sfi_times(3.0, sfi_mul(t19, t21))));
+    out[4] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_add(sfi_times(2.0, sfi_mul(A3, t4)),
+        sfi_times(4.0, sfi_mul(A5, t5))), sfi_mul(t16, t17)));
 }
 
-static inline void rod_spring_intervals_averaged_passed_1_far_1(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
+static inline void rod_spring_intervals_known_passed_1_far_1(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
     const sf_interval alpha = p[0];
     const sf_interval beta = p[1];
@@ -150,7 +188,7 @@ static inline void rod_spring_intervals_averaged_passed_1_far_1(sf_interval A, s
     const sf_interval root2 = sfi_square(root);
     const sf_interval root3 = sfi_mul(root, root2);
     const sf_interval t12 = sfi_div(u_cr3, root3);
-    const sf_interval t13 = sfi_mul(t10, t12);
+    const sf_interval t13 = sfi_mul(t0, t10);
     const sf_interval t14 = sfi_mul(t7, u_cr3);
     const sf_interval t15 = sfi_div(t14, A3);
     const sf_interval t16 = sfi_sub(sfi_neg(t9), sfi_mul(u_cr2, sfi_add(t5, sfi_times(5.0, t8))));
@@ -158,160 +196,36 @@ static inline void rod_spring_intervals_averaged_passed_1_far_1(sf_interval A, s
     const sf_interval t18 = sfi_mul(t14, t17);
     const sf_interval u_cr4 = sfi_square(u_cr2);
     const sf_interval u_cr5 = sfi_mul(u_cr, u_cr4);
+    const sf_interval A5 = sfi_mul(A, A4);
     out[0] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_mul(A, sfi_add(sfi_add(sfi_mul(A2, t1), t3),
         t4))));
     out[1] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_sub(sfi_add(sfi_neg(sfi_mul(sfi_mul(A2, M4),
         t5)), sfi_mul(sfi_mul(sfi_mul(t10, t6), t7), u_cr3)), sfi_times(5.0, t3)), t4));
     out[2] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, t11),
-        sfi_times(20.0, sfi_mul(A3, t2))), sfi_mul(t0, t13)), sfi_times(2.0, sfi_mul(t10, t15))), sfi_mul(t15,
+        sfi_times(20.0, sfi_mul(A3, t2))), sfi_times(2.0, sfi_mul(t10, t15))), sfi_mul(t12, t13)), sfi_mul(t15,
         t16))));
     out[3] = sfi_mul(sfi_around(1.2732395447351628),
-        sfi_add(sfi_add(sfi_add(sfi_add(sfi_sub(sfi_add(sfi_add(sfi_neg(sfi_times(60.0, sfi_mul(A2, t2))),
-        sfi_mul(sfi_mul(t10, t12), t6)), sfi_times(6.0, sfi_mul(t10, t18))), t11), sfi_mul(sfi_mul(t12, t16), t6)),
-        sfi_mul(t13, sfi_add(sfi_times(2.0, t6), sfi_div(sfi_point(3.0), root2)))), sfi_times(3.0, sfi_mul(t16,
-        t18))), sfi_times(2.0, sfi_mul(sfi_mul(sfi_mul(t17, t7), u_cr5), sfi_add(t5, sfi_times(10.0, t8))))));
+        sfi_add(sfi_add(sfi_add(sfi_sub(sfi_add(sfi_add(sfi_add(sfi_neg(sfi_times(60.0, sfi_mul(A2, t2))),
+        sfi_mul(sfi_mul(t10, t12), t6)), sfi_mul(sfi_mul(t10, t12), sfi_add(sfi_times(2.0, t6),
+        sfi_div(sfi_point(3.0), root2)))), sfi_times(6.0, sfi_mul(t10, t18))), t11), sfi_mul(sfi_mul(t12, t16),
+        t6)), sfi_times(3.0, sfi_mul(t16, t18))), sfi_times(2.0, sfi_mul(sfi_mul(sfi_mul(t17, t7), u_cr5),
+        sfi_add(t5, sfi_times(10.0, t8))))));
+    out[4] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_add(sfi_times(2.0, sfi_mul(A3, t1)),
+        sfi_times(4.0, sfi_mul(A5, t2))), sfi_mul(t13, t14)));
 }
 
-static inline void rod_spring_intervals_averaged(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
+static inline void rod_spring_intervals_known(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
 {
     const sf_interval u_cr = p[3];
     if (passed == 0) {
-        rod_spring_intervals_averaged_passed_0(A, beyond, p, out);
+        rod_spring_intervals_known_passed_0(A, beyond, p, out);
         return;
     }
     if (passed == 1 && A.lo <= sfi_times(1.25, u_cr).hi) {
-        rod_spring_intervals_averaged_passed_1(A, beyond, p, out);
+        rod_spring_intervals_known_passed_1(A, beyond, p, out);
         return;
     }
-    rod_spring_intervals_averaged_passed_1_far_1(A, beyond, p, out);
-}
-
-/* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0. */
-static inline sf_interval rod_spring_intervals_intercept_passed_0(sf_interval A, sf_interval beyond, const sf_interval *p)
-{
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
-    (void)(beyond);
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval A3 = sfi_mul(A, A2);
-    return sfi_mul(A3, sfi_add(sfi_times(2.5, sfi_mul(A2, gamma)), sfi_times(1.5, beta)));
-}
-
-static inline sf_interval rod_spring_intervals_intercept_passed_1(sf_interval A, sf_interval beyond, const sf_interval *p)
-{
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
-    const sf_interval u_cr = p[3];
-    const sf_interval root = sfi_mul(sfi_sqrt(beyond), sfi_sqrt(sfi_add(A, u_cr)));
-    const sf_interval t0 = sfi_inverse(A);
-    const sf_interval x = sfi_mul(t0, u_cr);
-    const sf_interval y = sfi_mul(root, t0);
-    const sf_interval theta = sfi_atan2(u_cr, root);
-    const sf_interval t1 = sfi_square(x);
-    const sf_interval t2 = sfi_mul(x, y);
-    const sf_interval M4 = sfi_add(sfi_neg(sfi_mul(t2, sfi_add(sfi_times(0.25, t1), sfi_point(0.375)))), sfi_times(0.375,
-        theta));
-    const sf_interval M6 = sfi_add(sfi_neg(sfi_mul(t2, sfi_add(sfi_mul(t1,
-        sfi_add(sfi_mul(sfi_around(0.16666666666666666), t1), sfi_around(0.20833333333333334))),
-        sfi_point(0.3125)))), sfi_times(0.3125, theta));
-    const sf_interval u_cr2 = sfi_square(u_cr);
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval A3 = sfi_mul(A, A2);
-    const sf_interval A4 = sfi_square(A2);
-    const sf_interval A5 = sfi_mul(A, A4);
-    const sf_interval u_cr3 = sfi_mul(u_cr, u_cr2);
-    return sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(A3, M4),
-        beta)), sfi_times(4.0, sfi_mul(sfi_mul(A5, M6), gamma))), sfi_div(sfi_mul(sfi_mul(t0, u_cr3),
-        sfi_sub(sfi_add(alpha, sfi_mul(u_cr2, sfi_add(beta, sfi_mul(gamma, u_cr2)))), sfi_point(1.0))), root)));
-}
-
-static inline sf_interval rod_spring_intervals_intercept_passed_1_far_1(sf_interval A, sf_interval beyond, const sf_interval *p)
-{
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
-    const sf_interval u_cr = p[3];
-    const sf_interval root = sfi_mul(sfi_sqrt(beyond), sfi_sqrt(sfi_add(A, u_cr)));
-    const sf_interval t0 = sfi_inverse(A);
-    const sf_interval x = sfi_mul(t0, u_cr);
-    const sf_interval y = sfi_mul(root, t0);
-    const sf_interval s = sfi_div(x, sfi_sqrt(sfi_add(sfi_times(2.0, y), sfi_point(2.0))));
-    const sf_interval s2 = sfi_square(s);
-    const sf_interval s4 = sfi_square(s2);
-    const sf_interval s3 = sfi_mul(s, s2);
-    const sf_interval s6 = sfi_square(s3);
-    const sf_interval s7 = sfi_mul(s, s6);
-    const sf_interval M6 = sfi_within(sfi_mul(s7, sfi_add(sfi_add(sfi_mul(s2, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
-        sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
-        sfi_sub(sfi_neg(sfi_mul(sfi_around(0.00021441317186122989), s4)), sfi_around(0.00038296467549092059))),
-        sfi_around(0.000746755888967803))), sfi_around(0.0016416352370689656))),
-        sfi_around(0.0042968750000000003))), sfi_around(0.01488095238095238))), sfi_around(0.088235294117647065))),
-        sfi_around(3.0769230769230771))), sfi_around(35.555555555555557))), sfi_mul(s4, sfi_add(sfi_mul(s4,
-        sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
-        sfi_sub(sfi_mul(s4, sfi_sub(sfi_neg(sfi_mul(sfi_around(0.00016468815332235291), s4)),
-        sfi_around(0.00028384801668998523))), sfi_around(0.00052806309291294638))),
-        sfi_around(0.0010878039944556453))), sfi_around(0.0025860821759259261))),
-        sfi_around(0.007642663043478261))), sfi_around(0.032894736842105261))), sfi_around(0.33333333333333331))),
-        sfi_around(21.818181818181817)))), sfi_around(18.285714285714285))), 8.6736173798840355e-19);
-    const sf_interval x2 = sfi_square(x);
-    const sf_interval x4 = sfi_square(x2);
-    const sf_interval x5 = sfi_mul(x, x4);
-    const sf_interval M4 = sfi_add(sfi_mul(sfi_around(1.2), M6), sfi_mul(sfi_around(0.20000000000000001), sfi_mul(x5,
-        y)));
-    const sf_interval u_cr2 = sfi_square(u_cr);
-    const sf_interval A2 = sfi_square(A);
-    const sf_interval A3 = sfi_mul(A, A2);
-    const sf_interval A4 = sfi_square(A2);
-    const sf_interval A5 = sfi_mul(A, A4);
-    const sf_interval u_cr3 = sfi_mul(u_cr, u_cr2);
-    return sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(A3, M4),
-        beta)), sfi_times(4.0, sfi_mul(sfi_mul(A5, M6), gamma))), sfi_div(sfi_mul(sfi_mul(t0, u_cr3),
-        sfi_sub(sfi_add(alpha, sfi_mul(u_cr2, sfi_add(beta, sfi_mul(gamma, u_cr2)))), sfi_point(1.0))), root)));
-}
-
-static inline sf_interval rod_spring_intervals_intercept(int passed, sf_interval A, sf_interval beyond, const sf_interval *p)
-{
-    const sf_interval u_cr = p[3];
-    if (passed == 0)
-        return rod_spring_intervals_intercept_passed_0(A, beyond, p);
-    if (passed == 1 && A.lo <= sfi_times(1.25, u_cr).hi)
-        return rod_spring_intervals_intercept_passed_1(A, beyond, p);
-    return rod_spring_intervals_intercept_passed_1_far_1(A, beyond, p);
-}
-
-/* The parameters alpha, beta, gamma, u_cr from the design.
-   Equation (5), (7). Domain: any design. */
-static inline void rod_spring_intervals_coefficients(sf_interval lam, sf_interval r, sf_interval delta_h, sf_interval *out)
-{
-    const sf_interval t0 = sfi_mul(lam, r);
-    const sf_interval t1 = sfi_mul(t0, sfi_sub(delta_h, sfi_point(1.0)));
-    out[0] = sfi_add(sfi_neg(sfi_mul(delta_h, t0)), sfi_point(1.0));
-    out[1] = sfi_neg(sfi_times(0.5, t1));
-    out[2] = sfi_neg(sfi_times(0.375, t1));
-    out[3] = sfi_mul(sfi_sqrt(delta_h), sfi_sqrt(sfi_sub(sfi_point(2.0), delta_h)));
-}
-
-/* The |u| at which a piece of the force ends.
-   Equation (5). Domain: any parameters. */
-static inline void rod_spring_intervals_breakpoints(const sf_interval *p, sf_interval *out)
-{
-    const sf_interval u_cr = p[3];
-    out[0] = u_cr;
-}
-
-/* What the force loses at each breakpoint: f below less f above.
-   Equation (6). Domain: any parameters. */
-static inline void rod_spring_intervals_jumps(const sf_interval *p, sf_interval *out)
-{
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
-    const sf_interval u_cr = p[3];
-    const sf_interval t0 = sfi_square(u_cr);
-    out[0] = sfi_mul(u_cr, sfi_sub(sfi_add(alpha, sfi_mul(t0, sfi_add(beta, sfi_mul(gamma, t0)))),
-        sfi_point(1.0)));
+    rod_spring_intervals_known_passed_1_far_1(A, beyond, p, out);
 }
 
 #endif

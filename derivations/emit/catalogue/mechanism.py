@@ -71,6 +71,7 @@ def mechanism_module(results: Results, name: str, flow: Module) -> Module:
             force_kernel(derived, pieces[::2]),
             *resultant_kernels(derived),
         ),
+        cells=cell_kernels(derived),
         selections=(*averages.selections, *selections(averages)),
         compositions=tuple(compositions(flow, mechanism, averages.pair)),
         flow=flow.name,
@@ -97,8 +98,8 @@ class Averages:
         return [one for one in (self.whole, self.pair, self.beside) if isinstance(one, Selection)]
 
 
-#: what a proof asks of a mechanism on intervals
-ENCLOSED = ("averaged", "intercept", "coefficients", "breakpoints", "jumps")
+#: what a proof asks of a mechanism on intervals, beside its averages
+ENCLOSED = ("coefficients", "breakpoints", "jumps")
 
 
 def is_enclosed(derived: OfMechanism) -> bool:
@@ -148,7 +149,6 @@ def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cas
         "A >= 0",
         parameters=len(parameters),
         returns="tuple",
-        enclosed=name in ENCLOSED and is_enclosed(derived),
     )
 
 
@@ -207,6 +207,18 @@ def intercept_kernels(derived: OfMechanism) -> list[Kernel]:
     return [
         replace(kernel, doc="h - A h_A, where the tangent of h meets A = 0; linear terms are none.", returns="scalar")
     ]
+
+
+def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """h, its derivatives and h - A h_A together, as a proof asks for them on intervals."""
+    if not is_enclosed(derived):
+        return ()
+    averages, (intercept,) = one_by_one(derived).whole, intercept_kernels(derived)
+    cases = tuple(
+        replace(one, outputs=(*one.outputs, *other.outputs))
+        for one, other in zip(averages.branches, intercept.branches, strict=True)
+    )
+    return (averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases),)
 
 
 def attached_kernel(derived: OfMechanism) -> Kernel:

@@ -30,9 +30,12 @@ NEAR_STICKING = "F_0 is so near to 4 mu/pi that doubles do not decide whether th
 
 _NONE = np.empty((0, 2))
 _NOTHING = np.empty(0)
+_NO_FLAG = np.empty(0, bool)
+#: by the sign of F_AA: 0, 1, -1
+_KINDS = np.array(["", "jump-down", "jump-up"])
 
 
-def _asked(function: str, model: Model, *numbers: float) -> tuple[Any, str]:
+def _asked(function: str, model: Model, *numbers: Any) -> tuple[Any, str]:
     """What a compiled proof gives, or why there is none."""
     if backend.SOLVER is None or model.native is None:
         return None, NO_SOLVERS
@@ -59,23 +62,21 @@ def _remarks(status: int, doubt: Floats, A_max: float, bounded: bool, room: bool
     return not len(doubt) and room, "; ".join(said)
 
 
-def saddle_nodes(model: Model, F_0: float) -> ProvedFolds:
-    """Every fold at F_0, with what is proved of it."""
-    answer, reason = _asked("folds", model, F_0)
+def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
+    """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
+    answer, reason = _asked("folds", model, F_0, expected)
     if answer is None:
-        return ProvedFolds(False, reason, _NONE, _NONE, np.empty(0, "U9"), np.empty(0, bool), 0.0, False, _NONE)
+        return ProvedFolds(False, reason, _NONE, _NONE, _KINDS[:0], _NO_FLAG, 0.0, False, _NONE)
     status, Omega, A, corner, sign, doubt, A_max, bounded, room = answer
-    order = np.argsort(Omega.sum(axis=1), kind="stable")
-    kind = np.array(["jump-up", "", "jump-down"])[sign + 1]
     proved, message = _remarks(status, doubt, A_max, bounded, room)
-    return ProvedFolds(proved, message, Omega[order], A[order], kind[order], corner[order], A_max, bounded, doubt)
+    return ProvedFolds(proved, message, Omega, A, _KINDS[sign], corner, A_max, bounded, doubt)
 
 
 def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """Every state at (Omega, F_0), with what is proved of it."""
     answer, reason = _asked("states", model, F_0, Omega)
     if answer is None:
-        return ProvedStates(False, reason, _NONE, np.empty(0, bool), 0.0, False, _NONE)
+        return ProvedStates(False, reason, _NONE, _NO_FLAG, 0.0, False, _NONE)
     status, _, A, _, sign, doubt, A_max, bounded, room = answer
     order = np.argsort(A[:, 0])
     proved, message = _remarks(status, doubt, A_max, bounded, room)

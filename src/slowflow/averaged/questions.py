@@ -133,7 +133,9 @@ class Averaged:
         finds another number of folds than the answer has says so in its message.
         """
         found = self._remarked(self.folds(F_0), F_0)
-        return dataclasses.replace(found, proof=self._proved_folds(found)) if certify else found
+        if certify:  # an answer does not change; this one has not been given yet
+            found.__dict__["proof"] = self._proved_folds(found)
+        return found
 
     def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
         """What is proved at F_0, in interval arithmetic: all folds, F_SN, F_cr, and all states at a frequency `Omega`.
@@ -151,7 +153,7 @@ class Averaged:
 
     def _proved_folds(self, found: SaddleNodes) -> ProvedFolds:
         """What is proved of an answer's folds."""
-        proof = proofs.saddle_nodes(self.model, found.F_0)
+        proof = proofs.saddle_nodes(self.model, found.F_0, found.A)
         if not proof.proved or len(proof.A) == len(found):
             return proof
         beside = f"{len(proof.A)} folds are proved, saddle_nodes gives {len(found)}"

@@ -115,24 +115,43 @@ static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_
     }
 }
 
-/* Every fold at F_0, those in work->folds being where to look first. */
-static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, sf_work *work, sf_proof *proof,
-                                  sf_certificate *out) {
-    const sf_status status = sf_saddle_nodes(model, F_0, work, &work->folds);
-    sf_proving proving;
-    int i;
+/* By rising Omega. */
+static void sf_sort_enclosures(sf_certificate *out) {
+    int i, k;
+    for (i = 1; i < out->n; i++) {
+        const sf_enclosure one = out->at[i];
+        for (k = i; k > 0 && out->at[k - 1].Omega.lo > one.Omega.lo; k--)
+            out->at[k] = out->at[k - 1];
+        out->at[k] = one;
+    }
+}
+
+/* What an answer is before anything is proved: the range of A, and whether the forcing moves the mass. */
+static sf_status sf_begin_certificate(const sf_model *model, const sf_given *given, double F_0, sf_certificate *out) {
+    sf_status status;
     out->n = out->doubts = out->full = 0, out->A_max = 0;
     out->bounded = !(F_0 > given->m.lo);
-    if (status != SF_OK)
+    if (sf_sticks(model, F_0))
+        return SF_STICKS;
+    status = sf_range_at(model, F_0, &out->A_max);
+    if (status == SF_OK)
+        out->bounded = sf_is_bounded(given, F_0, out->A_max);
+    if (!(F_0 > given->m.hi))
+        sf_leave_in_doubt(out, sfi_of(0, out->A_max));
+    return status;
+}
+
+/* Every fold at F_0. hints: amplitudes where some are expected */
+static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, const double *hints, int count,
+                                  sf_proof *proof, sf_certificate *out) {
+    const sf_status status = sf_begin_certificate(model, given, F_0, out);
+    sf_proving proving;
+    int i;
+    if (status != SF_OK || out->doubts > 0)
         return status;
-    out->A_max = work->A_max, out->bounded = sf_is_bounded(given, F_0, work->A_max);
     proving.given = given, proving.range = sf_fold_on, proving.channels = 1, proving.out = proof;
-    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.hints = &work->folds;
-    if (!(F_0 > given->m.hi)) {
-        sf_leave_in_doubt(out, sfi_of(0, work->A_max));
-        return SF_OK;
-    }
-    sf_prove(&proving, work->A_max);
+    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.hints = hints, proving.expected = count;
+    sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, proof, out);
     for (i = 0; i < proof->n; i++) {
         const sf_cell *on = &proof->at[i].on;
@@ -141,6 +160,7 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, 
                    sf_sign_of(slow_flow_intervals_F_AA(Omega, on->A, given->m, given->zeta, on->h, on->h_A, on->h_AA)));
     }
     sf_certify_corners(given, &proving.terms, out);
+    sf_sort_enclosures(out);
     return SF_OK;
 }
 
@@ -157,19 +177,13 @@ static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open
 /* Every state at (Omega, F_0). */
 static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega, sf_proof *proof,
                                    sf_certificate *out) {
+    const sf_status status = sf_begin_certificate(model, given, F_0, out);
     sf_proving proving;
-    sf_status status;
     int i;
-    out->n = out->doubts = out->full = 0, out->A_max = 0;
-    out->bounded = !(F_0 > given->m.lo);
-    if (sf_sticks(model, F_0))
-        return SF_STICKS;
-    status = sf_range_at(model, F_0, &out->A_max);
-    if (status != SF_OK)
+    if (status != SF_OK || out->doubts > 0)
         return status;
-    out->bounded = sf_is_bounded(given, F_0, out->A_max);
     proving.given = given, proving.range = sf_state_on, proving.channels = 1, proving.out = proof;
-    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.Omega = sfi_point(Omega), proving.hints = NULL;
+    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.Omega = sfi_point(Omega), proving.expected = 0;
     sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, proof, out);
     for (i = 0; i < proof->n; i++)
@@ -357,7 +371,7 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
     if (status != SF_OK)
         return status;
     list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
-    proving.given = given, proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.hints = NULL, proving.out = proof;
+    proving.given = given, proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.expected = 0, proving.out = proof;
     for (i = 0; i < 2; i++) {
         proving.range = i == 0 ? sf_isola_on : sf_cusps_on, proving.channels = 1 + i;
         sf_prove(&proving, A_max);

@@ -24,7 +24,8 @@ typedef struct {
     sf_extremum (*extremum)(const sf_model *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
                        long long *branch);
-    sf_status (*certify_folds)(const sf_model *, const sf_given *, double F_0, sf_work *, sf_proof *, sf_certificate *);
+    sf_status (*certify_folds)(const sf_model *, const sf_given *, double F_0, const double *hints, int count, sf_proof *,
+                               sf_certificate *);
     sf_status (*certify_states)(const sf_model *, const sf_given *, double F_0, double Omega, sf_proof *, sf_certificate *);
     sf_status (*certify_detachment)(const sf_given *, sf_interval *F_cr, sf_interval *Omega_cr);
     sf_status (*certify_onset)(const sf_model *, const sf_given *, sf_work *, sf_proof *, sf_proved_onset *);

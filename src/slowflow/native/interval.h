@@ -18,6 +18,7 @@ typedef struct {
 
 #define SFI_ULP 0x1p-52
 #define SFI_LEAST 0x1p-1022
+#define SFI_SMALL 0x1p-960 /* no product above it has lost digits to underflow */
 
 /* of a sum, a root: exact where it is subnormal, and 0 only if it is exactly 0 */
 static inline double sfi_down(double x) { return x - SFI_ULP * fabs(x); }
@@ -26,9 +27,17 @@ static inline double sfi_least(double a, double b) { return a < b ? a : b; }
 static inline double sfi_most(double a, double b) { return a > b ? a : b; }
 /* Of a product, which may underflow; 0 times anything is 0. */
 static inline double sfi_product_down(double a, double b) {
-    return a == 0 || b == 0 ? 0 : sfi_down(a * b) - SFI_LEAST;
+    const double product = a * b;
+    if (fabs(product) > SFI_SMALL)
+        return sfi_down(product);
+    return a == 0 || b == 0 ? 0 : sfi_down(product) - SFI_LEAST;
 }
-static inline double sfi_product_up(double a, double b) { return a == 0 || b == 0 ? 0 : sfi_up(a * b) + SFI_LEAST; }
+static inline double sfi_product_up(double a, double b) {
+    const double product = a * b;
+    if (fabs(product) > SFI_SMALL)
+        return sfi_up(product);
+    return a == 0 || b == 0 ? 0 : sfi_up(product) + SFI_LEAST;
+}
 
 static inline sf_interval sfi_of(double lo, double hi) {
     const sf_interval x = {lo, hi};

@@ -22,20 +22,23 @@ enum { SF_MOST_STEPS = 60 };
 
 typedef struct sf_proving sf_proving;
 
-/* range: a question's functions on a cell; hints: amplitudes near which zeros are expected */
+/* range: a question's functions on a cell; hints: amplitudes next to which zeros are expected, so many */
 struct sf_proving {
     const sf_given *given;
     void (*range)(const sf_proving *, const sf_cell *, int open, sf_range out[2]);
     int channels, piece;
     sf_terms terms;
     sf_interval Omega;
-    const sf_folds *hints;
+    const double *hints;
+    int expected;
     sf_proof *out;
 };
 
+/* range: the functions there, once they have been asked for */
 typedef struct {
     sf_known known;
     sf_range range[2];
+    int asked;
 } sf_checked;
 
 static inline sf_terms sf_terms_of(const sf_given *given, sf_interval F_0) {
@@ -49,18 +52,22 @@ static void sf_clear_range(sf_range out[2]) {
     out[0].where = out[1].where = SF_NOWHERE, out[0].edge = out[1].edge = 0;
 }
 
-/* The functions at something known. */
-static void sf_check(const sf_proving *proving, sf_checked *out) {
-    const double x = out->known.A;
+/* A function at something known. */
+static const sf_range *sf_value_at(const sf_proving *proving, sf_checked *at, int c) {
     sf_cell cell;
-    sf_make_cell_on(sf_beyond(proving->given, proving->piece, sfi_point(x)), &out->known, &out->known, &cell);
-    sf_clear_range(out->range);
-    proving->range(proving, &cell, 3, out->range);
+    if (!at->asked) {
+        const double x = at->known.A;
+        sf_make_cell_on(sf_beyond(proving->given, proving->piece, sfi_point(x)), &at->known, &at->known, &cell);
+        sf_clear_range(at->range);
+        proving->range(proving, &cell, 3, at->range);
+        at->asked = 1;
+    }
+    return &at->range[c];
 }
 
 static void sf_check_at(const sf_proving *proving, double x, sf_checked *out) {
     sf_know_at(proving->given, proving->piece, x, &out->known);
-    sf_check(proving, out);
+    out->asked = 0;
 }
 
 static void sf_range_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open, sf_cell *cell,
@@ -72,11 +79,16 @@ static void sf_range_between(const sf_proving *proving, const sf_checked *a, con
 }
 
 /* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. */
-static int sf_crossing(const sf_checked *a, const sf_checked *b, int c, const sf_range *range) {
-    const sf_interval low = a->range[c].y, high = b->range[c].y;
+static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
+    const sf_range *at_a, *at_b;
+    sf_interval low, high;
     if (range->where == SF_NOWHERE || sfi_has_sign(range->y))
         return 0;
-    if (range->where != SF_THROUGHOUT || a->range[c].where != SF_THROUGHOUT || b->range[c].where != SF_THROUGHOUT)
+    if (range->where != SF_THROUGHOUT)
+        return 2;
+    at_a = sf_value_at(proving, a, c), at_b = sf_value_at(proving, b, c);
+    low = at_a->y, high = at_b->y;
+    if (at_a->where != SF_THROUGHOUT || at_b->where != SF_THROUGHOUT)
         return 2;
     if (sfi_has_sign(sfi_both(range->y, sf_along(low, high, range->dy, sfi_up(b->known.A - a->known.A)))))
         return 0;
@@ -85,46 +97,79 @@ static int sf_crossing(const sf_checked *a, const sf_checked *b, int c, const sf
     return sfi_positive(low) == sfi_positive(high) ? 0 : sfi_negative(low) ? 1 : -1;
 }
 
+/* Where a zero between two amplitudes is expected, or NaN. */
 static double sf_hint_between(const sf_proving *proving, double low, double high) {
     const double begins = sf_beginning(proving->given, proving->piece).lo;
     int i;
-    for (i = 0; proving->hints != NULL && i < proving->hints->n; i++) {
-        const double x = proving->hints->at[i].A - begins;
-        if (!proving->hints->at[i].corner && x > low && x < high)
+    for (i = 0; i < proving->expected; i++) {
+        const double x = proving->hints[i] - begins;
+        if (x > low && x < high)
             return x;
     }
-    return sf_amid(0, low, high);
+    return NAN;
 }
 
-/* The one zero between two amplitudes, made narrow: by signs and by Newton's method on intervals, until that gains no
- * more. */
-static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range, sf_cell *cell) {
-    double low = a->known.A, high = b->known.A;
+/* Whether the one zero between two amplitudes is proved to lie next to x, where it is expected: Newton's method on
+ * intervals leads from there into itself. Then `cell` becomes narrow. */
+static int sf_is_next_to(const sf_proving *proving, double x, double low, double high, int c, sf_interval *beyond,
+                         sf_cell *cell) {
+    sf_checked at, a, b;
+    const sf_range *there;
+    sf_range on[2];
+    sf_cell around;
+    sf_interval step, next;
+    double away;
+    sf_check_at(proving, x, &at);
+    there = sf_value_at(proving, &at, c);
+    if (there->where != SF_THROUGHOUT || !sfi_has_sign(there->dy))
+        return 0;
+    step = sfi_div(there->y, there->dy);
+    away = 2 * sfi_most(sfi_most(-step.lo, step.hi), 0x1p-51 * x);
+    if (!(x - away > low && x + away < high))
+        return 0;
+    sf_check_at(proving, x - away, &a);
+    sf_check_at(proving, x + away, &b);
+    sf_range_between(proving, &a, &b, 1 << c, &around, on);
+    if (on[c].where != SF_THROUGHOUT || !sfi_has_sign(on[c].dy))
+        return 0;
+    next = sfi_sub(sfi_point(x), sfi_div(there->y, on[c].dy));
+    if (!(next.lo > a.known.A && next.hi < b.known.A))
+        return 0;
+    *cell = around;
+    *beyond = next;
+    cell->A = sf_beyond(proving->given, proving->piece, next);
+    return 1;
+}
+
+/* The one zero between two amplitudes, made narrow: by Newton's method on intervals, until that gains no more. */
+static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range, sf_interval *beyond,
+                      sf_cell *cell) {
+    const double hint = sf_hint_between(proving, a->known.A, b->known.A);
     int i;
+    if (hint > 0 && sf_is_next_to(proving, hint, a->known.A, b->known.A, c, beyond, cell))
+        return;
+    *beyond = sfi_of(a->known.A, b->known.A);
     for (i = 0; i < SF_MOST_STEPS; i++) {
-        const double x = i == 0 ? sf_hint_between(proving, low, high) : 0.5 * low + 0.5 * high, width = high - low;
+        const double low = beyond->lo, high = beyond->hi, x = i == 0 ? sf_amid(0, low, high) : 0.5 * low + 0.5 * high;
         sf_checked at;
+        const sf_range *there;
         sf_interval next;
         sf_range on[2];
-        sf_cell narrower;
         if (!(x > low && x < high))
             return;
         sf_check_at(proving, x, &at);
-        if (at.range[c].where != SF_THROUGHOUT)
+        there = sf_value_at(proving, &at, c);
+        if (there->where != SF_THROUGHOUT)
             return;
-        next = sfi_both(sfi_of(low, high), sfi_sub(sfi_point(x), sfi_div(at.range[c].y, range.dy)));
-        if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * width)) {
-            if (i > 0)
-                return;
-            continue; /* the hint was none */
-        }
+        next = sfi_both(*beyond, sfi_sub(sfi_point(x), sfi_div(there->y, range.dy)));
+        if (!(next.lo <= next.hi) || !(next.hi - next.lo < 0.75 * (high - low)))
+            return;
         if (next.lo > low)
             sf_check_at(proving, next.lo, a);
         if (next.hi < high)
             sf_check_at(proving, next.hi, b);
-        low = next.lo, high = next.hi;
-        sf_range_between(proving, a, b, 1 << c, &narrower, on);
-        *cell = narrower;
+        *beyond = next;
+        sf_range_between(proving, a, b, 1 << c, cell, on);
         if (on[c].where == SF_THROUGHOUT && sfi_has_sign(on[c].dy))
             range = on[c];
     }
@@ -139,8 +184,8 @@ static void sf_add_proven(const sf_proving *proving, const sf_checked *a, const 
         return;
     }
     out->at[out->n].on = *cell, out->at[out->n].channel = c, out->at[out->n].rising = rising;
-    sf_narrow(proving, &low, &high, c, *range, &out->at[out->n].on);
-    out->at[out->n].beyond = sfi_of(low.known.A, high.known.A), out->at[out->n].piece = proving->piece;
+    out->at[out->n].piece = proving->piece;
+    sf_narrow(proving, &low, &high, c, *range, &out->at[out->n].beyond, &out->at[out->n].on);
     out->n++;
 }
 
@@ -159,7 +204,7 @@ static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int 
     out->doubt[out->doubts].piece = piece, out->doubt[out->doubts++].channel = c;
 }
 
-static void sf_prove_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open) {
+static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checked *b, int open) {
     const double low = a->known.A, high = b->known.A, x = sf_amid(0, low, high);
     const int last = !(x > low && x < high) || high - low <= SF_PROOF_NARROW * high ||
                      high <= SF_PROOF_NEXT * sf_beginning(proving->given, proving->piece).lo ||
@@ -170,7 +215,7 @@ static void sf_prove_between(const sf_proving *proving, const sf_checked *a, con
     int c;
     sf_range_between(proving, a, b, open, &cell, range);
     for (c = 0; c < proving->channels; c++) {
-        const int crossing = open & 1 << c ? sf_crossing(a, b, c, &range[c]) : 0;
+        const int crossing = open & 1 << c ? sf_crossing(proving, a, b, c, &range[c]) : 0;
         if (crossing == 1 || crossing == -1)
             sf_add_proven(proving, a, b, c, &range[c], &cell, crossing == 1);
         else if (crossing == 2 && last)
@@ -215,7 +260,7 @@ static void sf_look_again(const sf_proving *proving, double least, double most, 
             sf_check_at(proving, doubt.low - around, &a);
             sf_check_at(proving, doubt.high + around, &b);
             sf_range_between(proving, &a, &b, 1 << doubt.channel, &cell, range);
-            crossing = sf_crossing(&a, &b, doubt.channel, &range[doubt.channel]);
+            crossing = sf_crossing(proving, &a, &b, doubt.channel, &range[doubt.channel]);
             settled = crossing != 2;
             if (settled && crossing != 0 && !sf_holds_proven(out, a.known.A, b.known.A, doubt.piece, doubt.channel))
                 sf_add_proven(proving, &a, &b, doubt.channel, &range[doubt.channel], &cell, crossing == 1);
@@ -243,8 +288,7 @@ static void sf_prove(sf_proving *proving, double A_max) {
             sf_know_below(given, i, &last.known);
         else
             sf_know_at(given, i, sfi_up(A_max - sf_beginning(given, i).lo), &last.known);
-        sf_check(proving, &first);
-        sf_check(proving, &last);
+        first.asked = last.asked = 0;
         sf_prove_between(proving, &first, &last, proving->channels == 2 ? 3 : 1);
         sf_look_again(proving, first.known.A, last.known.A, before);
         if (!(i < given->breaks && given->b[i].lo < A_max))

@@ -70,12 +70,42 @@ static PyObject *certificate(int status, const sf_certificate *found)
                          PyBool_FromLong(found->bounded), PyBool_FromLong(!found->full));
 }
 
+static PyObject *certify_folds(PyObject *self, PyObject *args)
+{
+    PyObject *model, *design, *damping, *expected;
+    double F_0;
+    oscillator asked;
+    sf_status status;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "OOOdO", &model, &design, &damping, &F_0, &expected))
+        return NULL;
+    const int given = read_oscillator(model, design, damping, &asked);
+    if (given <= 0)
+        return given < 0 ? NULL : Py_NewRef(Py_None);
+    PyArrayObject *hints = (PyArrayObject *)PyArray_FROMANY(expected, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
+    if (hints == NULL)
+        return NULL;
+    workspace *space = malloc(sizeof *space);
+    if (space == NULL) {
+        Py_DECREF(hints);
+        return PyErr_NoMemory();
+    }
+    const double *first = PyArray_DATA(hints);
+    const int count = (int)PyArray_DIM(hints, 0);
+    Py_BEGIN_ALLOW_THREADS
+    status = sf_here()->certify_folds(asked.model, &asked.given, F_0, first, count, &space->proof, &space->found);
+    Py_END_ALLOW_THREADS
+    Py_DECREF(hints);
+    PyObject *result = certificate(status, &space->found);
+    free(space);
+    return result;
+}
+
 /* The oscillator that the arguments begin with, and a workspace; 1, 0 where no proof is possible, -1 with an exception. */
-static int start(PyObject *args, int numbers, oscillator *asked, double *F_0, double *Omega, workspace **space)
+static int start(PyObject *args, const char *format, oscillator *asked, double *F_0, double *Omega, workspace **space)
 {
     PyObject *model, *design, *damping;
-    if (!PyArg_ParseTuple(args, numbers == 2 ? "OOOdd" : numbers == 1 ? "OOOd" : "OOO", &model, &design, &damping, F_0,
-                          Omega))
+    if (!PyArg_ParseTuple(args, format, &model, &design, &damping, F_0, Omega))
         return -1;
     const int given = read_oscillator(model, design, damping, asked);
     if (given == 1 && (*space = malloc(sizeof **space)) == NULL) {
@@ -85,24 +115,6 @@ static int start(PyObject *args, int numbers, oscillator *asked, double *F_0, do
     return given;
 }
 
-static PyObject *certify_folds(PyObject *self, PyObject *args)
-{
-    double F_0;
-    oscillator asked;
-    workspace *space = NULL;
-    sf_status status;
-    (void)self;
-    const int given = start(args, 1, &asked, &F_0, NULL, &space);
-    if (given <= 0)
-        return given < 0 ? NULL : Py_NewRef(Py_None);
-    Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->certify_folds(asked.model, &asked.given, F_0, &space->work, &space->proof, &space->found);
-    Py_END_ALLOW_THREADS
-    PyObject *result = certificate(status, &space->found);
-    free(space);
-    return result;
-}
-
 static PyObject *certify_states(PyObject *self, PyObject *args)
 {
     double F_0, Omega;
@@ -110,7 +122,7 @@ static PyObject *certify_states(PyObject *self, PyObject *args)
     workspace *space = NULL;
     sf_status status;
     (void)self;
-    const int given = start(args, 2, &asked, &F_0, &Omega, &space);
+    const int given = start(args, "OOOdd", &asked, &F_0, &Omega, &space);
     if (given <= 0)
         return given < 0 ? NULL : Py_NewRef(Py_None);
     Py_BEGIN_ALLOW_THREADS
@@ -128,7 +140,7 @@ static PyObject *certify_onset(PyObject *self, PyObject *args)
     sf_proved_onset found;
     sf_status status;
     (void)self;
-    const int given = start(args, 0, &asked, NULL, NULL, &space);
+    const int given = start(args, "OOO", &asked, NULL, NULL, &space);
     if (given <= 0)
         return given < 0 ? NULL : Py_NewRef(Py_None);
     Py_BEGIN_ALLOW_THREADS
@@ -161,7 +173,8 @@ static PyObject *certify_detachment(PyObject *self, PyObject *args)
 
 static PyMethodDef functions[] = {
     {"certify_folds", certify_folds, METH_VARARGS,
-     "(model, design, damping, F_0) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, complete; or None"},
+     "(model, design, damping, F_0, A where folds are expected) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, "
+     "bounded, complete; or None"},
     {"certify_states", certify_states, METH_VARARGS,
      "(model, design, damping, F_0, Omega) -> the same, with the sign of F_A; or None"},
     {"certify_onset", certify_onset, METH_VARARGS,
