@@ -10,7 +10,7 @@ from typing import Any
 import matplotlib as mpl
 
 from benchmarks.document import environment_lines, table
-from benchmarks.stress import answers, counts, domains, kernels, roots
+from benchmarks.stress import answers, counts, domains, kernels, proofs, roots
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -328,6 +328,9 @@ def in_short(numbers: Numbers) -> list[str]:
         f"- **Counts, target none wrong of 10^7**: {wrong:,} wrong of {cases - undecided:,} that doubles decide; "
         f"{undecided:,} more lie within {counts.UNDECIDED:g} u (1 + κ) of a level and were asked too. "
         f"{cases:,} is what was tried, not 10^7.",
+        f"- **Proofs, target 99 % of folds by doubles alone, at most twice the time**: "
+        f"{share(numbers['proofs'][0], 'folds')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
+        "`saddle_nodes`, median.",
     ]
     return lines
 
@@ -414,6 +417,9 @@ def page(numbers: Numbers) -> str:
         *table(COUNTS, by_count(numbers["counts"]) + by_count(numbers["counts on NumPy"], " (NumPy)")),
         "",
         *wrong_lines(numbers),
+        "## Proofs at run time",
+        "",
+        *proof_lines(numbers["proofs"][0]),
         "## What one would write instead",
         "",
         "The same cases, decided ones: `numpy.roots` on the coefficients of (24), a sign change between the points of",
@@ -459,6 +465,43 @@ def wrong_lines(numbers: Numbers) -> list[str]:
         *table(head, rows),
         "",
     ]
+
+
+def share(numbers: Numbers, what: str) -> str:
+    """How much of it is proved."""
+    asked, proved = (numbers[name][what] for name in ("asked", "proved"))
+    return f"{proved:,} of {asked:,} ({proved / asked:.1%})"
+
+
+def proof_lines(numbers: Numbers) -> list[str]:
+    """What `certify` proves of random isolators, and what it does not."""
+    drawn = ", ".join(f"{name} 10^{low:g} to 10^{high:g}" for name, (low, high) in proofs.DRAWN.items())
+    asked = [(what, share(numbers, what)) for what in proofs.ASKED]
+    beside = [(name, f"{proved:,} of {tried:,}") for name, (tried, proved) in numbers["beside"].items()]
+    lines = [
+        f"`Isolator.certify` of {numbers['isolators']:,} random isolators, in intervals of doubles: 1 to",
+        f"{proofs.MOST_SPRINGS} springs, {drawn}, *excess* being F_0/(4 mu/pi) - 1. The relative width of an",
+        f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. Everything of Table 2 takes",
+        f"{1e3 * numbers['table_2']:.2g} ms.",
+        "",
+        *table(("asked", "proved"), asked),
+        "",
+        "Folds next to F_SN, where two of them are one to within rounding:",
+        "",
+        *table(("relative distance of F_0 from F_SN", "proved"), beside),
+        "",
+    ]
+    if numbers["others"]:
+        head = ("isolator", "F_0", "found", "proved")
+        lines += ["Where another number of folds is proved than found:", "", *table(head, _rows(numbers["others"])), ""]
+    if numbers["unproved"]:
+        head = ("asked", "isolator", "F_0", "why")
+        lines += [proofs.WHY, "", *table(head, _rows(numbers["unproved"])), ""]
+    return lines
+
+
+def _rows(found: list[list[str]]) -> Rows:
+    return [tuple(row) for row in found]
 
 
 def write(numbers: Numbers, folder: Path) -> None:
