@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator, backend, cli
 from slowflow.averaged import proofs, solvers
 from slowflow.paper import example
 from tests.native.intervals import OPERATIONS, Intervals
@@ -239,6 +239,46 @@ def test_where_there_is_no_proof_the_answer_says_why():
 def test_bad_input_is_refused(bad):
     with pytest.raises(ValueError, match="is not allowed"):
         example.isolator().certify(**bad)
+
+
+@compiled
+@pytest.mark.parametrize(
+    ("lam", "r", "delta_h", "mu", "zeta", "F_0"),
+    [
+        (1.0, 0.5911485197485808, 0.0011838792407794405, 0.0022145279283006937, 0.0005511611989420826, 0.397132400102),
+        (
+            4.0,
+            0.10906197969560882,
+            0.0015125245966018577,
+            0.0008227929748283448,
+            0.0008824210922688184,
+            0.2764908560414,
+        ),
+        (2.0, 0.25818037648907155, 0.0015681742633599112, 0.07661519088438935, 0.009273195434677394, 96.0254784968006),
+    ],
+)
+def test_folds_next_to_a_corner_are_told_from_those_on_it(lam, r, delta_h, mu, zeta, F_0):
+    """The force hardly jumps: a fold lies above the corner by less than 10^-18 of u_cr, and another on it."""
+    proof = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta).saddle_nodes(F_0, certify=True).proof
+    exact = averaged.RodSpring(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta).folds(F_0)
+    assert proof.proved
+    assert sorted(proof.corner) == [False, True]
+    for Omega, A, fold in zip(
+        proof.Omega.tolist(), proof.A.tolist(), sorted(exact, key=lambda one: float(one.Omega.mid())), strict=True
+    ):
+        assert flint.arb(Omega[0]) <= fold.Omega <= flint.arb(Omega[1])
+        assert flint.arb(A[0]) <= fold.A <= flint.arb(A[1])
+
+
+@compiled
+def test_the_command_line_prints_the_certificate(capsys):
+    assert cli.main(["certify", "0.04", "--Omega", "0.9"]) == 0
+    printed = capsys.readouterr().out.splitlines()
+    assert printed == [repr(example.isolator()), *str(example.isolator().certify(0.04, Omega=0.9)).splitlines()]
+    assert cli.main(["certify", "0.04", "--zeta", "0"]) == 1
+    assert "not proved" in capsys.readouterr().out
+    assert cli.main(["certify", "-1"]) == 2
+    assert "F_0 = -1.0 is not allowed" in capsys.readouterr().err
 
 
 # ---- the arithmetic underneath --------------------------------------------------------------------------------------

@@ -481,8 +481,8 @@ def proof_lines(numbers: Numbers) -> list[str]:
     lines = [
         f"`Isolator.certify` of {numbers['isolators']:,} random isolators, in intervals of doubles: 1 to",
         f"{proofs.MOST_SPRINGS} springs, {drawn}, *excess* being F_0/(4 mu/pi) - 1. The relative width of an",
-        f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. Everything of Table 2 takes",
-        f"{1e3 * numbers['table_2']:.2g} ms.",
+        f"enclosure of A is {numbers['width']:.2g}, median, {numbers['widest']:.2g} at most. Everything of Table 2",
+        f"takes {1e3 * numbers['table_2']:.2g} ms.",
         "",
         *table(("asked", "proved"), asked),
         "",

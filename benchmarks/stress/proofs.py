@@ -10,6 +10,7 @@ import math
 import time
 import warnings
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -98,7 +99,8 @@ def stress(part: int, isolators: int) -> dict[str, Any]:
         if folds.proved and len(folds.A) != len(found):
             others.append((repr(isolator), repr(F_0), str(len(found)), str(len(folds.A))))
         widths += [(high - low) / high for low, high in folds.A.tolist()]
-        ratios.append(best(lambda: isolator.saddle_nodes(F_0, certify=True)) / best(lambda: isolator.saddle_nodes(F_0)))
+        plain = partial(isolator.saddle_nodes, F_0)
+        ratios.append(best(partial(plain, certify=True)) / best(plain))
         if certificate.saddle_node_onset.proved:
             level = float(certificate.saddle_node_onset.F_0.mean())
             for distance in BESIDE:

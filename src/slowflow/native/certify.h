@@ -12,6 +12,9 @@
 #include "proof.h"
 #include "proved_roots.h"
 
+/* an interval of Omega that is wider, relatively, is searched for roots */
+#define SF_WIDE 0x1p-20
+
 static int sf_sign_of(sf_interval x) { return sfi_positive(x) - sfi_negative(x); }
 static sf_interval sf_hull_of(sf_interval a, sf_interval b) {
     return sfi_of(sfi_least(a.lo, b.lo), sfi_most(a.hi, b.hi));
@@ -68,14 +71,30 @@ static sf_at_amplitude sf_at_cell(sf_roots_of of, const sf_terms *terms, const s
     return q;
 }
 
+/* k on a cell that holds a fold, where its size is not below the least. */
+static sf_interval sf_k_of_fold(const sf_terms *terms, const sf_cell *cell) {
+    const sf_interval k = cell->k;
+    if (k.hi >= terms->least.lo)
+        return sfi_of(sfi_most(k.lo, terms->least.lo), k.hi);
+    return sfi_of(k.lo, sfi_least(k.hi, -terms->least.lo));
+}
+
 /* Omega of a fold from I, which exceeds m by little if damping is weak; then by F = 0. */
 static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) {
     const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, cell);
-    sf_interval fold[3];
+    sf_interval fold[3], Omega;
     if (terms->zeta.hi == 0)
         return sfi_sqrt(sfi_neg(cell->h_A));
-    slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, cell->k, cell->k_A, fold);
-    return sf_narrow_root(&q, fold[2]);
+    slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, sf_k_of_fold(terms, cell),
+                             cell->k_A, fold);
+    Omega = sf_narrow_root(&q, fold[2]);
+    if (Omega.hi - Omega.lo > SF_WIDE * Omega.hi) { /* F_Omega may vanish on it, but not where F does */
+        sf_roots roots = {0};
+        sf_roots_between(&q, Omega.lo, Omega.hi, &roots);
+        if (roots.n > 0 && !roots.full)
+            Omega = sf_hull_of(roots.at[0], roots.at[roots.n - 1]);
+    }
+    return Omega;
 }
 
 /* The force's breakpoint i as a cell, as its lower side has it. */
@@ -115,12 +134,14 @@ static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_
     }
 }
 
+static double sf_middle(sf_interval x) { return 0.5 * x.lo + 0.5 * x.hi; }
+
 /* By rising Omega. */
 static void sf_sort_enclosures(sf_certificate *out) {
     int i, k;
     for (i = 1; i < out->n; i++) {
         const sf_enclosure one = out->at[i];
-        for (k = i; k > 0 && out->at[k - 1].Omega.lo > one.Omega.lo; k--)
+        for (k = i; k > 0 && sf_middle(out->at[k - 1].Omega) > sf_middle(one.Omega); k--)
             out->at[k] = out->at[k - 1];
         out->at[k] = one;
     }

@@ -17,7 +17,9 @@ enum { SF_MOST_STEPS = 60 };
 #define SF_MOST_PROOF_CELLS 4000
 /* a narrower interval, relatively, is not cut any more: it may hold a double zero, or a zero may lie on its end */
 #define SF_PROOF_NARROW 0x1p-36
-/* nor one that ends so near to the beginning of its piece, relatively */
+/* in one that is this narrow a zero need not be told from the end of what is asked */
+#define SF_PROOF_EDGE 0x1p-12
+/* nor is one that ends so near to the beginning of its piece, relatively */
 #define SF_PROOF_NEXT 0x1p-200
 
 typedef struct sf_proving sf_proving;
@@ -84,10 +86,19 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
     sf_interval low, high;
     if (range->where == SF_NOWHERE || sfi_has_sign(range->y))
         return 0;
-    if (range->where != SF_THROUGHOUT)
+    if (range->where != SF_THROUGHOUT && range->edge == 0)
         return 2;
     at_a = sf_value_at(proving, a, c), at_b = sf_value_at(proving, b, c);
     low = at_a->y, high = at_b->y;
+    /* it ends in between, with a sign that is known; where it ends is told from where it vanishes first, if that can be */
+    if (range->edge != 0 && sfi_has_sign(range->dy) && b->known.A - a->known.A <= SF_PROOF_EDGE * b->known.A) {
+        if (at_a->where == SF_NOWHERE && at_b->where == SF_THROUGHOUT && sfi_has_sign(high))
+            return sfi_positive(high) == (range->edge > 0) ? 0 : -range->edge;
+        if (at_b->where == SF_NOWHERE && at_a->where == SF_THROUGHOUT && sfi_has_sign(low))
+            return sfi_positive(low) == (range->edge > 0) ? 0 : range->edge;
+    }
+    if (range->where != SF_THROUGHOUT)
+        return 2;
     if (at_a->where != SF_THROUGHOUT || at_b->where != SF_THROUGHOUT)
         return 2;
     if (sfi_has_sign(sfi_both(range->y, sf_along(low, high, range->dy, sfi_up(b->known.A - a->known.A)))))
