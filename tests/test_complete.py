@@ -86,6 +86,55 @@ def test_above_the_peak_dense_samples_show_no_other():
         assert below == count[0] + (1 if peak.Omega == 0 else 2), (oscillator, F_0)
 
 
+# ---- where (33) names the onset --------------------------------------------------------------------------------------
+
+
+def named_by_33(isolator):
+    """The ledger's two conditions, by hand from h_1 = -alpha A - 3/4 beta A^3 - 5/8 gamma A^5 at u_cr.
+
+    Whether F_A < 0 at the least Omega with F_AA = 0, and the forcing at which the backbone reaches u_cr.
+    """
+    alpha, beta, gamma, A = isolator.model.parameters
+    m, zeta = isolator.sticking_forcing, isolator.zeta
+    h = -alpha * A - 3 / 4 * beta * A**3 - 5 / 8 * gamma * A**5
+    h_A = -alpha - 9 / 4 * beta * A**2 - 25 / 8 * gamma * A**4
+    h_AA = -9 / 2 * beta * A - 25 / 2 * gamma * A**3
+    # F_AA/2 = X^2 + (2 h_A + A h_AA + 4 zeta^2) X + h h_AA + h_A^2, X = Omega^2
+    roots = np.roots([1, 2 * h_A + A * h_AA + 4 * zeta**2, h * h_AA + h_A**2])
+    bends = np.sort(roots[(roots.imag == 0) & (roots.real > 0)].real)
+    corner = m + 2 * zeta * math.sqrt(-A * h)
+    if not bends.size:
+        return False, corner
+    Omega = math.sqrt(bends[0])
+    F_A = (A * Omega**2 + h) * (Omega**2 + h_A) + 2 * zeta * Omega * (2 * zeta * A * Omega + m)
+    return F_A < 0, corner
+
+
+def test_the_onset_is_that_of_33_under_the_two_conditions_of_the_ledger_and_no_other():
+    rng, seen = np.random.default_rng(33), set()
+    for _ in range(MANY):
+        stiffness, mu = 10 ** rng.uniform(-1, 1), rng.choice([0.0, 10 ** rng.uniform(-5, -1.3)])
+        delta_h = min(rng.uniform(0.002, 1) if rng.random() < 0.5 else 10 ** rng.uniform(-3, 0), 0.9 * stiffness)
+        isolator = Isolator(lam=1, r=stiffness, delta_h=delta_h / stiffness, mu=mu, zeta=10 ** rng.uniform(-3, 0))
+        onset, cusps = isolator.saddle_node_onset(), isolator.cusps(A_max=isolator.u_cr)
+        attached, corner = named_by_33(isolator)
+        assert cusps.minimum.sum() == attached, isolator
+        named = attached and cusps.F_0[cusps.minimum][0] <= corner
+        assert named == (onset.kind == "cusp" and onset.A < isolator.u_cr), isolator
+        assert named or onset.F_SN == pytest.approx(corner, rel=1e-12)
+        seen.add((attached, named))
+    assert seen == {(False, False), (True, False), (True, True)}
+
+
+def test_the_least_preload_for_which_33_names_the_onset_is_the_ledgers():
+    """Shares of 1/(lam r) in LEDGER.md, four digits each, Table 1 otherwise."""
+    r = 3747 / 1848
+    for share, attached, named in ((0.1106, 0, False), (0.1108, 1, False), (0.14395, 1, False), (0.14405, 1, True)):
+        isolator = Isolator(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02)
+        assert isolator.cusps(A_max=isolator.u_cr).minimum.sum() == attached
+        assert (isolator.saddle_node_onset().kind == "cusp") == named
+
+
 # ---- a pair of isola points between two samples ----------------------------------------------------------------------
 
 SOFTENING = (3.0, -0.7317705776395018, 0.029025484740650885, 0.8847453384171343)

@@ -214,6 +214,7 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
     above = ["0.025", "F_cr", "0.040", "0.050"]
     needs(all(not facts.folds(label) for label in below), "no fold below the onset")
     needs(all(len(facts.folds(label)) == 2 for label in above), "two folds above the onset")
+    attached, lowest = facts.preload_of_onset
     least, negative = facts.spurious_onset
     roots = [amplitude for amplitude, _ in example.onset_candidates]
     needs(len(roots) == 2 and onset.A is not roots[0], "two positive roots of (33)")
@@ -232,7 +233,12 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
         ),
         "inflection": (
             LOOSE,
-            "Only at F_0 = F_SN, and only if the root A_s lies below u_cr; otherwise the onset is detached.",
+            "Only at F_0 = F_SN, and only if the root A_s lies below u_cr. It does if and only if F_A < 0 at u_cr and "
+            "the least Ω > 0 with F_AA = 0, h_1 being the average; otherwise (33) has no root that is a point of the "
+            "response. And F_SN of (33) is the onset only up to F_0 = 4μ/π + 2ζ√(−u_cr h_1(u_cr)), where the backbone "
+            "reaches u_cr: from there on folds sit on the corner that the jump of (6) makes. With Table 1 but for the "
+            f"preload the first holds from δ_h = {few(attached)}/(λr) on, both from δ_h = {few(lowest)}/(λr) on; Table "
+            "1 has 1/(2λr).",
         ),
         "triple_root": (TRUE, "F = F_A = F_AA = 0 at (Ω_s, A_s): a triple root in A, among the ten of (24) at that Ω."),
         "one_positive_root": (

@@ -271,6 +271,25 @@ class Example:
         return min(points, key=lambda p: p.F_0.mid())
 
     @functools.cached_property
+    def slope_at_end(self) -> arb | None:
+        """F_A/2 at u_cr and the least Omega > 0 with F_AA = 0, of the attached side; None where F_AA > 0 throughout.
+
+        As A falls from u_cr the sign of F_A at that Omega changes at A_s: it is below u_cr where this is negative.
+        """
+        at = self.attached(self.u_cr)
+        bends = polynomial_zeros(dict(enumerate(self.polynomial(self.polynomials.bend, at))))
+        if not bends:
+            return None
+        fold = self.polynomial(self.polynomials.fold, at)
+        return sum((c * bends[0] ** k for k, c in enumerate(fold)), arb(0))
+
+    @functools.cached_property
+    def corner(self) -> arb:
+        """The forcing at which the backbone R = 0 reaches u_cr, and from which on folds sit on the corner there."""
+        at = self.attached(self.u_cr)
+        return self.forcing((-at[h] / self.u_cr).sqrt(), self.u_cr)
+
+    @functools.cached_property
     def detachment(self) -> Point:
         """The lowest forcing that reaches u_cr: a root of (34) with the root of F_Omega = 0 that belongs to it."""
         at = self.attached(self.u_cr)

@@ -6,6 +6,7 @@ All are balls of exact or certified values; what is said of them in words is dec
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from types import ModuleType
@@ -16,8 +17,8 @@ from flint import arb
 
 from derivations.averaging import cycle_integral
 from derivations.den_hartog import U, V
-from derivations.ledger.balls import evaluate, isolate, polynomial_zeros, rational, rounded
-from derivations.ledger.example import Example, Point, system
+from derivations.ledger.balls import evaluate, isolate, polynomial_zeros, rational, rounded, sign
+from derivations.ledger.example import ATTACHED, Example, Point, system
 from derivations.ledger.formulas import MECHANISM, detached_derivative, shared_symbols, subjects
 from derivations.ledger.judging import Judgement, judge
 from derivations.ledger.proofs import canonical
@@ -27,6 +28,17 @@ from derivations.symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
 
 #: the mesh of amplitudes that Table 2 turns out to have been read from: 1000 points on [0, 1]
 MESH = 999
+
+
+def _share_from_which_on(holds: Callable[[Fraction], bool]) -> arb:
+    """Where what holds at 1/2, Table 1's, and not at 1/20 begins to, by halves: enclosed to 10^-6."""
+    low, high = Fraction(1, 20), Fraction(1, 2)
+    if holds(low) or not holds(high):
+        raise ArithmeticError("the share does not lie between 1/20 and 1/2")
+    while high - low > Fraction(1, 10**6):
+        middle = (low + high) / 2
+        low, high = (low, middle) if holds(middle) else (middle, high)
+    return arb(rational(low)).union(arb(rational(high)))
 
 
 @dataclass(frozen=True)
@@ -179,6 +191,34 @@ class Facts:
             {"r": Fraction(3), "delta_h": Fraction(1, 15)},
         ]
         return [self.onset_roots(**change) for change in changes]
+
+    @functools.cached_property
+    def preload_of_onset(self) -> tuple[arb, arb]:
+        """Shares of the quasi-zero-stiffness preload, all else as in Table 1.
+
+        From the first on A_s lies below u_cr, from the second on F_SN of (33) lies below the forcing at which folds
+        begin on the corner.
+        """
+
+        def is_attached(share: Fraction) -> bool:
+            isolator = self._preloaded(share)
+            slope = isolator.slope_at_end
+            below = slope is not None and sign(slope) < 0
+            regimes = [point.regime for _, points in isolator.onset_candidates for point in points]
+            if below != (ATTACHED in regimes):
+                raise ArithmeticError("A_s and u_cr lie otherwise than the slope at u_cr says")
+            return below
+
+        def is_onset(share: Fraction) -> bool:
+            isolator = self._preloaded(share)
+            return is_attached(share) and sign(isolator.corner - isolator.onset.F_0) > 0
+
+        return _share_from_which_on(is_attached), _share_from_which_on(is_onset)
+
+    def _preloaded(self, share: Fraction) -> Example:
+        """Table 1 but for the preload, at this share of the quasi-zero-stiffness preload."""
+        table = self.published.TABLE_1
+        return self.isolator(delta_h=share / (table["lam"] * table["r"]))
 
     @functools.cached_property
     def detachment_roots(self) -> list[arb]:

@@ -77,7 +77,9 @@ def _findings(facts: Facts, evidence: dict[str, str]) -> list[Finding]:
             + " Elimination cannot see the sign of Ω: a root of the resultant is a candidate, to be tried in F_A = "
             "F_AA = 0. The printed F_SN = 0.0217 belongs to the second root. (34) is alike: "
             + evidence["claim:resultant_even_6"].partition("Three")[1]
-            + evidence["claim:resultant_even_6"].partition("Three")[2],
+            + evidence["claim:resultant_even_6"].partition("Three")[2]
+            + " And where the preload is small (33) does not name the onset: there is an inflection point below u_cr o"
+            + evidence["claim:inflection"][1:],
         ),
         Finding(
             "(37): S is not close to 1 below Ω = 1/2",
