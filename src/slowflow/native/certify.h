@@ -88,11 +88,14 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
     slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, sf_k_of_fold(terms, cell),
                              cell->k_A, fold);
     Omega = sf_narrow_root(&q, fold[2]);
-    if (Omega.hi - Omega.lo > SF_WIDE * Omega.hi) { /* F_Omega may vanish on it, but not where F does */
+    if (Omega.hi - Omega.lo > SF_WIDE * Omega.hi) { /* two roots may lie in it: at the fold R has the sign of k */
+        const int side = sf_sign_of(sf_k_of_fold(terms, cell));
         sf_roots roots = {0};
+        int i, n = 0;
         sf_roots_between(&q, Omega.lo, Omega.hi, &roots);
-        if (roots.n > 0 && !roots.full)
-            Omega = sf_hull_of(roots.at[0], roots.at[roots.n - 1]);
+        for (i = 0; i < roots.n && !roots.full; i++)
+            if (sf_sign_of(slow_flow_intervals_R(roots.at[i], cell->A, cell->h)) != -side)
+                Omega = n++ > 0 ? sf_hull_of(Omega, roots.at[i]) : roots.at[i];
     }
     return Omega;
 }

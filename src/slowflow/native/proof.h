@@ -17,9 +17,7 @@ enum { SF_MOST_STEPS = 60 };
 #define SF_MOST_PROOF_CELLS 4000
 /* a narrower interval, relatively, is not cut any more: it may hold a double zero, or a zero may lie on its end */
 #define SF_PROOF_NARROW 0x1p-36
-/* in one that is this narrow a zero need not be told from the end of what is asked */
-#define SF_PROOF_EDGE 0x1p-12
-/* nor is one that ends so near to the beginning of its piece, relatively */
+/* nor one that ends so near to the beginning of its piece, relatively */
 #define SF_PROOF_NEXT 0x1p-200
 
 typedef struct sf_proving sf_proving;
@@ -80,8 +78,9 @@ static void sf_range_between(const sf_proving *proving, const sf_checked *a, con
     proving->range(proving, cell, open, range);
 }
 
-/* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. */
-static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
+/* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. last: if it need not be told from the end of what is
+ * asked, which smaller cells may do */
+static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range, int last) {
     const sf_range *at_a, *at_b;
     sf_interval low, high;
     if (range->where == SF_NOWHERE || sfi_has_sign(range->y))
@@ -90,8 +89,8 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
         return 2;
     at_a = sf_value_at(proving, a, c), at_b = sf_value_at(proving, b, c);
     low = at_a->y, high = at_b->y;
-    /* it ends in between, with a sign that is known; where it ends is told from where it vanishes first, if that can be */
-    if (range->edge != 0 && sfi_has_sign(range->dy) && b->known.A - a->known.A <= SF_PROOF_EDGE * b->known.A) {
+    /* it ends in between, with a sign that is known */
+    if (range->edge != 0 && last && sfi_has_sign(range->dy)) {
         if (at_a->where == SF_NOWHERE && at_b->where == SF_THROUGHOUT && sfi_has_sign(high))
             return sfi_positive(high) == (range->edge > 0) ? 0 : -range->edge;
         if (at_b->where == SF_NOWHERE && at_a->where == SF_THROUGHOUT && sfi_has_sign(low))
@@ -226,7 +225,7 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
     int c;
     sf_range_between(proving, a, b, open, &cell, range);
     for (c = 0; c < proving->channels; c++) {
-        const int crossing = open & 1 << c ? sf_crossing(proving, a, b, c, &range[c]) : 0;
+        const int crossing = open & 1 << c ? sf_crossing(proving, a, b, c, &range[c], last) : 0;
         if (crossing == 1 || crossing == -1)
             sf_add_proven(proving, a, b, c, &range[c], &cell, crossing == 1);
         else if (crossing == 2 && last)
@@ -271,7 +270,7 @@ static void sf_look_again(const sf_proving *proving, double least, double most, 
             sf_check_at(proving, doubt.low - around, &a);
             sf_check_at(proving, doubt.high + around, &b);
             sf_range_between(proving, &a, &b, 1 << doubt.channel, &cell, range);
-            crossing = sf_crossing(proving, &a, &b, doubt.channel, &range[doubt.channel]);
+            crossing = sf_crossing(proving, &a, &b, doubt.channel, &range[doubt.channel], 1);
             settled = crossing != 2;
             if (settled && crossing != 0 && !sf_holds_proven(out, a.known.A, b.known.A, doubt.piece, doubt.channel))
                 sf_add_proven(proving, &a, &b, doubt.channel, &range[doubt.channel], &cell, crossing == 1);
