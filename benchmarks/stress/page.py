@@ -496,7 +496,7 @@ def proof_lines(numbers: Numbers) -> list[str]:
         lines += ["Where another number of folds is proved than found:", "", *table(head, _rows(numbers["others"])), ""]
     if numbers["unproved"]:
         head = ("asked", "isolator", "F_0", "why")
-        lines += [proofs.WHY, "", *table(head, _rows(numbers["unproved"])), ""]
+        lines += ["Not proved, with what the answer says:", "", *table(head, _rows(numbers["unproved"])), ""]
     return lines
 
 

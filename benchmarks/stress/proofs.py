@@ -34,11 +34,6 @@ MOST_SPRINGS = 4
 #: how far from F_SN, relatively, on either side
 BESIDE = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 ASKED = ("folds", "states", "F_SN", "F_cr")
-#: what the cases have in common that are not proved, as far as they have been looked at
-WHY = (
-    "Not proved are folds that lie above the corner by less than 10^-18 of u_cr: where the force hardly jumps there, "
-    "its jump is known to few digits from doubles, and next to the corner all hangs on it."
-)
 #: repetitions of what is timed
 REPEATS = 5
 
