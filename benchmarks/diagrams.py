@@ -35,6 +35,9 @@ PLACES = {
     ("response", "numpy.roots"): ((-28, -3), "right", "top"),
     ("folds", "numpy.roots"): LEFT,
     ("onset", "numpy.roots"): RIGHT,
+    ("motion", "DOP853, events"): LEFT,
+    ("motion", "LSODA, events"): ((4, -14), "left", "top"),
+    ("motion", "the paper's recipe"): RIGHT,
 }
 #: methods named above their least accurate point
 ON_TOP = ("bracketing",)

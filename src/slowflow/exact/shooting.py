@@ -43,8 +43,8 @@ class SteadyState:
     half_multipliers -- of the map over half a period with u -> -u, where the motion is half-wave symmetric, else None;
                         `multipliers` are their squares
     stable       -- both multipliers inside the unit circle
-    residual     -- largest difference of (u, v) after one period, followed with its switches
     symmetric    -- whether u(tau + period/2) = -u(tau)
+    phases       -- of one cycle, from its highest turning point
     """
 
     Omega: float
@@ -54,10 +54,10 @@ class SteadyState:
     multipliers: NDArray[np.complex128]
     half_multipliers: NDArray[np.complex128] | None
     stable: bool
-    residual: float
     symmetric: bool
     cycle: Cycle = field(repr=False)
     unknowns: Array = field(repr=False)
+    phases: list[Phase] = field(repr=False)
 
     @property
     def period(self) -> float:
@@ -65,9 +65,15 @@ class SteadyState:
         return self.cycle.half_turns * (2 if self.symmetric else 1) * math.pi / self.Omega
 
     @functools.cached_property
-    def phases(self) -> list[Phase]:
-        """The phases of one cycle, from its highest turning point."""
-        return self.cycle.phases(self.unknowns, self.F_0)[: len(self.cycle.signature)]
+    def residual(self) -> float:
+        """Largest difference of (u, v) after one period from a point within the first phase, followed with switches."""
+        forced = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator)
+        slip, region = self.cycle.signature[0]
+        theta, span = float(self.unknowns[1]), float(self.unknowns[2])
+        middle = theta + 0.5 * span
+        ((u, v),) = self._within(self.phases[0], np.array([middle])).tolist()
+        last = follow(forced, middle, u, v, middle + self.Omega * self.period, (slip, region))[-1]
+        return float(max(abs(last.u_end - u), abs(last.v_end - v)))
 
     @property
     def undecided(self) -> bool | None:
@@ -112,6 +118,16 @@ class SteadyState:
             forced.piece(phase.region), forced.drive(phase.slip), phase.theta, phase.u, phase.v, theta
         )
 
+    def _state(self, theta: float) -> tuple[float, float]:
+        """(u, v) at one angle of the forcing."""
+        start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
+        turns = math.floor((theta - start) / span)
+        local = theta - turns * span
+        phase = next((phase for phase in reversed(self.phases) if phase.theta <= local), self.phases[0])
+        ((u, v),) = self._within(phase, np.array([local])).tolist()
+        sign = self.cycle.sign if turns % 2 else 1
+        return sign * u, sign * v
+
     def _at(self, theta: Array) -> tuple[Array, Array]:
         start, span = float(self.unknowns[1]), self.cycle.half_turns * math.pi
         turns = np.floor((theta - start) / span)
@@ -146,7 +162,7 @@ def steady_state(
                   period; n: with the state (-1)^n times the same after n pi/Omega. By default 1, then 2, 3, 4 and 6.
 
     A guess leads to a motion near it, stable or not; if Newton's iteration finds none, the motion is followed from the
-    guess until it settles. The motion returned has been followed through all its switches (`residual`).
+    guess until it settles. The motion returned has been followed through all its switches.
     Raises ValueError for parameters out of range or where friction holds the mass for ever, ArithmeticError if nothing
     periodic is found.
     """
@@ -219,7 +235,7 @@ def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
 
 
 def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
-    """The `SteadyState` of a converged cycle; its residual is measured by following the motion over one period.
+    """The `SteadyState` of a converged cycle.
 
     phases -- of one cycle; they are followed where they are not at hand
     """
@@ -238,26 +254,15 @@ def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[
         multipliers=multipliers,
         half_multipliers=half,
         stable=all(abs(multiplier) < 1.0 for multiplier in multipliers.tolist()),
-        residual=_residual(cycle, z, F_0),
         symmetric=symmetric,
         cycle=cycle,
         unknowns=z,
+        phases=phases,
     )
 
 
 def _largest(phases: list[Phase]) -> float:
     return max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
-
-
-def _residual(cycle: Cycle, z: Array, F_0: float) -> float:
-    """Largest difference of (u, v) after a full period, from a point inside the first phase."""
-    forced = Forced(cycle.system, float(z[-1]), F_0, cycle.integrator)
-    slip, region = cycle.signature[0]
-    middle = float(z[1]) + 0.5 * float(z[2])
-    u, v, _ = cycle.integrator.advance(forced.piece(region), forced.drive(slip), float(z[1]), float(z[0]), 0.0, middle)
-    turns = cycle.half_turns if cycle.sign == 1 else 2 * cycle.half_turns
-    last = follow(forced, middle, u, v, middle + turns * math.pi, (slip, region))[-1]
-    return max(abs(last.u_end - u), abs(last.v_end - v))
 
 
 def _from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
@@ -364,10 +369,8 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
 
 def _passed(found: SteadyState, theta: float, u: float, v: float) -> tuple[float, float]:
     """The state of the motion found at theta that lies nearest to (u, v): a subharmonic passes in any of its turns."""
-    turns: Array = TURN * np.arange(found.cycle.half_turns, dtype=np.float64)
-    there_u, there_v = found._at(theta + turns)
-    nearest = int(np.argmin(np.maximum(np.abs(there_u - u), np.abs(there_v - v))))
-    return float(there_u[nearest]), float(there_v[nearest])
+    passed = (found._state(theta + TURN * turn) for turn in range(found.cycle.half_turns))
+    return min(passed, key=lambda there: max(abs(there[0] - u), abs(there[1] - v)))
 
 
 def _approaches(
@@ -379,13 +382,14 @@ def _approaches(
     way that `state` makes in a period differs from ten times the way of a state ten times as near by less than half.
     A motion that merely lingers, or drifts too slowly to be seen, fails this whatever its distance.
     """
-    away = np.subtract(state, there)
-    if np.max(np.abs(away)) <= 1e-8 * found.A:
+    away = state[0] - there[0], state[1] - there[1]
+    if max(map(abs, away)) <= 1e-8 * found.A:
         return True
     end = theta + found.Omega * found.period
     ways = []
     for share in (1.0, 0.1):
-        u, v = there + share * away
-        last = follow(forced, theta, float(u), float(v), end)[-1]
-        ways.append(np.array([last.u_end - u, last.v_end - v]) / share)
-    return bool(np.max(np.abs(ways[0] - ways[1])) <= 0.5 * np.max(np.abs(ways[1])))
+        u, v = there[0] + share * away[0], there[1] + share * away[1]
+        last = follow(forced, theta, u, v, end)[-1]
+        ways.append(((last.u_end - u) / share, (last.v_end - v) / share))
+    (of_u, of_v), (nearer_of_u, nearer_of_v) = ways
+    return max(abs(of_u - nearer_of_u), abs(of_v - nearer_of_v)) <= 0.5 * max(abs(nearer_of_u), abs(nearer_of_v))
