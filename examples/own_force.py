@@ -16,6 +16,12 @@ def averaged(A, s, gap):
     return -A - more * (A * psi_0 - gap * S), -1 - more * (psi_0 + c * S), h_AA, h_AAA
 
 
+def intercept(A, s, gap):
+    """h - A h_A without what cancels in it: what is linear in A."""
+    c = np.minimum(1.0, gap / np.where(A > 0, A, 1.0))
+    return 4 * s / np.pi * gap * np.sqrt((1 - c) * (1 + c))
+
+
 NUMBERS = (Parameter("s", "stiffness of a stop", "k_v", above=0.0), Parameter("gap", "way to a stop", "L", above=0.0))
 STOPS = Mechanism(
     name="stops", title="a spring with elastic stops behind a gap", design=NUMBERS, parameters=NUMBERS,
@@ -25,7 +31,7 @@ STOPS = Mechanism(
         Law(lambda u, s, gap: u + s * (u - gap * np.sign(u)), lambda u, s, gap: 1.0 + s + 0 * u),
     ),
     breakpoints=lambda s, gap: (gap,), jumps=lambda s, gap: (0.0,), hardening=lambda s, gap: (s,),
-    averaged=averaged, harmonics=lambda A, s, gap: np.nan, harmonics_up_to=0.0,
+    averaged=averaged, intercept=intercept, harmonics=lambda A, s, gap: np.nan, harmonics_up_to=0.0,
     digits_up_to=np.inf,
     reach=np.inf, reach_reason="", truncated=False, attached=None, load_untruncated=None,
 )  # fmt: skip
