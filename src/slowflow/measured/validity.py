@@ -18,7 +18,10 @@ from slowflow.model import Floats, Model
 WORTH = 0.02
 WORTH_TRUNCATION = 0.005
 
-NOT_MEASURED = "not measured: how far averaging is off is known of the paper's isolator only (docs/validity.md)"
+NOT_MEASURED = (
+    "not measured: how far averaging is off is known of the paper's isolator only (docs/validity.md); "
+    ".measure() measures it here and now"
+)
 NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
 OFF_BY = "were measured to be off by up to {:.0%}, .validity tells it for each"
 OFF_UNKNOWN = "are off, by how much was not measured for this mechanism"
