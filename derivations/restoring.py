@@ -283,10 +283,17 @@ def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
     return ends[k].from_zero(power) - ends[k - 1].from_zero(power)
 
 
-def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: int, far: int = 0) -> Regime:
+def average(
+    pieces: Sequence[sp.Expr],
+    breakpoints: Sequence[sp.Symbol],
+    count: int,
+    far: int = 0,
+    jumps: Sequence[sp.Symbol] = (),
+) -> Regime:
     """(20)-(22), (31): the average of a piecewise force where A exceeds `count` breakpoints, and its derivatives.
 
-    The first `far` of these it exceeds `FAR` times: there the moments are the series'.
+    The first `far` of these it exceeds `FAR` times: there the moments are the series'. `jumps` are names for what the
+    force loses at the breakpoints, where these stand for numbers of their own.
     """
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
@@ -306,7 +313,8 @@ def average(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], count: 
     def boundary(order: int, end: End, k: int) -> sp.Expr:
         """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root)"""
         jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
-        return -at_breakpoint(jump, end.b) * end.b ** (order + 2) / (A ** (order + 2) * end.root)
+        lost = jumps[k] if jumps and order == 0 else at_breakpoint(jump, end.b)
+        return -lost * end.b ** (order + 2) / (A ** (order + 2) * end.root)
 
     def times_factor(total: sp.Expr) -> sp.Expr:
         return sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)

@@ -271,6 +271,26 @@ def test_folds_next_to_a_corner_are_told_from_those_on_it(lam, r, delta_h, mu, z
 
 
 @compiled
+def test_two_folds_whose_amplitudes_are_one_double_are_proved():
+    """The solvers count them as none (docs/decisions/search_by_proof.md); F_A in balls changes its sign twice there."""
+    values = {"lam": 3.0, "r": 204.63518445472744, "delta_h": 7.559766221401877e-08, "mu": 0.08546135485983754}
+    iso, F_0 = Isolator(**values, zeta=0.2418809410042566), 1860.7927826101763
+    found = iso.saddle_nodes(F_0, certify=True)
+    assert found.proof.proved
+    assert (len(found), len(found.proof.A)) == (0, 2)
+    assert found.proof.message == "2 folds are proved, saddle_nodes gives 0"
+    flint.ctx.prec = 1000
+    exact, signs = averaged.RodSpring(**values, zeta=iso.zeta), []
+    for share in (-1e-9, 1e-60, 1e-6):
+        A = exact.u_cr * (1 + flint.arb(share))
+        regime = "attached" if share < 0 else "detached"
+        (Omega,) = exact.frequencies(A, F_0, regime)
+        F_A = exact.derivatives(Omega, A, regime, flint.arb(F_0))["A"]
+        signs.append(F_A > 0 if not F_A.contains(0) else None)
+    assert signs == [True, False, True]
+
+
+@compiled
 def test_the_command_line_prints_the_certificate(capsys):
     assert cli.main(["certify", "0.04", "--Omega", "0.9"]) == 0
     printed = capsys.readouterr().out.splitlines()

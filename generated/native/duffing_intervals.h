@@ -11,9 +11,9 @@
 
 #include "interval.h"
 
-/* The parameters alpha, beta from the design.
-   Equation (5), (7). Domain: any design. */
-static inline void duffing_intervals_coefficients(sf_interval alpha, sf_interval beta, sf_interval *out)
+/* The parameters from the design, and what the force loses at each breakpoint.
+   Equation (5)-(7). Domain: any design. */
+static inline void duffing_intervals_given(sf_interval alpha, sf_interval beta, sf_interval *out)
 {
     out[0] = alpha;
     out[1] = beta;

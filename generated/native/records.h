@@ -123,7 +123,7 @@ static double duffing_record_intercept(double A, const double *p)
 
 static void duffing_record_parameters_within(const double *design, sf_interval *p)
 {
-    duffing_intervals_coefficients(sfi_point(design[0]), sfi_point(design[1]), p);
+    duffing_intervals_given(sfi_point(design[0]), sfi_point(design[1]), p);
 }
 
 /* h, h_A, h_AA, h_AAA and h - A h_A */
@@ -257,7 +257,7 @@ static double rod_spring_record_intercept(double A, const double *p)
 
 static void rod_spring_record_parameters_within(const double *design, sf_interval *p)
 {
-    rod_spring_intervals_coefficients(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
+    rod_spring_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
 }
 
 /* h, h_A, h_AA, h_AAA and h - A h_A */
@@ -292,7 +292,6 @@ static const sf_mechanism rod_spring_record = {
     .parameters_within = rod_spring_record_parameters_within,
     .averaged_within = rod_spring_record_averaged_within,
     .ends_within = rod_spring_intervals_breakpoints,
-    .jumps_within = rod_spring_intervals_jumps,
 };
 
 static void rod_spring_untruncated_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)

@@ -12,18 +12,6 @@
 
 #include "interval.h"
 
-/* The parameters alpha, beta, gamma, u_cr from the design.
-   Equation (5), (7). Domain: any design. */
-static inline void rod_spring_intervals_coefficients(sf_interval lam, sf_interval r, sf_interval delta_h, sf_interval *out)
-{
-    const sf_interval t0 = sfi_mul(lam, r);
-    const sf_interval t1 = sfi_mul(t0, sfi_sub(delta_h, sfi_point(1.0)));
-    out[0] = sfi_add(sfi_neg(sfi_mul(delta_h, t0)), sfi_point(1.0));
-    out[1] = sfi_neg(sfi_times(0.5, t1));
-    out[2] = sfi_neg(sfi_times(0.375, t1));
-    out[3] = sfi_mul(sfi_sqrt(delta_h), sfi_sqrt(sfi_sub(sfi_point(2.0), delta_h)));
-}
-
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
 static inline void rod_spring_intervals_breakpoints(const sf_interval *p, sf_interval *out)
@@ -32,17 +20,21 @@ static inline void rod_spring_intervals_breakpoints(const sf_interval *p, sf_int
     out[0] = u_cr;
 }
 
-/* What the force loses at each breakpoint: f below less f above.
-   Equation (6). Domain: any parameters. */
-static inline void rod_spring_intervals_jumps(const sf_interval *p, sf_interval *out)
+/* The parameters from the design, and what the force loses at each breakpoint.
+   Equation (5)-(7). Domain: any design. */
+static inline void rod_spring_intervals_given(sf_interval lam, sf_interval r, sf_interval delta_h, sf_interval *out)
 {
-    const sf_interval alpha = p[0];
-    const sf_interval beta = p[1];
-    const sf_interval gamma = p[2];
-    const sf_interval u_cr = p[3];
-    const sf_interval t0 = sfi_square(u_cr);
-    out[0] = sfi_mul(u_cr, sfi_sub(sfi_add(alpha, sfi_mul(t0, sfi_add(beta, sfi_mul(gamma, t0)))),
-        sfi_point(1.0)));
+    const sf_interval u_cr = sfi_mul(sfi_sqrt(delta_h), sfi_sqrt(sfi_sub(sfi_point(2.0), delta_h)));
+    const sf_interval t0 = sfi_mul(lam, r);
+    const sf_interval t1 = sfi_mul(t0, sfi_sub(delta_h, sfi_point(1.0)));
+    const sf_interval delta_h2 = sfi_square(delta_h);
+    const sf_interval delta_h3 = sfi_mul(delta_h, delta_h2);
+    out[0] = sfi_add(sfi_neg(sfi_mul(delta_h, t0)), sfi_point(1.0));
+    out[1] = sfi_neg(sfi_times(0.5, t1));
+    out[2] = sfi_neg(sfi_times(0.375, t1));
+    out[3] = u_cr;
+    out[4] = sfi_neg(sfi_times(0.125, sfi_mul(sfi_mul(sfi_mul(delta_h3, t0), u_cr),
+        sfi_add(sfi_add(sfi_neg(sfi_times(15.0, delta_h)), sfi_times(3.0, delta_h2)), sfi_point(20.0)))));
 }
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
@@ -71,6 +63,7 @@ static inline void rod_spring_intervals_known_passed_1(sf_interval A, sf_interva
     const sf_interval beta = p[1];
     const sf_interval gamma = p[2];
     const sf_interval u_cr = p[3];
+    const sf_interval jump_1 = p[4];
     const sf_interval root = sfi_mul(sfi_sqrt(beyond), sfi_sqrt(sfi_add(A, u_cr)));
     const sf_interval t0 = sfi_inverse(A);
     const sf_interval x = sfi_mul(t0, u_cr);
@@ -97,39 +90,38 @@ static inline void rod_spring_intervals_known_passed_1(sf_interval A, sf_interva
     const sf_interval t9 = sfi_inverse(A2);
     const sf_interval t10 = sfi_inverse(root);
     const sf_interval u_cr2 = sfi_square(u_cr);
-    const sf_interval u_cr3 = sfi_mul(u_cr, u_cr2);
-    const sf_interval t11 = sfi_mul(gamma, u_cr2);
-    const sf_interval t12 = sfi_sub(alpha, sfi_point(1.0));
-    const sf_interval t13 = sfi_add(t12, sfi_mul(u_cr2, sfi_add(beta, t11)));
-    const sf_interval t14 = sfi_times(6.0, t4);
+    const sf_interval t11 = sfi_times(6.0, t4);
     const sf_interval A3 = sfi_mul(A, A2);
+    const sf_interval t12 = sfi_mul(jump_1, u_cr2);
     const sf_interval root2 = sfi_square(root);
     const sf_interval root3 = sfi_mul(root, root2);
-    const sf_interval t15 = sfi_div(u_cr3, root3);
-    const sf_interval t16 = sfi_mul(t0, t13);
-    const sf_interval t17 = sfi_mul(t10, u_cr3);
-    const sf_interval t18 = sfi_div(t17, A3);
-    const sf_interval t19 = sfi_sub(sfi_neg(t12), sfi_mul(u_cr2, sfi_add(sfi_times(5.0, t11), t8)));
-    const sf_interval t20 = sfi_inverse(A4);
-    const sf_interval t21 = sfi_mul(t17, t20);
+    const sf_interval t13 = sfi_inverse(root3);
+    const sf_interval t14 = sfi_mul(t12, t13);
+    const sf_interval t15 = sfi_div(t10, A3);
+    const sf_interval t16 = sfi_mul(gamma, u_cr2);
+    const sf_interval u_cr3 = sfi_mul(u_cr, u_cr2);
+    const sf_interval t17 = sfi_mul(u_cr3, sfi_add(sfi_sub(sfi_neg(alpha), sfi_mul(u_cr2, sfi_add(sfi_times(5.0, t16),
+        t8))), sfi_point(1.0)));
+    const sf_interval t18 = sfi_inverse(A4);
+    const sf_interval t19 = sfi_mul(t10, t12);
+    const sf_interval t20 = sfi_mul(t10, t18);
     const sf_interval u_cr4 = sfi_square(u_cr2);
     const sf_interval u_cr5 = sfi_mul(u_cr, u_cr4);
     const sf_interval A5 = sfi_mul(A, A4);
     out[0] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_mul(A, sfi_add(sfi_add(sfi_mul(A2, t4), t6),
         t7))));
     out[1] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_sub(sfi_add(sfi_neg(sfi_mul(sfi_mul(A2, M4),
-        t8)), sfi_mul(sfi_mul(sfi_mul(t10, t13), t9), u_cr3)), sfi_times(5.0, t6)), t7));
-    out[2] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, t14),
-        sfi_times(20.0, sfi_mul(A3, t5))), sfi_times(2.0, sfi_mul(t13, t18))), sfi_mul(t15, t16)), sfi_mul(t18,
-        t19))));
+        t8)), sfi_mul(sfi_mul(sfi_mul(jump_1, t10), t9), u_cr2)), sfi_times(5.0, t6)), t7));
+    out[2] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, t11),
+        sfi_times(20.0, sfi_mul(A3, t5))), sfi_mul(t0, t14)), sfi_times(2.0, sfi_mul(t12, t15))), sfi_mul(t15,
+        t17))));
     out[3] = sfi_mul(sfi_around(1.2732395447351628),
-        sfi_add(sfi_add(sfi_sub(sfi_add(sfi_add(sfi_add(sfi_add(sfi_neg(sfi_times(60.0, sfi_mul(A2, t5))),
-        sfi_times(2.0, sfi_mul(sfi_mul(sfi_mul(t10, t20), u_cr5), sfi_add(sfi_times(10.0, t11), t8)))),
-        sfi_mul(sfi_mul(t13, t15), t9)), sfi_mul(sfi_mul(t13, t15), sfi_add(sfi_times(2.0, t9),
-        sfi_div(sfi_point(3.0), root2)))), sfi_times(6.0, sfi_mul(t13, t21))), t14), sfi_mul(sfi_mul(t15, t19),
-        t9)), sfi_times(3.0, sfi_mul(t19, t21))));
+        sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_sub(sfi_neg(sfi_times(60.0, sfi_mul(A2, t5))), t11),
+        sfi_mul(sfi_mul(t12, t13), t9)), sfi_mul(sfi_mul(t13, t17), t9)), sfi_mul(t14, sfi_add(sfi_times(2.0, t9),
+        sfi_div(sfi_point(3.0), root2)))), sfi_times(3.0, sfi_mul(t17, t20))), sfi_times(6.0, sfi_mul(t18, t19))),
+        sfi_times(2.0, sfi_mul(sfi_mul(t20, u_cr5), sfi_add(sfi_times(10.0, t16), t8)))));
     out[4] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_add(sfi_times(2.0, sfi_mul(A3, t4)),
-        sfi_times(4.0, sfi_mul(A5, t5))), sfi_mul(t16, t17)));
+        sfi_times(4.0, sfi_mul(A5, t5))), sfi_mul(t0, t19)));
 }
 
 static inline void rod_spring_intervals_known_passed_1_far_1(sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)
@@ -138,6 +130,7 @@ static inline void rod_spring_intervals_known_passed_1_far_1(sf_interval A, sf_i
     const sf_interval beta = p[1];
     const sf_interval gamma = p[2];
     const sf_interval u_cr = p[3];
+    const sf_interval jump_1 = p[4];
     const sf_interval root = sfi_mul(sfi_sqrt(beyond), sfi_sqrt(sfi_add(A, u_cr)));
     const sf_interval t0 = sfi_inverse(A);
     const sf_interval x = sfi_mul(t0, u_cr);
@@ -179,39 +172,38 @@ static inline void rod_spring_intervals_known_passed_1_far_1(sf_interval A, sf_i
     const sf_interval t6 = sfi_inverse(A2);
     const sf_interval t7 = sfi_inverse(root);
     const sf_interval u_cr2 = sfi_square(u_cr);
-    const sf_interval u_cr3 = sfi_mul(u_cr, u_cr2);
-    const sf_interval t8 = sfi_mul(gamma, u_cr2);
-    const sf_interval t9 = sfi_sub(alpha, sfi_point(1.0));
-    const sf_interval t10 = sfi_add(t9, sfi_mul(u_cr2, sfi_add(beta, t8)));
-    const sf_interval t11 = sfi_times(6.0, t1);
+    const sf_interval t8 = sfi_times(6.0, t1);
     const sf_interval A3 = sfi_mul(A, A2);
+    const sf_interval t9 = sfi_mul(jump_1, u_cr2);
     const sf_interval root2 = sfi_square(root);
     const sf_interval root3 = sfi_mul(root, root2);
-    const sf_interval t12 = sfi_div(u_cr3, root3);
-    const sf_interval t13 = sfi_mul(t0, t10);
-    const sf_interval t14 = sfi_mul(t7, u_cr3);
-    const sf_interval t15 = sfi_div(t14, A3);
-    const sf_interval t16 = sfi_sub(sfi_neg(t9), sfi_mul(u_cr2, sfi_add(t5, sfi_times(5.0, t8))));
-    const sf_interval t17 = sfi_inverse(A4);
-    const sf_interval t18 = sfi_mul(t14, t17);
+    const sf_interval t10 = sfi_inverse(root3);
+    const sf_interval t11 = sfi_mul(t10, t9);
+    const sf_interval t12 = sfi_div(t7, A3);
+    const sf_interval t13 = sfi_mul(gamma, u_cr2);
+    const sf_interval u_cr3 = sfi_mul(u_cr, u_cr2);
+    const sf_interval t14 = sfi_mul(u_cr3, sfi_add(sfi_sub(sfi_neg(alpha), sfi_mul(u_cr2, sfi_add(sfi_times(5.0, t13),
+        t5))), sfi_point(1.0)));
+    const sf_interval t15 = sfi_inverse(A4);
+    const sf_interval t16 = sfi_mul(t7, t9);
+    const sf_interval t17 = sfi_mul(t15, t7);
     const sf_interval u_cr4 = sfi_square(u_cr2);
     const sf_interval u_cr5 = sfi_mul(u_cr, u_cr4);
     const sf_interval A5 = sfi_mul(A, A4);
     out[0] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_mul(A, sfi_add(sfi_add(sfi_mul(A2, t1), t3),
         t4))));
     out[1] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_sub(sfi_add(sfi_neg(sfi_mul(sfi_mul(A2, M4),
-        t5)), sfi_mul(sfi_mul(sfi_mul(t10, t6), t7), u_cr3)), sfi_times(5.0, t3)), t4));
-    out[2] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, t11),
-        sfi_times(20.0, sfi_mul(A3, t2))), sfi_times(2.0, sfi_mul(t10, t15))), sfi_mul(t12, t13)), sfi_mul(t15,
-        t16))));
+        t5)), sfi_mul(sfi_mul(sfi_mul(jump_1, t6), t7), u_cr2)), sfi_times(5.0, t3)), t4));
+    out[2] = sfi_neg(sfi_mul(sfi_around(1.2732395447351628), sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, t8),
+        sfi_times(20.0, sfi_mul(A3, t2))), sfi_mul(t0, t11)), sfi_mul(t12, t14)), sfi_times(2.0, sfi_mul(t12,
+        t9)))));
     out[3] = sfi_mul(sfi_around(1.2732395447351628),
-        sfi_add(sfi_add(sfi_add(sfi_sub(sfi_add(sfi_add(sfi_add(sfi_neg(sfi_times(60.0, sfi_mul(A2, t2))),
-        sfi_mul(sfi_mul(t10, t12), t6)), sfi_mul(sfi_mul(t10, t12), sfi_add(sfi_times(2.0, t6),
-        sfi_div(sfi_point(3.0), root2)))), sfi_times(6.0, sfi_mul(t10, t18))), t11), sfi_mul(sfi_mul(t12, t16),
-        t6)), sfi_times(3.0, sfi_mul(t16, t18))), sfi_times(2.0, sfi_mul(sfi_mul(sfi_mul(t17, t7), u_cr5),
-        sfi_add(t5, sfi_times(10.0, t8))))));
+        sfi_sub(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_neg(sfi_times(60.0, sfi_mul(A2, t2))),
+        sfi_mul(sfi_mul(t10, t14), t6)), sfi_mul(sfi_mul(t10, t6), t9)), sfi_mul(t11, sfi_add(sfi_times(2.0, t6),
+        sfi_div(sfi_point(3.0), root2)))), sfi_times(3.0, sfi_mul(t14, t17))), sfi_times(6.0, sfi_mul(t15, t16))),
+        sfi_times(2.0, sfi_mul(sfi_mul(t17, u_cr5), sfi_add(sfi_times(10.0, t13), t5)))), t8));
     out[4] = sfi_mul(sfi_around(1.2732395447351628), sfi_sub(sfi_add(sfi_times(2.0, sfi_mul(A3, t1)),
-        sfi_times(4.0, sfi_mul(A5, t2))), sfi_mul(t13, t14)));
+        sfi_times(4.0, sfi_mul(A5, t2))), sfi_mul(t0, t16)));
 }
 
 static inline void rod_spring_intervals_known(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out)

@@ -38,7 +38,7 @@ class Mechanism(ctypes.Structure):
         ("dissipation", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles)),
         ("level", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles, ctypes.c_double)),
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),
-        *((name, ctypes.c_void_p) for name in ("parameters_within", "ends_within", "jumps_within", "averaged_within")),
+        *((name, ctypes.c_void_p) for name in ("parameters_within", "ends_within", "averaged_within")),
     )
 
 

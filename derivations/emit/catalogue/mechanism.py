@@ -28,7 +28,7 @@ from derivations.emit.form import (
 )
 from derivations.mechanisms import Mechanism, Parameter
 from derivations.oscillator import Oscillator
-from derivations.restoring import Case, Restoring, forms
+from derivations.restoring import Case, Restoring, average, forms
 from derivations.results import OfMechanism, Results
 from derivations.second_approximation import OF_HARMONIC
 from derivations.slow_flow import m
@@ -96,10 +96,6 @@ class Averages:
     @property
     def selections(self) -> list[Selection]:
         return [one for one in (self.whole, self.pair, self.beside) if isinstance(one, Selection)]
-
-
-#: what a proof asks of a mechanism on intervals, beside its averages
-ENCLOSED = ("coefficients", "breakpoints", "jumps")
 
 
 def is_enclosed(derived: OfMechanism) -> bool:
@@ -210,15 +206,58 @@ def intercept_kernels(derived: OfMechanism) -> list[Kernel]:
 
 
 def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
-    """h, its derivatives and h - A h_A together, as a proof asks for them on intervals."""
+    """What a proof asks for on intervals: parameters and what the force loses at its breakpoints; h and h - A h_A.
+
+    What it loses is a difference of larger numbers in the parameters, but not in the design: a number of its own.
+    """
     if not is_enclosed(derived):
         return ()
-    averages, (intercept,) = one_by_one(derived).whole, intercept_kernels(derived)
+    whole, mechanism = derived.whole, derived.oscillator.mechanism
+    design = tuple(parameter.symbol for parameter in mechanism.design)
+    named = tuple(sp.Symbol(f"jump_{k}", real=True) for k in range(1, len(whole.breakpoints) + 1))
+    values = definitions_of(derived)
+    ends = [(end, values[end]) for end in whole.breakpoints if values[end] != end]
+    lost = [
+        end * sp.factor(sp.simplify((jump / end).subs(values)))
+        for end, jump in zip(whole.breakpoints, whole.jumps, strict=True)
+    ]
+    parameters = mechanism.parameters
+    regimes = [(form, average(whole.pieces, whole.breakpoints, *form[2:], named)) for form in forms(whole.breakpoints)]
     cases = tuple(
-        replace(one, outputs=(*one.outputs, *other.outputs))
-        for one, other in zip(averages.branches, intercept.branches, strict=True)
+        Branch(
+            name if whole.breakpoints else "",
+            guards,
+            regime.lets,
+            (*regime.derivatives, regime.intercept),
+            passed=passed,
+            remainders=regime.remainders,
+        )
+        for (name, guards, passed, _), regime in regimes
     )
-    return (averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases),)
+    return (
+        plain(
+            "given",
+            design,
+            (*(name if name in whole.breakpoints else values[name] for name in parameters), *lost),
+            "The parameters from the design, and what the force loses at each breakpoint.",
+            "(5)-(7)",
+            "any design",
+            lets=ends,
+        ),
+        replace(
+            averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases),
+            arguments=(A, *parameters, *named),
+            parameters=len(parameters) + len(named),
+        ),
+    )
+
+
+def definitions_of(derived: OfMechanism) -> dict[sp.Symbol, sp.Expr]:
+    """Each parameter in the design's numbers."""
+    mechanism = derived.oscillator.mechanism
+    if tuple(parameter.symbol for parameter in mechanism.design) == tuple(mechanism.ratios):
+        return derived.oscillator.definitions
+    return {name: name for name in mechanism.parameters}
 
 
 def attached_kernel(derived: OfMechanism) -> Kernel:
@@ -312,11 +351,11 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
     """Parameters from ratios, breakpoints, jumps, and the force itself."""
     dimensionless = derived.oscillator
     mechanism = dimensionless.mechanism
-    parameters, ratios = mechanism.parameters, tuple(mechanism.ratios)
+    parameters = mechanism.parameters
     count = len(parameters)
     whole = derived.whole
     design = tuple(parameter.symbol for parameter in mechanism.design)
-    definitions = dimensionless.definitions if design == ratios else {name: name for name in parameters}
+    definitions = definitions_of(derived)
     kernels = [
         plain(
             "coefficients",
@@ -325,7 +364,6 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             f"The parameters {', '.join(map(str, parameters))} from the design.",
             "(5), (7)",
             "any design",
-            enclosed=is_enclosed(derived),
         )
     ]
     for name, values, doc, equation in (
@@ -343,7 +381,7 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             "from (3)",
         ),
     ):
-        enclosed = name in ENCLOSED and bool(values) and is_enclosed(derived)
+        enclosed = name == "breakpoints" and bool(values) and is_enclosed(derived)
         kernels.append(
             plain(name, parameters, values, doc, equation, "any parameters", parameters=count, enclosed=enclosed)
         )

@@ -10,7 +10,7 @@
 
 typedef struct {
     const sf_mechanism *mechanism;
-    sf_interval p[SF_MOST_PARAMETERS], m, zeta;
+    sf_interval p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], m, zeta;
     sf_interval b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
     int breaks;
 } sf_given;
@@ -24,10 +24,10 @@ static inline int sf_give(const sf_mechanism *mechanism, const double *design, d
     out->m = slow_flow_intervals_friction(sfi_point(mu)), out->zeta = sfi_point(zeta);
     out->breaks = mechanism->breakpoints;
     mechanism->parameters_within(design, out->p);
-    if (out->breaks > 0) {
+    if (out->breaks > 0)
         mechanism->ends_within(out->p, out->b);
-        mechanism->jumps_within(out->p, out->jump);
-    }
+    for (i = 0; i < out->breaks; i++)
+        out->jump[i] = out->p[mechanism->parameters + i];
     for (i = 0; i < out->breaks; i++)
         if (!(out->b[i].lo > (i > 0 ? out->b[i - 1].hi : 0)))
             return 0;

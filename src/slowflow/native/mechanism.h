@@ -53,13 +53,12 @@ typedef struct sf_mechanism {
     /* Mean B of the motion u = B + A cos psi; |B| + A is the largest displacement. */
     double (*mean_offset)(double A, const double *p);
 
-    /* The same on intervals, for proofs; NULL where no such form is known. A design's parameters; ends and jumps, NULL
-     * where there are no breakpoints; h, h_A, h_AA, h_AAA and h - A h_A on the piece that begins at breakpoint number
+    /* The same on intervals, for proofs; NULL where no such form is known. A design's parameters, followed by the jumps at
+     * its breakpoints, all of which make up p here; ends, NULL where there are none; h, h_A, h_AA, h_AAA and h - A h_A on the piece that begins at breakpoint number
      * `passed`, which A exceeds by `beyond`, by its formula, which may be asked above its end too. The excitation is a
      * force there, and the motion is about u = 0. */
     void (*parameters_within)(const double *design, sf_interval *p);
     void (*ends_within)(const sf_interval *p, sf_interval *b);
-    void (*jumps_within)(const sf_interval *p, sf_interval *jump);
     void (*averaged_within)(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out);
 } sf_mechanism;
 

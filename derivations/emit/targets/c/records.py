@@ -74,7 +74,7 @@ def springs_of(whole: Module) -> list[Spring]:
     domain = within(mechanism.design, DESIGN)
     own = any(kernel.name == "intercept" for kernel in whole.kernels)
     functions = (f"{name}_averaged", f"{name}_averaged_2", f"{name}_intercept" if own else "")
-    enclosed = (interval.name_of(whole), len(whole.cells[0].branches) > 1) if whole.cells else ("", False)
+    enclosed = (interval.name_of(whole), len(mechanism.breakpoints) > 0) if whole.cells else ("", False)
     found = [Spring(name, whole, *functions, first, len(mechanism.breakpoints), domain, *enclosed)]
     if first:
         # the first regime's functions
