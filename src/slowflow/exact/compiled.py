@@ -197,6 +197,9 @@ class TaylorIntegrator:
         return rows[:count], size, travelled
 
 
+TAYLOR, SCIPY = TaylorIntegrator(), ScipyIntegrator()  # they hold nothing: one of each serves all
+
+
 def default_integrator(system: EquationOfMotion) -> Integrator:
     """The compiled one where every piece of the force has recurrences in C, SciPy's elsewhere."""
-    return TaylorIntegrator() if compiles(system) else ScipyIntegrator()
+    return TAYLOR if compiles(system) else SCIPY

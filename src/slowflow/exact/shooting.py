@@ -172,7 +172,9 @@ def steady_state(
     tries = HALF_TURNS if half_turns is None else (half_turns,)
     theta, u = 0.0, 0.0
     if isinstance(guess, SteadyState):
-        cycle = replace(guess.cycle, system=system, integrator=integrator)
+        cycle = guess.cycle
+        if cycle.system is not system or cycle.integrator is not integrator:
+            cycle = replace(cycle, system=system, integrator=integrator)
         z = guess.unknowns.copy()
         z[-1] = Omega
         found = _settle_signature(cycle, z, forced, tries)
