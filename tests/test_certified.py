@@ -271,6 +271,19 @@ def test_folds_next_to_a_corner_are_told_from_those_on_it(lam, r, delta_h, mu, z
 
 
 @compiled
+def test_a_certificate_is_an_answer_like_others():
+    one, other = (example.isolator().certify(0.04, Omega=0.9) for _ in range(2))
+    assert one == other
+    assert hash(one) == hash(other)
+    assert one != example.isolator().certify(0.05, Omega=0.9)
+    plain = one.to_dict()
+    assert json.loads(json.dumps(plain)) == plain
+    assert plain["saddle_nodes"]["A"] == one.saddle_nodes.A.tolist()
+    with pytest.raises(ValueError, match="read-only"):
+        one.saddle_nodes.A[0, 0] = 0.0
+
+
+@compiled
 def test_two_folds_whose_amplitudes_are_one_double_are_proved():
     """The solvers count them as none (docs/decisions/search_by_proof.md); F_A in balls changes its sign twice there."""
     values = {"lam": 3.0, "r": 204.63518445472744, "delta_h": 7.559766221401877e-08, "mu": 0.08546135485983754}

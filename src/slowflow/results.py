@@ -65,9 +65,13 @@ class Answer:
 
     def to_dict(self) -> dict[str, Any]:
         """The answer in plain Python: lists for arrays, numbers and words, by name."""
-        return {
-            name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in self._content().items()
-        }
+        return {name: _plain(value) for name, value in self._content().items()}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Answer):
+        return value.to_dict()
+    return value.tolist() if isinstance(value, np.ndarray) else value
 
 
 def _same(one: Any, two: Any) -> bool:

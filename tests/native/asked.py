@@ -47,6 +47,7 @@ def asked(oscillator):
         yield lambda A_max=A_max: oscillator.fold_locus(A_max=A_max, samples=50)
     for F_0 in (1e-300, 1e-3, 0.04, 0.3, 5.0, 1e300):
         yield lambda F_0=F_0: oscillator.saddle_nodes(F_0)
+        yield lambda F_0=F_0: oscillator.certify(F_0, Omega=0.7)
         yield lambda F_0=F_0: oscillator.peak(F_0)
         yield lambda F_0=F_0: oscillator.amplitudes(Omega=[1e-9, 0.7, 1.0, 40.0], F_0=F_0)
         for samples, window in ((2, (0.0, 2.0)), (100, (0.3, 1.5)), (30, (0.0, 1e9))):

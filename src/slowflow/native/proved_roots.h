@@ -53,9 +53,9 @@ static double sf_highest_root(const sf_at_amplitude *q) {
 }
 
 static void sf_add_root(sf_roots *out, sf_interval w, int doubtful) {
-    sf_interval *last = &out->at[out->n - 1];
-    if (doubtful && out->n > 0 && out->doubtful[out->n - 1] && w.lo - last->hi <= 0x1p-30 * w.lo) {
-        last->hi = w.hi; /* neighbours are one */
+    const int last = out->n - 1;
+    if (doubtful && last >= 0 && out->doubtful[last] && w.lo - out->at[last].hi <= 0x1p-30 * w.lo) {
+        out->at[last].hi = w.hi; /* neighbours are one */
     } else if (out->n == SF_MOST_ROOTS) {
         out->full = 1;
     } else {
