@@ -271,6 +271,17 @@ def test_folds_next_to_a_corner_are_told_from_those_on_it(lam, r, delta_h, mu, z
 
 
 @compiled
+@pytest.mark.parametrize("mu", [0.0, 1e-3])
+def test_the_state_far_above_resonance_is_proved(mu):
+    """There R = A Omega^2 + h is next to A Omega^2, so that A is next to sqrt(F_0^2 - m^2)/Omega^2 (23)."""
+    found = Duffing(1.0, 0.5, mu, 0.02).certify(1.0, Omega=1e40).amplitudes
+    expected = math.sqrt(1 - (4 * mu / math.pi) ** 2) / 1e80
+    assert found.proved
+    assert found.A.shape == (1, 2)
+    assert found.A[0] == pytest.approx([expected, expected], rel=1e-12)
+
+
+@compiled
 def test_a_certificate_is_an_answer_like_others():
     one, other = (example.isolator().certify(0.04, Omega=0.9) for _ in range(2))
     assert one == other

@@ -348,7 +348,7 @@ class ProvedStates(Proved):
     A       -- lowest and highest amplitude of each, shape (n, 2)
     stable  -- the sign of F_A (30), shape (n,)
     A_max   -- where it is proved there are no others up to this amplitude
-    bounded -- whether it is proved that there are none above either
+    bounded -- whether it is proved that there are none above either, up to 2^60 times as high
     doubt   -- intervals of A in which doubles do not decide, shape (k, 2)
     """
 

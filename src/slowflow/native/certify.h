@@ -173,7 +173,7 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, 
     int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
-    proving.given = given, proving.range = sf_fold_on, proving.channels = 1, proving.out = proof;
+    proving.given = given, proving.range = sf_fold_on, proving.channels = 1, proving.out = proof, proving.from = 0;
     proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.hints = hints, proving.expected = count;
     sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, proof, out);
@@ -206,7 +206,7 @@ static sf_status sf_certify_states(const sf_model *model, const sf_given *given,
     int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
-    proving.given = given, proving.range = sf_state_on, proving.channels = 1, proving.out = proof;
+    proving.given = given, proving.range = sf_state_on, proving.channels = 1, proving.out = proof, proving.from = 0;
     proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.Omega = sfi_point(Omega), proving.expected = 0;
     sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, proof, out);
@@ -396,6 +396,8 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
         return status;
     list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
     proving.given = given, proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.expected = 0, proving.out = proof;
+    /* without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out */
+    proving.from = given->m.hi > 0 ? 0 : SF_FIRST;
     for (i = 0; i < 2; i++) {
         proving.range = i == 0 ? sf_isola_on : sf_cusps_on, proving.channels = 1 + i;
         sf_prove(&proving, A_max);

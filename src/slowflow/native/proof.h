@@ -27,6 +27,7 @@ struct sf_proving {
     const sf_given *given;
     void (*range)(const sf_proving *, const sf_cell *, int open, sf_range out[2]);
     int channels, piece;
+    double from; /* the first amplitude */
     sf_terms terms;
     sf_interval Omega;
     const double *hints;
@@ -292,8 +293,8 @@ static void sf_prove(sf_proving *proving, double A_max) {
         proving->piece = i;
         if (i > 0)
             sf_know_above(given, i - 1, &first.known);
-        else /* a function that vanishes at 0 tells nothing there */
-            sf_know_at(given, 0, given->m.hi > 0 ? 0 : SF_FIRST, &first.known);
+        else
+            sf_know_at(given, 0, proving->from, &first.known);
         if (i < given->breaks && given->b[i].lo < A_max)
             sf_know_below(given, i, &last.known);
         else
