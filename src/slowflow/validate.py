@@ -20,7 +20,7 @@ WINDOW = (0.0, 2.0)
 #: the highest frequency: the square of an amplitude that F_0 >= 1e-70 holds there is in the range of doubles
 HIGHEST = 1e40
 #: the most points that are asked for
-MOST_SAMPLES = 10**8
+MOST_SAMPLES = 10**6
 
 
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:

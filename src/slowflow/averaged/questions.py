@@ -92,7 +92,7 @@ class Averaged:
         """The response curve at F_0, every branch and isola, for frequencies in the window `Omega` (24), (25), (30).
 
         About `samples` points; folds, peaks and corners are among them exactly. Raises ValueError for F_0 <= 0,
-        samples < 2 or > 10^8, or a window that is not 0 <= low < high <= 1e40. F_0 <= 4 mu/pi gives no point and a
+        samples < 2 or > 10^6, or a window that is not 0 <= low < high <= 1e40. F_0 <= 4 mu/pi gives no point and a
         message.
         """
         return self._remarked(self.curve(F_0, samples, Omega), F_0)
@@ -192,7 +192,7 @@ class Averaged:
         """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
 
         A_max is the mechanism's reach unless it is given; a mechanism without an end (`Duffing`) needs it. Raises
-        ValueError for samples < 2 or > 10^8, A_max <= 0 or none where one is needed.
+        ValueError for samples < 2 or > 10^6, A_max <= 0 or none where one is needed.
         """
         samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
         return solvers.fold_locus(self.model, self._up_to(A_max), samples)

@@ -427,12 +427,14 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
             const int upward = work->tour.step[i] % 2, last = i + 1 == work->tour.start[c + 1];
             const sf_arc *arc = &locus->arc[work->tour.step[i] / 2];
             const int steps = (int)ceil((double)samples * sf_locus_weight(arc, work->A_max) / total);
+            if (Omega == NULL) {
+                n += steps + last;
+                continue;
+            }
             for (k = 0; k < steps + last; k++, n++) {
                 const double share = 0.5 - 0.5 * cos(3.14159265358979312 * (upward ? k : steps - k) / steps);
                 const int end = k == 0 ? 1 - upward : upward;
                 sf_sample at;
-                if (Omega == NULL)
-                    continue;
                 A[n] = k == 0 || k == steps ? arc->A[end] : arc->A[0] + (arc->A[1] - arc->A[0]) * share;
                 sf_sample_at(model, A[n], &at);
                 Omega[n] = k == 0 || k == steps ? arc->Omega[end]

@@ -237,15 +237,26 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     return answer(status, items, 5);
 }
 
-/* All states at the frequencies asked for; Omega, A and stable have room for as many as most_states says. */
+/* frequencies: some milliseconds */
+enum { BETWEEN_SIGNALS = 1 << 14 };
+
+/* All states at the frequencies asked for; Omega, A and stable have room for as many as most_states says. -1 with an
+ * exception set where it was interrupted. */
 static npy_intp all_states(const sf_model *model, double F_0, const sf_work *work,
                            const double *asked, npy_intp asked_n, double *Omega, double *A, npy_bool *stable)
 {
-    npy_intp n = 0;
-    for (npy_intp i = 0; i < asked_n; i++) {
-        const int here = sf_here()->states(model, F_0, work, asked[i], A + n, stable + n);
-        for (int j = 0; j < here; j++)
-            Omega[n++] = asked[i];
+    npy_intp n = 0, i = 0;
+    while (i < asked_n) {
+        const npy_intp end = i + BETWEEN_SIGNALS < asked_n ? i + BETWEEN_SIGNALS : asked_n;
+        Py_BEGIN_ALLOW_THREADS
+        for (; i < end; i++) {
+            const int here = sf_here()->states(model, F_0, work, asked[i], A + n, stable + n);
+            for (int j = 0; j < here; j++)
+                Omega[n++] = asked[i];
+        }
+        Py_END_ALLOW_THREADS
+        if (PyErr_CheckSignals() < 0)
+            return -1;
     }
     return n;
 }
@@ -293,13 +304,13 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
     if (Omega == NULL || A == NULL || stable == NULL) {
         PyErr_NoMemory();
     } else {
-        Py_BEGIN_ALLOW_THREADS
         if (most > 0)
             n = all_states(model, F_0, work, asked, asked_n, Omega, A, stable);
-        Py_END_ALLOW_THREADS
-        PyObject *items[] = {array_of(n, NPY_DOUBLE, Omega, sizeof *Omega), array_of(n, NPY_DOUBLE, A, sizeof *A),
-                             array_of(n, NPY_BOOL, stable, sizeof *stable)};
-        result = answer(status, items, 3);
+        if (n >= 0) {
+            PyObject *items[] = {array_of(n, NPY_DOUBLE, Omega, sizeof *Omega), array_of(n, NPY_DOUBLE, A, sizeof *A),
+                                 array_of(n, NPY_BOOL, stable, sizeof *stable)};
+            result = answer(status, items, 3);
+        }
     }
     free(Omega);
     free(A);

@@ -1,0 +1,289 @@
+"""Nothing breaks it: threads, forks, interrupts, memory, the interpreter's switches, and what must hold by symmetry."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from slowflow import Duffing, Isolator, backend
+from slowflow.paper.example import isolator
+
+native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
+
+EVERYTHING = """
+from slowflow import Duffing, Isolator
+iso = Isolator(lam=3.0, r=2.0, delta_h=0.15, mu=0.012, zeta=0.02)
+print(iso, iso.explain("peak", 0.04))
+print(iso.saddle_nodes(0.04), iso.saddle_node_onset(), iso.detachment(), iso.peak(0.04))
+print(len(iso.frequency_response(0.04)), len(iso.fold_locus(A_max=1.0)))
+print(iso.cusps(A_max=1.0), iso.isola_points(A_max=1.0))
+print(iso.amplitudes(Omega=0.9, F_0=0.04), iso.second_approximation.saddle_nodes(0.04))
+print(Duffing.many(1.0, [0.1, 0.2], 0.01, 0.02).saddle_nodes(0.1))
+print(iso.steady_state(Omega=0.9, F_0=0.04).A)
+"""
+
+
+def answers(oscillator):
+    """What an oscillator says to several questions, the cached ones among them, as text with all digits."""
+    with np.printoptions(floatmode="unique"):
+        return repr(
+            (
+                oscillator.saddle_node_onset(),
+                oscillator.saddle_nodes(0.04),
+                oscillator.detachment(),
+                oscillator.peak(0.04),
+                oscillator.frequency_response(0.04, samples=60).A.tolist(),
+                oscillator.second_approximation.saddle_nodes(0.04).Omega.tolist(),
+            )
+        )
+
+
+def test_sixteen_threads_share_one_oscillator():
+    expected = answers(isolator())
+    for _ in range(4):
+        shared = isolator()  # nothing of it is known yet
+        with ThreadPoolExecutor(16) as pool:
+            assert set(pool.map(answers, [shared] * 64)) == {expected}
+
+
+@pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="no fork on this system")
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_a_fork_answers_as_its_parent_does():
+    oscillator = isolator()
+    expected = answers(oscillator)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map(answers, [oscillator, isolator(), oscillator]) == [expected] * 3
+
+
+def interrupted(program: str) -> str:
+    """What a program prints that is interrupted 0.5 s after it has printed "asked", and the end of its errors."""
+    with subprocess.Popen(
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        try:
+            assert process.stdout.readline() == "asked\n"
+            time.sleep(0.5)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=30)
+        finally:
+            process.kill()
+    return out + err.rstrip()[-len("KeyboardInterrupt") :]
+
+
+@native_only
+def test_ctrl_c_ends_a_long_answer():
+    program = (
+        "import numpy as np; from slowflow.paper.example import isolator\n"
+        "grid = np.linspace(0.1, 2.0, 3 * 10**7); print('asked', flush=True)\n"
+        "isolator().amplitudes(Omega=grid, F_0=0.04); print('answered', flush=True)"
+    )
+    assert interrupted(program) == "KeyboardInterrupt"
+
+
+@native_only
+def test_ctrl_c_ends_an_exact_curve():
+    program = (
+        "from slowflow.paper.example import isolator\n"
+        "print('asked', flush=True); isolator().exact_response(0.04, step=1e-6); print('answered', flush=True)"
+    )
+    assert interrupted(program) == "KeyboardInterrupt"
+
+
+@pytest.mark.slow
+@native_only
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the resident size is read from /proc")
+def test_no_memory_is_kept():
+    """Oscillators, answers and refusals by the ten thousand: the process stays as large as it was after the first."""
+    program = """
+import numpy as np
+from slowflow import Duffing, Isolator
+from slowflow.paper.example import TABLE_1
+def resident():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1])
+def ask(k):
+    oscillator = Isolator(**TABLE_1 | {"zeta": 0.01 + 1e-7 * k})
+    oscillator.saddle_node_onset(), oscillator.saddle_nodes(0.04), oscillator.peak(0.04), oscillator.detachment()
+    oscillator.frequency_response(0.04, samples=20), oscillator.amplitudes(Omega=0.9, F_0=0.04)
+    Duffing.many([1.0, 2.0], 0.1, 0.01, 0.02).saddle_nodes(0.1)
+    if k % 100 == 0:
+        oscillator.steady_state(Omega=0.9, F_0=0.04)
+    try:
+        Isolator(**TABLE_1 | {"delta_h": 2.0})
+    except ValueError:
+        pass
+for k in range(3000):
+    ask(k)
+before = resident()
+for k in range(12000):
+    ask(k)
+print((resident() - before) * 4096)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert int(done.stdout) < 2**20
+
+
+@pytest.mark.parametrize(
+    ("switches", "variables"),
+    [
+        (["-O"], {}),
+        (["-OO"], {}),
+        (["-W", "error"], {}),
+        (["-X", "dev", "-W", "error"], {}),
+        ([], {"LC_ALL": "de_DE.UTF-8"}),
+        ([], {"PYTHONHASHSEED": "7"}),
+        ([], {"LC_ALL": "C", "PYTHONUTF8": "0"}),
+    ],
+)
+def test_the_interpreters_switches_change_no_answer(switches, variables):
+    if variables.get("LC_ALL", "").startswith("de"):
+        known = subprocess.run(["locale", "-a"], capture_output=True, text=True).stdout
+        if "de_DE.utf8" not in known:
+            pytest.skip("no locale with a decimal comma on this system")
+    plain, switched = (
+        subprocess.run(
+            [sys.executable, *given, "-c", EVERYTHING],
+            capture_output=True,
+            encoding="utf-8",
+            check=True,
+            env={**os.environ, "PYTHONIOENCODING": "utf-8", **more},
+        )
+        for given, more in (([], {}), (switches, variables))
+    )
+    assert switched.stdout == plain.stdout and switched.stderr == ""
+
+
+def test_nothing_is_written_into_the_package(tmp_path):
+    """It may lie where nobody can write."""
+    folders = [Path(path) for package in ("slowflow", "slowflow_kernels") for path in sys.modules[package].__path__]
+
+    def files():
+        return {
+            (path, path.stat().st_mtime_ns)
+            for folder in folders
+            for path in folder.rglob("*")
+            if "__pycache__" not in path.parts and not path.is_dir()
+        }
+
+    before = files()
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "HOME": str(tmp_path / "none")}
+    environment["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in sys.path)
+    subprocess.run([sys.executable, "-c", EVERYTHING], check=True, capture_output=True, cwd=tmp_path, env=environment)
+    assert files() == before and list(tmp_path.iterdir()) == []
+
+
+# --- what must hold by symmetry --------------------------------------------------------------------------------------
+
+duffings = st.builds(
+    dict,
+    alpha=st.floats(0.1, 3.0),
+    beta=st.floats(0.05, 5.0) | st.floats(-5.0, -0.05),
+    mu=st.just(0.0) | st.floats(1e-4, 0.1),
+    zeta=st.floats(1e-3, 0.5),
+)
+
+
+def close(a, b):
+    return a == b or math.isclose(a, b, rel_tol=1e-11)
+
+
+def scaled_alike(one, other, length, frequency, F_0, Omega):
+    """Both oscillators say the same, the second in units in which lengths and frequencies are so many times larger."""
+    force = length * frequency**2
+    a, b = one.saddle_node_onset(), other.saddle_node_onset()
+    assert (a.F_SN is None) == (b.F_SN is None)
+    if a.F_SN is not None:
+        assert close(a.F_SN * force, b.F_SN) and close(a.A * length, b.A) and close(a.Omega * frequency, b.Omega)
+    one_s, other_s = one.saddle_nodes(F_0), other.saddle_nodes(F_0 * force)
+    assert [fold.kind for fold in one_s] == [fold.kind for fold in other_s]
+    # near a cusp a fold moves by the root of a rounding
+    np.testing.assert_allclose(one_s.Omega * frequency, other_s.Omega, rtol=1e-7)
+    states = one.amplitudes(Omega=Omega, F_0=F_0)
+    others = other.amplitudes(Omega=Omega * frequency, F_0=F_0 * force)
+    assert states.stable.tolist() == others.stable.tolist()
+    np.testing.assert_allclose(states.A * length, others.A, rtol=1e-7)
+
+
+@pytest.mark.both_backends
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(duffings, st.floats(0.01, 1.0), st.floats(0.2, 2.5), st.integers(-20, 20), st.integers(-10, 10))
+def test_units_of_length_and_time_are_free(numbers, F_0, Omega, p, q):
+    """u -> s u and tau -> tau/c, by powers of two so that no number is rounded."""
+    s, c = 2.0**p, 2.0**q
+    other = Duffing(
+        alpha=numbers["alpha"] * c**2,
+        beta=numbers["beta"] * c**2 / s**2,
+        mu=numbers["mu"] * s * c**2,
+        zeta=numbers["zeta"] * c,
+    )
+    scaled_alike(Duffing(**numbers), other, s, c, F_0, Omega)
+
+
+@pytest.mark.both_backends
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(duffings, st.floats(0.02, 1.0))
+def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
+    oscillator = Duffing(**numbers)
+    folds = oscillator.saddle_nodes(F_0)
+    ends = [0.0, *folds.Omega.tolist(), 2 * max(folds.Omega, default=1.0)]
+    if min(np.diff(ends)) < 1e-6:  # no room between two of them
+        return
+    between = [0.5 * (a + b) for a, b in itertools.pairwise(ends)]
+    counts = [len(oscillator.amplitudes(Omega=Omega, F_0=F_0)) for Omega in between]
+    assert all(abs(a - b) == 2 for a, b in itertools.pairwise(counts))
+
+
+@pytest.mark.both_backends
+@settings(max_examples=20, deadline=None, derandomize=True)
+@given(st.floats(1.0, 5.0), st.floats(0.5, 3.0), st.floats(0.1, 0.9), st.floats(0.002, 0.05), st.floats(0.01, 0.1))
+def test_nothing_jumps_at_the_detachment_of_the_untruncated_force(lam, r, share, mu, zeta):
+    """The lowest forcing, its frequency and the backbone on either side of u_cr: a float apart, a rounding apart."""
+    oscillator = Isolator(lam=lam, r=r, delta_h=min(share / (lam * r), 0.9), mu=mu, zeta=zeta, force="untruncated")
+    end = oscillator.detachment().u_cr
+    below, above = oscillator.backbone([np.nextafter(end, 0), np.nextafter(end, 2)])
+    assert close(below, above)
+    F_cr = oscillator.detachment().F_cr
+    assert math.isclose(oscillator.peak(F_cr * (1 - 1e-9)).A, oscillator.peak(F_cr * (1 + 1e-9)).A, rel_tol=1e-6)
+
+
+# --- the equation of motion at its hard places -----------------------------------------------------------------------
+
+HARD = {
+    "near escape": (dict(alpha=1.0, beta=-1.0, mu=0.01, zeta=0.02), (0.1, 0.3, 0.6)),
+    "many stops": (dict(alpha=1.0, beta=0.1, mu=0.05, zeta=0.01), (0.0625, 0.065, 0.1)),
+    "quasi-zero stiffness": (dict(alpha=0.0, beta=1.0, mu=0.001, zeta=0.01), (0.0015, 0.01, 0.5)),
+    "mu/F_0 to 1": (dict(alpha=1.0, beta=0.5, mu=0.1, zeta=0.05), (0.1000001, 0.101, 0.11)),
+    "negative stiffness": (dict(alpha=-0.2, beta=1.0, mu=0.001, zeta=0.01), (0.01, 0.1, 0.5)),
+}
+
+
+@pytest.mark.slow
+@native_only
+@pytest.mark.parametrize("place", HARD)
+def test_a_motion_within_its_residual_or_a_refusal(place):
+    """At hard places, slow frequencies among them, an answer solves the equation of motion; none takes a minute."""
+    numbers, forcings = HARD[place]
+    oscillator = Duffing(**numbers)
+    for F_0 in forcings:
+        for Omega in (0.05, 0.2, 0.5, 0.9, 1.0, 1.3, 2.7):
+            start = time.process_time()
+            try:
+                found = oscillator.steady_state(Omega=Omega, F_0=F_0)
+            except ArithmeticError as refusal:
+                assert str(refusal)
+            else:
+                assert found.residual <= 1e-9 * max(found.A, F_0)
+            assert time.process_time() - start < 60
