@@ -44,8 +44,7 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
     """One row for each skip and question: names, seconds without and with it, ratio."""
     repeats = repeats or (300 if backend.SOLVER is not None else 15)
     whole = isolator().model
-    p, mu, zeta = whole.parameters, whole.mu, whole.zeta
-    attached = Model(rod_spring.MECHANISM, p, mu, zeta, attached=True)
+    mu, zeta = whole.mu, whole.zeta
     no_preload = Model(rod_spring.MECHANISM, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), mu, zeta)
     linear = Model(duffing.MECHANISM, (1.0, 0.0), mu, zeta)
     asked, knows = isolator(), isolator()
@@ -62,9 +61,6 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
         return lambda: solvers.amplitudes(model, Omega, F_0)
 
     pairs = [
-        ("A < u_cr: no angles", "frequency_response", curve(whole, 0.025), curve(attached, 0.025)),
-        ("A < u_cr: no angles", "saddle_nodes", folds(whole, 0.025), folds(attached, 0.025)),
-        ("A < u_cr: no angles", "amplitudes", states(whole, 0.025), states(attached, 0.025)),
         ("delta_h = 0: linear", "frequency_response", curve(no_preload, 0.04), curve(linear, 0.04)),
         ("delta_h = 0: linear", "amplitudes", states(no_preload, 0.04), states(linear, 0.04)),
         ("F_0 < F_SN, known", "saddle_nodes", lambda: asked.saddle_nodes(0.02), lambda: knows.saddle_nodes(0.02)),
@@ -82,9 +78,8 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
         ),
     ]
     for name, m, z in (("mu = 0", 0.0, zeta), ("zeta = 0", mu, 0.0), ("mu = zeta = 0", 0.0, 0.0)):
-        pairs.append(
-            (name, "frequency_response", curve(whole, 0.04), curve(Model(rod_spring.MECHANISM, p, m, z), 0.04))
-        )
+        scene = Model(rod_spring.MECHANISM, whole.parameters, m, z)
+        pairs.append((name, "frequency_response", curve(whole, 0.04), curve(scene, 0.04)))
     return [
         {
             "skip": skip,

@@ -129,7 +129,9 @@ def attached(a: sp.Expr, b: sp.Expr, steps: int) -> Regime:
         forms.append(in_B_and_C(current))
     rest = [a * A, a, 0, 0]
     derivatives = [-(rest[n] + b * (forms[n] * A if n % 2 == 0 else forms[n])) for n in range(ORDERS + 1)]
-    return Regime((), (), tuple(lets), tuple(derivatives))
+    # A P less A times its slope
+    intercept = 2 * A * b * m * in_B_and_C(by_m(P))
+    return Regime((), (), tuple(lets), tuple(derivatives), intercept)
 
 
 # --- detached: Gauss's rule ---
@@ -386,7 +388,10 @@ def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     )
     rest = [a * A, a, 0, 0]
     derivatives = tuple(-(r + 4 / sp.pi * b * form) for r, form in zip(rest, forms, strict=True))
-    return Regime((end,), (), tuple(quarter.lets), derivatives)
+    intercept = 4 / sp.pi * b * A**3 * V3
+    if sp.expand(derivatives[0] - A * derivatives[1] - intercept) != 0:
+        raise ArithmeticError("h - A h_A where the force is detached")
+    return Regime((end,), (), tuple(quarter.lets), derivatives, intercept)
 
 
 def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
@@ -400,13 +405,15 @@ def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     logarithmic = -(2 + q) / A
     q_A = -2 * q * (1 + q) / A
     rest = [a * A, a, 0, 0]
-    derivatives, ratio = [], sp.Integer(1)
+    derivatives, ratio, totals = [], sp.Integer(1), []
     for order in range(ORDERS + 1):
         polynomial = sp.Poly(sp.expand(ratio * A**order), q)
         total = sum(c * W[n] for (n,), c in polynomial.terms())
+        totals.append(total)
         derivatives.append(-rest[order] + 4 / sp.pi * b * A ** (1 - order) * total)
         ratio = sp.expand(ratio * logarithmic + sp.diff(ratio, A) + sp.diff(ratio, q) * q_A)
-    return Regime((end,), (end,), tuple(quarter.lets), tuple(derivatives))
+    intercept = 4 / sp.pi * b * A * sp.expand(totals[0] - totals[1])
+    return Regime((end,), (end,), tuple(quarter.lets), tuple(derivatives), intercept)
 
 
 # --- both ---

@@ -17,7 +17,7 @@ def averaged(A, s, gap):
 
 
 def intercept(A, s, gap):
-    """h - A h_A without what cancels in it: what is linear in A."""
+    """h - A h_A, in which the linear parts are gone."""
     c = np.minimum(1.0, gap / np.where(A > 0, A, 1.0))
     return 4 * s / np.pi * gap * np.sqrt((1 - c) * (1 + c))
 
@@ -33,7 +33,7 @@ STOPS = Mechanism(
     breakpoints=lambda s, gap: (gap,), jumps=lambda s, gap: (0.0,), hardening=lambda s, gap: (s,),
     averaged=averaged, intercept=intercept, harmonics=lambda A, s, gap: np.nan, harmonics_up_to=0.0,
     digits_up_to=np.inf,
-    reach=np.inf, reach_reason="", truncated=False, attached=None, load_untruncated=None,
+    reach=np.inf, reach_reason="", truncated=False, load_untruncated=None,
 )  # fmt: skip
 
 oscillator = Oscillator(STOPS, s=4.0, gap=0.5, mu=0.01, zeta=0.02)

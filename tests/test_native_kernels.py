@@ -111,7 +111,7 @@ def test_same_numbers_as_numpy(on_numpy, name):
         exact = np.ones(values[0].shape, bool)
         if name in ("den_hartog", "second_approximation") or kernel in ("phase", "critical"):
             exact[:] = False
-        elif "A" in given and kernel != "attached" and (ends := first_ends(module, given)) is not None:
+        elif "A" in given and (ends := first_ends(module, given)) is not None:
             exact = given["A"] <= ends
         for k, (x, y) in enumerate(zip(new, old, strict=True)):
             assert x.shape == y.shape
@@ -120,7 +120,6 @@ def test_same_numbers_as_numpy(on_numpy, name):
                 "averaged",
                 "averaged_2",
                 "averaged_H",
-                "attached",
                 "h",
                 "h_A",
                 "h_AA",
@@ -317,7 +316,7 @@ def test_every_clone_gives_the_same_bits(tmp_path):
     A[::50] = np.nan
     p = (0.5, 2.8, gamma, 0.4)
     calls = {
-        **{("rod_spring", name): (A, *p) for name in ("averaged", "averaged_2", "attached", "harmonics", "force")},
+        **{("rod_spring", name): (A, *p) for name in ("averaged", "averaged_2", "harmonics", "force")},
         ("rod_spring", "coefficients"): (A, 2.0, rng.uniform(0.01, 0.3, 1003)),
         ("rod_spring", "saddle_nodes"): (0.04, 0.01, A, *p),
         ("slow_flow", "phase"): (Omega, A, 0.01, 0.02, -gamma),

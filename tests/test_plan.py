@@ -1,22 +1,17 @@
 """Scenes: what the plan says, that it is obeyed, and that a scene's answer is the general path's."""
 
 import dataclasses
-import json
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, backend
 from slowflow.averaged import solvers
 from slowflow.model import Model
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow_kernels import duffing, rod_spring
 
 pytestmark = pytest.mark.both_backends
-
-RANDOM = json.loads((Path(__file__).parent / "data" / "random_isolators.json").read_text())
-SAMPLE = RANDOM[:: 1 if backend.SOLVER is not None else 40]
 
 
 def runs(plan):
@@ -36,16 +31,6 @@ def test_nothing_runs_where_the_mass_sticks():
     plan = isolator().explain("frequency_response", 0.015)
     assert plan.sticks and not any(runs(plan).values())
     assert "sticks" in str(plan)
-
-
-def test_below_the_detachment_only_the_attached_piece_runs():
-    plan = isolator().explain("frequency_response", 0.025)
-    assert plan.model.attached and "attached only" in str(plan)
-    assert not isolator().explain("frequency_response", 0.04).model.attached
-    # with a negative averaged stiffness at u_cr the springs may be off at a lower forcing than at u_cr
-    with pytest.warns(UserWarning):
-        buckled = isolator(delta_h=0.9, r=10.0)
-    assert buckled.explain("saddle_nodes", 0.9 * buckled.detachment().F_cr).model.attached is False
 
 
 def test_the_fold_search_is_skipped_where_the_onset_is_known_to_lie_above():
@@ -87,24 +72,6 @@ def test_an_unknown_question_is_named():
 
 
 # ---- the answers ----------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("record", SAMPLE, ids=[str(k) for k in range(len(SAMPLE))])
-def test_the_attached_scene_gives_what_the_whole_force_gives(record):
-    values = {name: float.fromhex(value[0]) for name, value in record["parameters"].items()}
-    oscillator = Isolator(**values)
-    whole = Model(rod_spring.MECHANISM, oscillator.model.parameters, oscillator.mu, oscillator.zeta)
-    F_cr = oscillator.detachment().F_cr
-    for share in (0.3, 0.9, 0.999):
-        F_0 = whole.m + share * (F_cr - whole.m)
-        plan = oscillator.explain("amplitudes", F_0)
-        assert plan.model.attached
-        same_folds(solvers.saddle_nodes(plan.model, F_0), solvers.saddle_nodes(whole, F_0))
-        Omega = np.linspace(0.3, 1.5, 7)
-        one, other = solvers.amplitudes(plan.model, Omega, F_0), solvers.amplitudes(whole, Omega, F_0)
-        assert (one.Omega == other.Omega).all() and (one.stable == other.stable).all()
-        assert np.allclose(one.A, other.A, rtol=1e-11, atol=0)
-        assert other.A.max() < oscillator.u_cr
 
 
 def test_the_linear_scene_gives_what_the_whole_force_gives():

@@ -115,15 +115,6 @@ def test_a_record_knows_damping_excitation_and_that_an_odd_force_is_centred(name
     assert record.mean_offset(0.4, p) == 0
 
 
-def test_the_first_piece_alone_is_reached_from_its_mechanism():
-    rod_spring, parameters = NATIVE.RECORDS["rod_spring"], (0.7, 0.9, 0.7, 0.4)
-    alone = NATIVE.model(rod_spring, parameters, (0.0, 0.02), True)
-    assert NATIVE.detachment(alone)[0] != OK  # it has no end
-    assert NATIVE.detachment(NATIVE.model(rod_spring, parameters, (0.0, 0.02)))[0] == OK
-    with pytest.raises(ValueError, match="duffing has no record of its first piece alone"):
-        NATIVE.model(NATIVE.RECORDS["duffing"], (1.0, 0.5), (0.0, 0.02), True)
-
-
 def test_a_ufunc_of_a_record_is_made_once():
     record = NATIVE.RECORDS["duffing"]
     assert NATIVE.many_onset(record) is NATIVE.many_onset(record)

@@ -148,7 +148,6 @@ class Record:
     digits_up_to    -- the largest breakpoint for which averages keep their digits
     truncated       -- whether the force is a Taylor polynomial that stands for another
     untruncated     -- name of the mechanism with that other force; "" where there is none
-    attached        -- whether the kernel `attached` averages the first piece alone
     """
 
     mechanism: Mechanism
@@ -158,7 +157,6 @@ class Record:
     digits_up_to: sp.Expr
     truncated: bool
     untruncated: str
-    attached: bool
 
 
 @dataclass(frozen=True)

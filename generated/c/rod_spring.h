@@ -454,25 +454,6 @@ static inline double rod_spring_intercept(double A, double alpha, double beta, d
     return rod_spring_intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr);
 }
 
-/* The first piece alone: h, h_A, h_AA, h_AAA together.
-   Equation (20), (21). Domain: 0 <= A <= u_cr.
-   Operations: 28 structured, 19 common subexpressions, 19 power chains
- */
-static inline void rod_spring_attached(double A, const double *p, double *out)
-{
-    const double alpha = p[0];
-    const double beta = p[1];
-    const double gamma = p[2];
-    const double t0 = -alpha;
-    const double t1 = A * A;
-    const double t2 = gamma * t1;
-    const double t3 = 4.5 * beta;
-    out[0] = A * (t0 + t1 * (-0.75 * beta - 0.625 * t2));
-    out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
-    out[2] = A * (-12.5 * t2 - t3);
-    out[3] = -37.5 * t2 - t3;
-}
-
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0.
    Operations where passed_0: 44 structured, 32 common subexpressions, 26 power chains

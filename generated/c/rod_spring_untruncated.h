@@ -19,14 +19,14 @@
 #define ROD_SPRING_UNTRUNCATED_PARAMETERS 3
 #define ROD_SPRING_UNTRUNCATED_BREAKPOINTS 1
 
-/* h, h_A, h_AA, h_AAA, H, H_A together.
+/* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Operations where passed_0: 112 structured, 92 common subexpressions, 91 power chains
-   Operations where passed_0_steep: 168 structured, 140 common subexpressions, 139 power chains
-   Operations where passed_1_far: 696 structured, 696 common subexpressions, 627 power chains
-   Operations where passed_1: 664 structured, 664 common subexpressions, 610 power chains
-   Operations where passed_1_steep_far: 1691 structured, 1691 common subexpressions, 1632 power chains
-   Operations where passed_1_steep: 1472 structured, 1472 common subexpressions, 1429 power chains
+   Operations where passed_0: 120 structured, 99 common subexpressions, 98 power chains
+   Operations where passed_0_steep: 176 structured, 147 common subexpressions, 146 power chains
+   Operations where passed_1_far: 714 structured, 714 common subexpressions, 639 power chains
+   Operations where passed_1: 674 structured, 674 common subexpressions, 614 power chains
+   Operations where passed_1_steep_far: 1708 structured, 1708 common subexpressions, 1645 power chains
+   Operations where passed_1_steep: 1477 structured, 1477 common subexpressions, 1432 power chains
  */
 static inline void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
 {
@@ -63,16 +63,18 @@ static inline void rod_spring_untruncated_averaged_all_passed_0(double A, const 
     const double t9 = A * t8;
     const double t10 = P * t9;
     const double t11 = 1.0 / k;
-    const double t12 = alpha + t8 * (B * m * t11 - C * m + P);
+    const double t12 = B * t11;
+    const double t13 = alpha + t8 * (-C * m + P + m * t12);
     const double k2 = k * k;
-    const double t13 = 1.0 / k2;
+    const double t14 = 1.0 / k2;
     const double k3 = k * k2;
     out[0] = -A * alpha - t10;
-    out[1] = -t12;
-    out[2] = -t9 * (2.0 * B * t13 + C * t11);
-    out[3] = -t8 * (B * (5.0 * m + 3.0) / k3 + C * t13 * (7.0 * m - 3.0));
+    out[1] = -t13;
+    out[2] = -t9 * (2.0 * B * t14 + C * t11);
+    out[3] = -t8 * (B * (5.0 * m + 3.0) / k3 + C * t14 * (7.0 * m - 3.0));
     out[4] = -A * (alpha - 1.0) - t10;
-    out[5] = 1.0 - t12;
+    out[5] = 1.0 - t13;
+    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t12);
 }
 
 static inline void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out)
@@ -127,16 +129,18 @@ static inline void rod_spring_untruncated_averaged_all_passed_0_steep(double A, 
     const double t13 = A * t12;
     const double t14 = P * t13;
     const double t15 = 1.0 / k;
-    const double t16 = alpha + t12 * (B * m * t15 - C * m + P);
+    const double t16 = B * t15;
+    const double t17 = alpha + t12 * (-C * m + P + m * t16);
     const double k2 = k * k;
-    const double t17 = 1.0 / k2;
+    const double t18 = 1.0 / k2;
     const double k3 = k * k2;
     out[0] = -A * alpha - t14;
-    out[1] = -t16;
-    out[2] = -t13 * (2.0 * B * t17 + C * t15);
-    out[3] = -t12 * (B * (5.0 * m + 3.0) / k3 + C * t17 * (7.0 * m - 3.0));
+    out[1] = -t17;
+    out[2] = -t13 * (2.0 * B * t18 + C * t15);
+    out[3] = -t12 * (B * (5.0 * m + 3.0) / k3 + C * t18 * (7.0 * m - 3.0));
     out[4] = -A * (alpha - 1.0) - t14;
-    out[5] = 1.0 - t16;
+    out[5] = 1.0 - t17;
+    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t16);
 }
 
 static inline void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out)
@@ -338,6 +342,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_far(double A, co
         * T3 * sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2;
     out[4] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c;
     out[5] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c);
+    out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c);
 }
 
 static inline void rod_spring_untruncated_averaged_all_passed_1(double A, const double *p, double *out)
@@ -498,6 +503,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1(double A, const 
         * c3 * root) + u_cr5 / (A2 * c3 * root3));
     out[4] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c;
     out[5] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c);
+    out[6] = 81.487330863050417 * A3 * T5 * beta * sum_1;
 }
 
 static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
@@ -1002,6 +1008,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
         c - 120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2;
     out[4] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2);
     out[5] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4);
+    out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 / c + 8.0 * T3 * sum_1 / c - 3.0 * V2 - V4);
 }
 
 static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out)
@@ -1444,6 +1451,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
         c5 * root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3));
     out[4] = 2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2);
     out[5] = -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2);
+    out[6] = 2.5464790894703255 * A3 * V4 * beta;
 }
 
 static inline void rod_spring_untruncated_averaged_all(double A, const double *p, double *out)
@@ -2771,7 +2779,7 @@ static inline double rod_spring_untruncated_force(double u, double alpha, double
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
-    double values[6];
+    double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
     out[0] = values[0];
     out[1] = values[1];
@@ -2783,7 +2791,7 @@ static inline void rod_spring_untruncated_averaged(double A, const double *p, do
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
-    double values[6];
+    double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
     out[0] = values[0];
     out[1] = values[1];
@@ -2793,10 +2801,20 @@ static inline void rod_spring_untruncated_averaged_2(double A, const double *p, 
    Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
-    double values[6];
+    double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
     out[0] = values[4];
     out[1] = values[5];
+}
+
+/* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
+   Equation (20)-(22), (31). Domain: A >= 0. */
+static inline double rod_spring_untruncated_intercept(double A, double alpha, double beta, double u_cr)
+{
+    const double p[] = {alpha, beta, u_cr};
+    double values[7];
+    rod_spring_untruncated_averaged_all(A, p, values);
+    return values[6];
 }
 
 /* The averaged restoring force h = H - A.

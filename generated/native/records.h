@@ -145,7 +145,6 @@ static const sf_mechanism duffing_record = {
     .parameters = 2,
     .breakpoints = 0,
     .reach = INFINITY,
-    .attached = NULL,
     .parameters_of = duffing_record_parameters_of,
     .damping_of = records_damping_of,
     .is_forcing = records_is_forcing,
@@ -159,65 +158,6 @@ static const sf_mechanism duffing_record = {
     .mean_offset = records_centred,
     .parameters_within = duffing_record_parameters_within,
     .averaged_within = duffing_record_averaged_within,
-};
-
-static void rod_spring_attached_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    if (n == 1) {
-        rod_spring_averaged_passed_0(A[0], p, out);
-        return;
-    }
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        rod_spring_averaged_passed_0(A[i], p, h);
-        out[i] = h[0];
-        out[n + i] = h[1];
-        out[2 * n + i] = h[2];
-        out[3 * n + i] = h[3];
-    }
-}
-
-static void rod_spring_attached_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    if (n == 1) {
-        rod_spring_averaged_2_passed_0(A[0], p, out);
-        return;
-    }
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        rod_spring_averaged_2_passed_0(A[i], p, h);
-        out[i] = h[0];
-        out[n + i] = h[1];
-    }
-}
-
-static double rod_spring_attached_record_intercept(double A, const double *p)
-{
-    return rod_spring_intercept_passed_0(A, p[0], p[1], p[2], p[3]);
-}
-
-_Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
-               "rod_spring_attached needs higher limits in mechanism.h");
-static const sf_mechanism rod_spring_attached_record = {
-    .form = SF_FORM,
-    .name = "rod_spring_attached",
-    .design_size = 3,
-    .damping_size = 2,
-    .parameters = 4,
-    .breakpoints = 0,
-    .reach = 1.0,
-    .attached = NULL,
-    .parameters_of = rod_spring_record_parameters_of,
-    .damping_of = records_damping_of,
-    .is_forcing = records_is_forcing,
-    .ends = records_no_breakpoint,
-    .jumps = records_no_breakpoint,
-    .averaged = rod_spring_attached_record_averaged,
-    .averaged_2 = rod_spring_attached_record_averaged_2,
-    .intercept = rod_spring_attached_record_intercept,
-    .dissipation = records_dissipation,
-    .level = records_level,
-    .mean_offset = records_centred,
 };
 
 static void rod_spring_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
@@ -277,7 +217,6 @@ static const sf_mechanism rod_spring_record = {
     .parameters = 4,
     .breakpoints = 1,
     .reach = 1.0,
-    .attached = &rod_spring_attached_record,
     .parameters_of = rod_spring_record_parameters_of,
     .damping_of = records_damping_of,
     .is_forcing = records_is_forcing,
@@ -324,6 +263,11 @@ static void rod_spring_untruncated_record_averaged_2(ptrdiff_t n, const double *
     }
 }
 
+static double rod_spring_untruncated_record_intercept(double A, const double *p)
+{
+    return rod_spring_untruncated_intercept(A, p[0], p[1], p[2]);
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring_untruncated needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_untruncated_record = {
@@ -334,7 +278,6 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .parameters = 3,
     .breakpoints = 1,
     .reach = 1.0,
-    .attached = NULL,
     .parameters_of = rod_spring_untruncated_record_parameters_of,
     .damping_of = records_damping_of,
     .is_forcing = records_is_forcing,
@@ -342,13 +285,12 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .jumps = rod_spring_untruncated_jumps,
     .averaged = rod_spring_untruncated_record_averaged,
     .averaged_2 = rod_spring_untruncated_record_averaged_2,
-    .intercept = NULL,
+    .intercept = rod_spring_untruncated_record_intercept,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
 };
 
-/* the whole mechanisms; each knows the record of its first piece alone */
 static const sf_mechanism *const records[] = {
     &duffing_record,
     &rod_spring_record,

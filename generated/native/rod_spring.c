@@ -317,34 +317,6 @@ static const sf_loop rod_spring_intercept_loops[] = {
     rod_spring_intercept_passed_1_far_1_loop,
 };
 
-static SF_WIDE void rod_spring_attached_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict gamma = in[3];
-    const double *restrict u_cr = in[4];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], gamma[i], u_cr[i]};
-        double values[4];
-        rod_spring_attached(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-    }
-}
-
-static const sf_loop rod_spring_attached_loops[] = {
-    rod_spring_attached_loop,
-};
-
 static SF_WIDE void rod_spring_harmonics_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     const double *restrict A = in[0];
@@ -727,9 +699,6 @@ static const sf_kernel kernels[] = {
      "h - A h_A, where the tangent of h meets A = 0; linear terms are none. Equation (20)-(22), (31). Domain: A >= "
      "0.",
      5, 1, 3, rod_spring_intercept_regime, rod_spring_intercept_loops},
-    {"attached",
-     "The first piece alone: h, h_A, h_AA, h_AAA together. Equation (20), (21). Domain: 0 <= A <= u_cr.",
-     5, 4, 1, NULL, rod_spring_attached_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
      "Equation beyond (20). Domain: A >= 0.",

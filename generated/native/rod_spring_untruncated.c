@@ -20,11 +20,12 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_loop(ptrdiff_t 
     double *restrict out_3 = out[3];
     double *restrict out_4 = out[4];
     double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
     n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
-        double values[6];
+        double values[7];
         rod_spring_untruncated_averaged_all_passed_0(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
@@ -32,6 +33,7 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_loop(ptrdiff_t 
         out_3[i] = values[3];
         out_4[i] = values[4];
         out_5[i] = values[5];
+        out_6[i] = values[6];
     }
 }
 
@@ -47,11 +49,12 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_steep_loop(ptrd
     double *restrict out_3 = out[3];
     double *restrict out_4 = out[4];
     double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
     n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
-        double values[6];
+        double values[7];
         rod_spring_untruncated_averaged_all_passed_0_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
@@ -59,6 +62,7 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_steep_loop(ptrd
         out_3[i] = values[3];
         out_4[i] = values[4];
         out_5[i] = values[5];
+        out_6[i] = values[6];
     }
 }
 
@@ -74,11 +78,12 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_far_loop(ptrdif
     double *restrict out_3 = out[3];
     double *restrict out_4 = out[4];
     double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
     n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
-        double values[6];
+        double values[7];
         rod_spring_untruncated_averaged_all_passed_1_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
@@ -86,6 +91,7 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_far_loop(ptrdif
         out_3[i] = values[3];
         out_4[i] = values[4];
         out_5[i] = values[5];
+        out_6[i] = values[6];
     }
 }
 
@@ -101,11 +107,12 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_loop(ptrdiff_t 
     double *restrict out_3 = out[3];
     double *restrict out_4 = out[4];
     double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
     n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
-        double values[6];
+        double values[7];
         rod_spring_untruncated_averaged_all_passed_1(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
@@ -113,6 +120,7 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_loop(ptrdiff_t 
         out_3[i] = values[3];
         out_4[i] = values[4];
         out_5[i] = values[5];
+        out_6[i] = values[6];
     }
 }
 
@@ -128,11 +136,12 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_far_loop(
     double *restrict out_3 = out[3];
     double *restrict out_4 = out[4];
     double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
     n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
-        double values[6];
+        double values[7];
         rod_spring_untruncated_averaged_all_passed_1_steep_far(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
@@ -140,6 +149,7 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_far_loop(
         out_3[i] = values[3];
         out_4[i] = values[4];
         out_5[i] = values[5];
+        out_6[i] = values[6];
     }
 }
 
@@ -155,11 +165,12 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_loop(ptrd
     double *restrict out_3 = out[3];
     double *restrict out_4 = out[4];
     double *restrict out_5 = out[5];
+    double *restrict out_6 = out[6];
     n = SF_WHOLE(n);
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double p[] = {alpha[i], beta[i], u_cr[i]};
-        double values[6];
+        double values[7];
         rod_spring_untruncated_averaged_all_passed_1_steep(A[i], p, values);
         out_0[i] = values[0];
         out_1[i] = values[1];
@@ -167,6 +178,7 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_loop(ptrd
         out_3[i] = values[3];
         out_4[i] = values[4];
         out_5[i] = values[5];
+        out_6[i] = values[6];
     }
 }
 
@@ -400,8 +412,8 @@ static const sf_loop rod_spring_untruncated_force_loops[] = {
 
 static const sf_kernel kernels[] = {
     {"averaged_all",
-     "h, h_A, h_AA, h_AAA, H, H_A together. Equation (20)-(22), (31). Domain: A >= 0.",
-     4, 6, 6, rod_spring_untruncated_averaged_all_regime, rod_spring_untruncated_averaged_all_loops},
+     "h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
+     4, 7, 6, rod_spring_untruncated_averaged_all_regime, rod_spring_untruncated_averaged_all_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
      "Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.",

@@ -547,6 +547,5 @@ MECHANISM = Mechanism(
     reach=float("inf"),
     reach_reason="",
     truncated=False,
-    attached=None,
     load_untruncated=None,
 )

@@ -17,7 +17,7 @@ import numpy as np
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
-from slowflow_support.record import Law, Mechanism, Parameter, nothing
+from slowflow_support.record import Law, Mechanism, Parameter
 
 __all__ = [
     "F_A",
@@ -26,7 +26,6 @@ __all__ = [
     "MECHANISM",
     "F",
     "H",
-    "attached",
     "averaged",
     "averaged_2",
     "averaged_H",
@@ -458,26 +457,6 @@ def intercept(A, alpha, beta, gamma, u_cr):
     guards = (A <= u_cr, A <= 1.25 * u_cr,)
     bodies = (_intercept_passed_0, _intercept_passed_1, _intercept_passed_1_far_1)
     return number_by_regime(guards, bodies, arguments)
-
-
-def attached(A, alpha, beta, gamma, u_cr):
-    """The first piece alone: h, h_A, h_AA, h_AAA together.
-
-    Equation (20), (21). Domain: 0 <= A <= u_cr.
-    Operations: 28 structured, 19 common subexpressions, 19 power chains.
-    """
-    A, alpha, beta, gamma, u_cr = floats(A, alpha, beta, gamma, u_cr)
-    t0 = -alpha
-    t1 = A * A
-    t2 = gamma * t1
-    t3 = 4.5 * beta
-    arguments = (A, alpha, beta, gamma, u_cr)
-    return (
-        full(A * (t0 + t1 * (-0.75 * beta - 0.625 * t2)), arguments),
-        full(t0 + t1 * (-2.25 * beta - 3.125 * t2), arguments),
-        full(A * (-12.5 * t2 - t3), arguments),
-        full(-37.5 * t2 - t3, arguments),
-    )
 
 
 def _harmonics_passed_0(A, alpha, beta, gamma, u_cr):
@@ -1256,7 +1235,6 @@ if NATIVE is not None:
         averaged_2,
         averaged_H,
         intercept,
-        attached,
         harmonics,
         coefficients,
         breakpoints,
@@ -1293,27 +1271,6 @@ _PARAMETERS = (
     Parameter("gamma", "coefficient of u^5 in the Taylor series of piece 1 of the force", "k_v/L^4"),
     Parameter("u_cr", "|u| at which piece 1 of the force ends", "L"),
 )
-_ATTACHED = Mechanism(
-    name="rod_spring_attached",
-    title="Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, attached only",
-    design=_DESIGN,
-    parameters=_PARAMETERS,
-    coefficients=coefficients,
-    pieces=_PIECES[:1],
-    breakpoints=nothing,
-    jumps=nothing,
-    hardening=hardening,
-    averaged=attached,
-    intercept=_intercept_passed_0,
-    harmonics=harmonics,
-    harmonics_up_to=float("inf"),
-    digits_up_to=float("inf"),
-    reach=1.0,
-    reach_reason="the push-rod stands vertical",
-    truncated=True,
-    attached=None,
-    load_untruncated=_load_untruncated,
-)
 MECHANISM = Mechanism(
     name="rod_spring",
     title="Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr",
@@ -1332,6 +1289,5 @@ MECHANISM = Mechanism(
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=True,
-    attached=_ATTACHED,
     load_untruncated=_load_untruncated,
 )

@@ -48,6 +48,7 @@ __all__ = [
     "h_AAA",
     "hardening",
     "harmonics",
+    "intercept",
     "jacobian",
     "jumps",
     "level",
@@ -61,7 +62,7 @@ __all__ = [
 
 
 def _averaged_all_passed_0(A, alpha, beta, u_cr):
-    # operations: 112 structured, 92 common subexpressions, 91 power chains
+    # operations: 120 structured, 99 common subexpressions, 98 power chains
     m = A * A
     t0 = A + 1.0
     t1 = 1.0 - A
@@ -93,22 +94,24 @@ def _averaged_all_passed_0(A, alpha, beta, u_cr):
     t9 = A * t8
     t10 = P * t9
     t11 = 1.0 / k
-    t12 = alpha + t8 * (B * m * t11 - C * m + P)
+    t12 = B * t11
+    t13 = alpha + t8 * (-C * m + P + m * t12)
     k2 = k * k
-    t13 = 1.0 / k2
+    t14 = 1.0 / k2
     k3 = k * k2
     return (
         -A * alpha - t10,
-        -t12,
-        -t9 * (2.0 * B * t13 + C * t11),
-        -t8 * (B * (5.0 * m + 3.0) / k3 + C * t13 * (7.0 * m - 3.0)),
+        -t13,
+        -t9 * (2.0 * B * t14 + C * t11),
+        -t8 * (B * (5.0 * m + 3.0) / k3 + C * t14 * (7.0 * m - 3.0)),
         -A * (alpha - 1.0) - t10,
-        1.0 - t12,
+        1.0 - t13,
+        4.0 * A * beta * m * (-0.5 * C + 0.5 * t12),
     )
 
 
 def _averaged_all_passed_0_steep(A, alpha, beta, u_cr):
-    # operations: 168 structured, 140 common subexpressions, 139 power chains
+    # operations: 176 structured, 147 common subexpressions, 146 power chains
     m = A * A
     t0 = A + 1.0
     t1 = 1.0 - A
@@ -156,22 +159,24 @@ def _averaged_all_passed_0_steep(A, alpha, beta, u_cr):
     t13 = A * t12
     t14 = P * t13
     t15 = 1.0 / k
-    t16 = alpha + t12 * (B * m * t15 - C * m + P)
+    t16 = B * t15
+    t17 = alpha + t12 * (-C * m + P + m * t16)
     k2 = k * k
-    t17 = 1.0 / k2
+    t18 = 1.0 / k2
     k3 = k * k2
     return (
         -A * alpha - t14,
-        -t16,
-        -t13 * (2.0 * B * t17 + C * t15),
-        -t12 * (B * (5.0 * m + 3.0) / k3 + C * t17 * (7.0 * m - 3.0)),
+        -t17,
+        -t13 * (2.0 * B * t18 + C * t15),
+        -t12 * (B * (5.0 * m + 3.0) / k3 + C * t18 * (7.0 * m - 3.0)),
         -A * (alpha - 1.0) - t14,
-        1.0 - t16,
+        1.0 - t17,
+        4.0 * A * beta * m * (-0.5 * C + 0.5 * t16),
     )
 
 
 def _averaged_all_passed_1_far(A, alpha, beta, u_cr):
-    # operations: 696 structured, 696 common subexpressions, 627 power chains
+    # operations: 714 structured, 714 common subexpressions, 639 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
@@ -406,11 +411,12 @@ def _averaged_all_passed_1_far(A, alpha, beta, u_cr):
         sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2,
         20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c,
         2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c),
+        2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c),
     )
 
 
 def _averaged_all_passed_1(A, alpha, beta, u_cr):
-    # operations: 664 structured, 664 common subexpressions, 610 power chains
+    # operations: 674 structured, 674 common subexpressions, 614 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
@@ -573,11 +579,12 @@ def _averaged_all_passed_1(A, alpha, beta, u_cr):
         root) + u_cr5 / (A2 * c3 * root3)),
         20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c,
         -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c),
+        81.487330863050417 * A3 * T5 * beta * sum_1,
     )
 
 
 def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
-    # operations: 1691 structured, 1691 common subexpressions, 1632 power chains
+    # operations: 1708 structured, 1708 common subexpressions, 1645 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
@@ -1132,11 +1139,12 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
         120.0 * T3 * sum_3 / c + 24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8) / A2,
         2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2),
         2.5464790894703255 * beta * (-16.0 * T3 * sum_0 / c - 8.0 * T3 * sum_1 / c + 2.0 * V2 + V4),
+        2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 / c + 8.0 * T3 * sum_1 / c - 3.0 * V2 - V4),
     )
 
 
 def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
-    # operations: 1472 structured, 1472 common subexpressions, 1429 power chains
+    # operations: 1477 structured, 1477 common subexpressions, 1432 power chains
     root = np.sqrt((A - u_cr) * (A + u_cr))
     c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
@@ -1623,11 +1631,12 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
         root) + 3.0 * u_cr5 / (A4 * c3 * root) + u_cr5 / (A2 * c3 * root3)),
         2.5464790894703255 * A * beta * (8.0 * T3 * sum_0 / c - V2),
         -2.5464790894703255 * beta * (A2 * V4 - 8.0 * T3 * sum_0 / c + V2),
+        2.5464790894703255 * A3 * V4 * beta,
     )
 
 
 def averaged_all(A, alpha, beta, u_cr):
-    """h, h_A, h_AA, h_AAA, H, H_A together.
+    """h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0.
     """
@@ -1635,7 +1644,7 @@ def averaged_all(A, alpha, beta, u_cr):
     A, alpha, beta, u_cr = arguments
     guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
     bodies = (_averaged_all_passed_0, _averaged_all_passed_0_steep, _averaged_all_passed_1_far, _averaged_all_passed_1, _averaged_all_passed_1_steep_far, _averaged_all_passed_1_steep)
-    return by_regime(guards, bodies, arguments, 6)
+    return by_regime(guards, bodies, arguments, 7)
 
 
 def _harmonics_passed_0(A, alpha, beta, u_cr):
@@ -2990,6 +2999,14 @@ def averaged_H(A, alpha, beta, u_cr):
     return values[4], values[5]
 
 
+def intercept(A, alpha, beta, u_cr):
+    """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
+
+    Equation (20)-(22), (31). Domain: A >= 0.
+    """
+    return averaged_all(A, alpha, beta, u_cr)[6]
+
+
 def h(A, alpha, beta, u_cr):
     """The averaged restoring force h = H - A.
 
@@ -3210,13 +3227,12 @@ MECHANISM = Mechanism(
     jumps=jumps,
     hardening=hardening,
     averaged=averaged,
-    intercept=None,
+    intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=0.75,
     digits_up_to=0.9998,
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=False,
-    attached=None,
     load_untruncated=None,
 )

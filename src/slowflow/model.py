@@ -43,7 +43,6 @@ class Model:
     mechanism  -- record of its restoring force
     parameters -- the force's parameters, in the order of `mechanism.parameters`
     mu, zeta   -- dry friction and viscous damping ratio
-    attached   -- whether the first piece of the force stands for all of it, at every amplitude
     design     -- the numbers that the parameters follow from, as they were given; () where these are not known
     m          -- 4 mu/pi, friction's share of I (23)
     flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
@@ -55,7 +54,6 @@ class Model:
     parameters: tuple[float, ...]
     mu: float
     zeta: float
-    attached: bool = False
     design: tuple[float, ...] = ()
     m: float = field(init=False)
     flow: ModuleType = field(init=False, compare=False, repr=False)
@@ -64,8 +62,8 @@ class Model:
     native: Any = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        ends = map(float, self.law.breakpoints(*self.parameters))
-        jumps = map(float, self.law.jumps(*self.parameters))
+        ends = map(float, self.mechanism.breakpoints(*self.parameters))
+        jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
         self.__dict__.update(
@@ -73,13 +71,11 @@ class Model:
             m=float(general_flow.friction(self.mu)),
             breakpoints=tuple(end for end, _ in kept),
             jumps=tuple(jump for _, jump in kept),
-            native=backend.compiled_model(
-                self.mechanism.name, self.parameters, (self.mu, self.zeta), attached=self.attached
-            ),
+            native=backend.compiled_model(self.mechanism.name, self.parameters, (self.mu, self.zeta)),
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.attached, self.design)
+        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.design)
 
     @classmethod
     def of(cls, mechanism: Mechanism, values: Mapping[str, Any]) -> Model:
@@ -99,11 +95,6 @@ class Model:
             given = ", ".join(f"{domain.name} = {values[domain.name]!r}" for domain in domains)
             raise ValueError(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
         return model
-
-    @property
-    def law(self) -> Mechanism:
-        """The record whose averages hold here: of the whole force, or of its first piece."""
-        return self.mechanism.attached if self.attached and self.mechanism.attached else self.mechanism
 
     @cached_property
     def linear(self) -> bool:
@@ -130,9 +121,9 @@ class Model:
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
-        h, h_A, h_AA, h_AAA = self.law.averaged(A, *self.parameters)
+        h, h_A, h_AA, h_AAA = self.mechanism.averaged(A, *self.parameters)
         return h, h_A, h_AA, h_AAA
 
     def harmonics(self, A: Any) -> tuple[Floats, ...]:
         """h_3 and h_5, each with its three derivatives, at the amplitudes A (any shape)."""
-        return tuple(self.law.harmonics(A, *self.parameters))
+        return tuple(self.mechanism.harmonics(A, *self.parameters))

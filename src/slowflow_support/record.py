@@ -59,13 +59,12 @@ class Mechanism:
     jumps       -- of the parameters: what the force loses at each breakpoint, f below less f above
     hardening   -- of the parameters: f(u)/u rises with |u| where none of these numbers is negative
     averaged    -- h = H - A and its first three derivatives at (A, *parameters) (20)-(22), (31)
-    intercept   -- h - A h_A at (A, *parameters) without what cancels in it; None where no form is known
+    intercept   -- h - A h_A at (A, *parameters) without what cancels in it
     harmonics   -- h_3, h_5, each with its first three derivatives, at (A, *parameters)
     harmonics_up_to -- the largest breakpoint for which `harmonics` holds
     digits_up_to -- the largest breakpoint for which `averaged` keeps its digits
     reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there
     truncated   -- whether the force is a Taylor polynomial that stands for another
-    attached    -- the first piece alone, as if it held everywhere; None where there is but one, or no such average
     load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
     """
 
@@ -79,14 +78,13 @@ class Mechanism:
     jumps: Function
     hardening: Function
     averaged: Function
-    intercept: Function | None
+    intercept: Function
     harmonics: Function
     harmonics_up_to: float
     digits_up_to: float
     reach: float
     reach_reason: str
     truncated: bool
-    attached: Mechanism | None
     load_untruncated: Callable[[], Mechanism] | None
 
     def __reduce__(self) -> tuple[Any, ...]:

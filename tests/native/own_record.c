@@ -89,7 +89,6 @@ const sf_mechanism own_record = {
     .parameters = 3,
     .breakpoints = 1,
     .reach = HUGE_VAL,
-    .attached = NULL,
     .parameters_of = parameters_of,
     .damping_of = damping_of,
     .is_forcing = is_forcing,

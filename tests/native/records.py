@@ -26,7 +26,6 @@ class Mechanism(ctypes.Structure):
         ("name", ctypes.c_char_p),
         *((name, ctypes.c_int) for name in ("design_size", "damping_size", "parameters", "breakpoints")),
         ("reach", ctypes.c_double),
-        ("attached", ctypes.c_void_p),
         ("parameters_of", FromNumbers),
         ("damping_of", FromNumbers),
         ("is_forcing", ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double)),

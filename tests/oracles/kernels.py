@@ -106,8 +106,6 @@ def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[flo
         name, ("alpha", "beta", "u_cr")
     )
     passed = int("u_cr" in given and abs(given.get("A", given.get("u", 0.0))) > given["u_cr"])
-    if passed and kernel == "attached":
-        raise ValueError("beyond the breakpoint")
     if kernel == "harmonics" and name == "rod_spring_untruncated" and given["u_cr"] > 0.75:
         raise ValueError("the harmonics are derived for u_cr <= 3/4")
     if kernel in AVERAGES:
@@ -134,6 +132,8 @@ def _outputs(wanted: Sequence[str], name: str, passed: int, *x: Any) -> list[Any
         if any(output.startswith(letter) for output in wanted):
             found = averages(name, passed, *x, vertical=vertical)
             values |= {letter + order: value for order, value in zip(ORDERS, found, strict=True)}
+    if "intercept" in wanted:
+        values["intercept"] = values["h"] - x[0] * values["h_A"]
     return [values[output] for output in wanted]
 
 

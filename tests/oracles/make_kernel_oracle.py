@@ -1184,21 +1184,13 @@ TOGETHER = {
     "averaged": ("h", "h_A", "h_AA", "h_AAA"),
     "averaged_2": ("h", "h_A"),
     "averaged_H": ("H", "H_A"),
-    "averaged_all": ("h", "h_A", "h_AA", "h_AAA", "H", "H_A"),
-    "attached": ("h", "h_A", "h_AA", "h_AAA"),
-}
-NOT_OF = {
-    "averaged_all": ("rod_spring", "duffing"),
-    "attached": ("rod_spring_untruncated", "duffing"),
-    "intercept": ("rod_spring_untruncated",),
+    "averaged_all": ("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "intercept"),
 }
 
 
-def has(name: str, kernel: str, p: Sequence) -> bool:
-    """Whether a mechanism has that kernel of several averages."""
-    if stated(name):
-        return kernel != "averaged_all" and (kernel != "attached" or bool(pieces(name, p)[1]))
-    return name not in NOT_OF.get(kernel, ())
+def has(name: str, kernel: str) -> bool:
+    """Whether a mechanism has that kernel of several averages: all at once where they are one algorithm."""
+    return kernel != "averaged_all" or name == "rod_spring_untruncated"
 
 
 def family_table(name: str, amplitudes: Amplitudes) -> dict:
@@ -1220,15 +1212,16 @@ def family_table(name: str, amplitudes: Amplitudes) -> dict:
 
         for output in values:
             add(output, (output,))
-        if has(name, "intercept", p):
 
-            def intercept(*x, n=passed):
-                h, h_A, *_ = family(name, n, False, *x)
-                return [h - x[0] * h_A]
+        def intercept(*x, n=passed):
+            h, h_A, *_ = family(name, n, False, *x)
+            return [h - x[0] * h_A]
 
-            table.setdefault("intercept", []).append(entry(intercept, [A, *p]))
+        row = entry(intercept, [A, *p])
+        values["intercept"] = row["is"][0], row["scale"][0]
+        add("intercept", ("intercept",))
         for kernel, outputs in TOGETHER.items():
-            if has(name, kernel, p) and not (kernel == "attached" and passed):
+            if has(name, kernel):
                 add(kernel, outputs)
     return table
 

@@ -36,7 +36,7 @@ from derivations.symbols import F_0, A, mu, u, zeta
 
 #: What is emitted for each mechanism, and for whom.
 #:
-#: For the solvers, by the record: `averaged`, `averaged_2`, `intercept`, `attached`, `harmonics`, `coefficients`,
+#: For the solvers, by the record: `averaged`, `averaged_2`, `intercept`, `harmonics`, `coefficients`,
 #: `breakpoints`, `jumps`, `hardening`, and the pieces of the force with their slopes.
 #: For users, who import them: `force`, the resultants `saddle_node_onset` (33) and `saddle_nodes`, and, thin because
 #: each only calls another:
@@ -63,8 +63,6 @@ def mechanism_module(results: Results, name: str, flow: Module) -> Module:
         inputs=(f"mechanisms/{name}.py",),
         kernels=(
             *averages.kernels,
-            *intercept_kernels(derived),
-            *((attached_kernel(derived),) if has_attached(derived) else ()),
             harmonics_kernel(derived),
             *data_kernels(derived),
             *pieces,
@@ -81,21 +79,25 @@ def mechanism_module(results: Results, name: str, flow: Module) -> Module:
 
 @dataclass(frozen=True)
 class Averages:
-    """What gives h and three derivatives, h and h_A, H and H_A; with the kernels and selections these are."""
+    """What gives h and three derivatives, h and h_A, H and H_A, h - A h_A; and the kernels and selections these are."""
 
     whole: Kernel | Selection
     pair: Kernel | Selection
     beside: Kernel | Selection
+    intercept: Kernel | Selection
 
     @property
     def kernels(self) -> list[Kernel]:
-        named = (self.whole, self.pair, self.beside)
-        own = [one.source if isinstance(one, Selection) else one for one in named]
+        own = [one.source if isinstance(one, Selection) else one for one in self._named]
         return list(dict.fromkeys(own))
 
     @property
     def selections(self) -> list[Selection]:
-        return [one for one in (self.whole, self.pair, self.beside) if isinstance(one, Selection)]
+        return [one for one in self._named if isinstance(one, Selection)]
+
+    @property
+    def _named(self) -> tuple[Kernel | Selection, ...]:
+        return self.whole, self.pair, self.beside, self.intercept
 
 
 def is_enclosed(derived: OfMechanism) -> bool:
@@ -108,13 +110,17 @@ def is_spelled_out(derived: OfMechanism) -> bool:
     return bool(derived.whole.cases)
 
 
-def regime_branches(restoring: Restoring, count: int) -> tuple[Branch, ...]:
-    """The regimes of an average and its first derivatives as branches; at a breakpoint the lower regime holds."""
-    cases = restoring.cases or tuple(
+def cases_of(restoring: Restoring) -> tuple[Case, ...]:
+    """The forms of an average to evaluate; at a breakpoint the lower regime holds."""
+    return restoring.cases or tuple(
         Case(name, guards, restoring.far_regimes[passed, far] if far else restoring.regimes[passed])
         for name, guards, passed, far in forms(restoring.breakpoints)
     )
-    return branches(cases, count)
+
+
+def regime_branches(restoring: Restoring, count: int) -> tuple[Branch, ...]:
+    """The regimes of an average and its first derivatives as branches."""
+    return branches(cases_of(restoring), count)
 
 
 def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, ...]:
@@ -154,16 +160,16 @@ OF_H, OF_BESIDE = tuple("h" + name for name in NAMES), ("H", "H_A")
 
 def one_by_one(derived: OfMechanism) -> Averages:
     """A kernel for each: what is not asked for is not computed. H by itself, because h + A loses a small H's digits."""
-    return Averages(
-        *(
-            averaged_kernel(derived, name, outputs, regime_branches(restoring, len(outputs)))
-            for name, outputs, restoring in (
-                ("averaged", OF_H, derived.whole),
-                ("averaged_2", OF_H[:2], derived.whole),
-                ("averaged_H", OF_BESIDE, derived.beside_vertical),
-            )
+    named = (
+        averaged_kernel(derived, name, outputs, regime_branches(restoring, len(outputs)))
+        for name, outputs, restoring in (
+            ("averaged", OF_H, derived.whole),
+            ("averaged_2", OF_H[:2], derived.whole),
+            ("averaged_H", OF_BESIDE, derived.beside_vertical),
         )
     )
+    intercept = averaged_kernel(derived, "intercept", (), intercept_branches(derived))
+    return Averages(*named, replace(intercept, doc=INTERCEPT, returns="scalar"))
 
 
 def together(derived: OfMechanism) -> Averages:
@@ -175,34 +181,28 @@ def together(derived: OfMechanism) -> Averages:
     if [branch.lets for branch in whole] != [branch.lets for branch in beside]:
         raise ArithmeticError("h and H are no ends of the same steps")
     cases = tuple(
-        replace(one, outputs=(*one.outputs, *other.outputs)) for one, other in zip(whole, beside, strict=True)
+        replace(one, outputs=(*one.outputs, *other.outputs, *last.outputs))
+        for one, other, last in zip(whole, beside, intercept_branches(derived), strict=True)
     )
-    names = (*OF_H, *OF_BESIDE)
+    names = (*OF_H, *OF_BESIDE, "h - A h_A")
     kernel = averaged_kernel(derived, "averaged_all", names, cases)
 
     def some(name: str, outputs: Sequence[str]) -> Selection:
         chosen = tuple(names.index(output) for output in outputs)
         return Selection(name, kernel, chosen, f"{', '.join(outputs)} together.", kernel.equation)
 
-    return Averages(some("averaged", OF_H), some("averaged_2", OF_H[:2]), some("averaged_H", OF_BESIDE))
+    intercept = replace(some("intercept", names[-1:]), doc=INTERCEPT)
+    return Averages(some("averaged", OF_H), some("averaged_2", OF_H[:2]), some("averaged_H", OF_BESIDE), intercept)
 
 
-def intercept_kernels(derived: OfMechanism) -> list[Kernel]:
-    """h - A h_A, if it is known in a form of its own: not where the average is an algorithm."""
-    if is_spelled_out(derived):
-        return []
-    of_cases = tuple(
-        replace(branch, outputs=(derived.whole.regimes[passed].intercept,))
-        if not far
-        else replace(branch, outputs=(derived.whole.far_regimes[passed, far].intercept,))
-        for branch, (_, _, passed, far) in zip(
-            regime_branches(derived.whole, 1), forms(derived.whole.breakpoints), strict=True
-        )
-    )
-    kernel = averaged_kernel(derived, "intercept", ("h - A h_A",), of_cases)
-    return [
-        replace(kernel, doc="h - A h_A, where the tangent of h meets A = 0; linear terms are none.", returns="scalar")
-    ]
+#: what `intercept` is
+INTERCEPT = "h - A h_A, where the tangent of h meets A = 0; linear terms are none."
+
+
+def intercept_branches(derived: OfMechanism) -> tuple[Branch, ...]:
+    """h - A h_A, in a form of its own."""
+    cases = zip(regime_branches(derived.whole, 0), cases_of(derived.whole), strict=True)
+    return tuple(replace(branch, outputs=(case.regime.intercept,)) for branch, case in cases)
 
 
 def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
@@ -258,14 +258,6 @@ def definitions_of(derived: OfMechanism) -> dict[sp.Symbol, sp.Expr]:
     if tuple(parameter.symbol for parameter in mechanism.design) == tuple(mechanism.ratios):
         return derived.oscillator.definitions
     return {name: name for name in mechanism.parameters}
-
-
-def attached_kernel(derived: OfMechanism) -> Kernel:
-    """The average of the first piece, as if it held everywhere."""
-    first = replace(regime_branches(derived.whole, len(OF_H))[0], name="", guards=())
-    kernel = averaged_kernel(derived, "attached", OF_H, (first,))
-    domain = f"0 <= A <= {derived.whole.breakpoints[0]}"
-    return replace(kernel, doc=f"The first piece alone: {kernel.doc}", equation="(20), (21)", domain=domain)
 
 
 def selections(averages: Averages) -> list[Selection]:
@@ -460,7 +452,6 @@ def record(results: Results, derived: OfMechanism, pieces: tuple[tuple[str, str]
         STEEPEST if is_spelled_out(derived) else sp.oo,
         truncated,
         twins[0] if twins else "",
-        has_attached(derived),
     )
 
 
@@ -469,11 +460,6 @@ def is_truncated(derived: OfMechanism) -> bool:
     order = derived.oscillator.mechanism.order
     forces = derived.oscillator.exact
     return order != sp.oo and not all(force.is_polynomial(u) and sp.degree(force, u) <= order for force in forces)
-
-
-def has_attached(derived: OfMechanism) -> bool:
-    """Whether the first piece alone is averaged. An untruncated force ends at the reach: there is no average beyond."""
-    return bool(derived.whole.breakpoints) and not derived.whole.cases
 
 
 def resultant_kernels(derived: OfMechanism) -> list[Kernel]:

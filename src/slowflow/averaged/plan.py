@@ -63,15 +63,11 @@ class Plan:
         return "\n".join([f"{self.question} at F_0 = {self.F_0:g}", *(f"  {step}" for step in self.steps)])
 
 
-def plan(
-    question: str, F_0: float, whole: Model, attached: Model | None, F_cr: float | None, onset: SaddleNodeOnset | None
-) -> Plan:
+def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> Plan:
     """The plan for one of `QUESTIONS` at F_0 > 0.
 
-    whole    -- the oscillator with all pieces of its force
-    attached -- the first piece alone, if a response to F_0 < F_cr is known to stay on it; else None
-    F_cr     -- the lowest forcing that reaches the first breakpoint, if it is known
-    onset    -- the onset of folds, if it has been asked for already
+    whole -- the oscillator
+    onset -- the onset of folds, if it has been asked for already
     """
     if F_0 <= whole.m:
         stuck = f"the mass sticks: F_0 does not exceed 4 mu/pi = {whole.m:g}"
@@ -83,18 +79,16 @@ def plan(
             tuple(Step(name, False, stuck) for name in ("force", "slow flow", "curve", "folds")),
         )
     if whole.linear:
-        model, force = whole, Step("force", True, "linear: one piece, no angles, no corner")
+        force = Step("force", True, "linear: one piece, no angles, no corner")
     elif not whole.breakpoints:
-        model, force = whole, Step("force", True, "one piece: no angles, no corner")
-    elif attached is not None and F_cr is not None and F_0 < F_cr:
-        model, force = attached, Step("force", True, f"attached only, no angles, no corner: F_0 < F_cr = {F_cr:g}")
+        force = Step("force", True, "one piece: no angles, no corner")
     else:
-        model, force = whole, Step("force", True, "all pieces")
+        force = Step("force", True, "its pieces up to the highest amplitude at F_0")
     flow = Step("slow flow", True, whole.flow.SCENE)
     if question == "peak":
-        return Plan(question, F_0, model, False, (force, flow, *PEAK))
+        return Plan(question, F_0, whole, False, (force, flow, *PEAK))
     if question != "saddle_nodes":
-        return Plan(question, F_0, model, True, (force, flow, *CURVE))
+        return Plan(question, F_0, whole, True, (force, flow, *CURVE))
     if whole.linear:
         folds = Step("folds", False, "a linear oscillator has none")
     elif (
@@ -103,4 +97,4 @@ def plan(
         folds = Step("folds", False, f"F_0 < F_SN = {onset.F_SN:g}: there is none")
     else:
         folds = Step("folds", True, "level crossings of the fold locus, and corners")
-    return Plan(question, F_0, model, folds.runs, (force, flow, folds))
+    return Plan(question, F_0, whole, folds.runs, (force, flow, folds))

@@ -48,24 +48,6 @@ class Averaged:
         # not by attribute: what inherits from this cannot be changed
         self.__dict__["model"] = model
 
-    @cached_property
-    def first_piece(self) -> Model | None:
-        """The first piece of the force alone, where a response to less than F_cr is known to stay on it; else None.
-
-        While f(u)/u rises with |u| so does -h/A with A, and with both the least forcing that holds an amplitude: once
-        F_0 < F_cr leaves the first breakpoint out of reach, it leaves all above out too. A negative averaged stiffness
-        breaks this.
-        """
-        model = self.model
-        if (
-            model.mechanism.attached is None
-            or not model.breakpoints
-            or not model.hardens
-            or model.averaged(model.breakpoints[0])[0] >= 0
-        ):
-            return None
-        return dataclasses.replace(model, attached=True)
-
     @property
     def mu(self) -> float:
         """Dry friction over k_v L."""
@@ -264,7 +246,7 @@ class Averaged:
     def _plan(self, question: str, F_0: float) -> plan.Plan:
         # finding the onset costs time too: it serves only where it has been asked for already
         known = self.__dict__.get("_onset")
-        return plan.plan(question, F_0, self.model, self.first_piece, self._detachment.F_cr, known)
+        return plan.plan(question, F_0, self.model, known)
 
     def _up_to(self, A_max: float | None) -> float:
         """The amplitude up to which the fold locus is wanted."""

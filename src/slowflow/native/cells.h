@@ -39,7 +39,7 @@ static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) 
     at->A = A;
     model->mechanism->averaged(1, &at->A, model->p, at->averages);
     at->k = at->h - A * at->h_A;
-    if (fabs(at->k) < SF_CANCELLED * fabs(at->h) && model->mechanism->intercept != NULL)
+    if (fabs(at->k) < SF_CANCELLED * fabs(at->h))
         at->k = model->mechanism->intercept(A, model->p);
 }
 

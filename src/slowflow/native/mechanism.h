@@ -26,7 +26,6 @@ typedef struct sf_mechanism {
     /* how many: numbers that a user gives for the spring and for the damping, parameters, breakpoints */
     int design_size, damping_size, parameters, breakpoints;
     double reach;                        /* largest amplitude that it can take, or infinite */
-    const struct sf_mechanism *attached; /* its first piece alone, for a response that cannot leave it; or NULL */
 
     /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. */
     int (*parameters_of)(const double *design, double *p);
@@ -41,7 +40,7 @@ typedef struct sf_mechanism {
      * averaged gives h, h_A, h_AA, h_AAA, averaged_2 the first two. */
     void (*averaged)(ptrdiff_t n, const double *A, const double *p, double *out);
     void (*averaged_2)(ptrdiff_t n, const double *A, const double *p, double *out);
-    /* h - A h_A without what cancels in it; or NULL where no form is known. */
+    /* h - A h_A without what cancels in it. */
     double (*intercept)(double A, const double *p);
 
     /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */

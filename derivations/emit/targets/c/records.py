@@ -19,7 +19,7 @@ from derivations.emit.provenance import tools
 from derivations.emit.targets import interval
 from derivations.emit.targets.c.printer import CPrinter
 from derivations.emit.targets.printing import literal
-from derivations.mechanisms import DAMPING, FORCING, Parameter
+from derivations.mechanisms import DAMPING, FORCING, Mechanism, Parameter
 
 #: what `parameters_of` calls the numbers that it is given
 DESIGN, DAMPING_GIVEN = "design[{}]", "given[{}]"
@@ -29,23 +29,16 @@ DESIGN, DAMPING_GIVEN = "design[{}]", "given[{}]"
 class Spring:
     """One record as the template needs it.
 
-    prefix      -- of the record, and its name
-    whole       -- the module that holds the mechanism's functions
-    averaged, averaged_2 -- what averages the force
-    intercept   -- what gives h - A h_A, or ""
-    attached    -- prefix of the record of the first piece alone, or ""
+    name        -- of the mechanism
+    mechanism   -- its design, parameters and reach
     breakpoints -- how many
     enclosed    -- what stands before the names of its functions on intervals, or "": a proof takes the whole force
     averaged_by_pieces -- whether these take the number of breakpoints passed
     domain      -- C condition: the design lies inside its domain
     """
 
-    prefix: str
-    whole: Module
-    averaged: str
-    averaged_2: str
-    intercept: str
-    attached: str
+    name: str
+    mechanism: Mechanism
     breakpoints: int
     domain: str
     enclosed: str = ""
@@ -54,7 +47,7 @@ class Spring:
 
 def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
     """The file."""
-    records = [spring for module in modules if module.record for spring in springs_of(module)]
+    records = [spring_of(module) for module in modules if module.record]
     return environment.get_template("records.h.jinja").render(
         records=records,
         flow=GENERAL,
@@ -67,22 +60,12 @@ def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
     )
 
 
-def springs_of(whole: Module) -> list[Spring]:
-    """A mechanism's record, after that of its first piece alone where there is one."""
-    name, mechanism = whole.name, whole.record.mechanism
-    first = f"{name}_attached" if whole.record.attached else ""
+def spring_of(module: Module) -> Spring:
+    """A mechanism's record, from its module."""
+    mechanism = module.record.mechanism
     domain = within(mechanism.design, DESIGN)
-    own = any(kernel.name == "intercept" for kernel in whole.kernels)
-    functions = (f"{name}_averaged", f"{name}_averaged_2", f"{name}_intercept" if own else "")
-    enclosed = (interval.name_of(whole), len(mechanism.breakpoints) > 0) if whole.cells else ("", False)
-    found = [Spring(name, whole, *functions, first, len(mechanism.breakpoints), domain, *enclosed)]
-    if first:
-        # the first regime's functions
-        regime = next(kernel for kernel in whole.kernels if kernel.name == "averaged").branches[0].name
-        found.insert(
-            0, Spring(first, whole, *(function and f"{function}_{regime}" for function in functions), "", 0, domain)
-        )
-    return found
+    enclosed = (interval.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ("", False)
+    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, *enclosed)
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

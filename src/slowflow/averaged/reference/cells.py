@@ -70,8 +70,8 @@ def samples_at(model: Model, A: Any) -> Samples:
     h, h_A, h_AA, h_AAA = model.averaged(A)
     k = np.asarray(h - A * h_A)
     lost = np.abs(k) < CANCELLED * np.abs(h)
-    if model.law.intercept is not None and lost.any():
-        k[lost] = model.law.intercept(A[lost], *model.parameters)
+    if lost.any():
+        k[lost] = model.mechanism.intercept(A[lost], *model.parameters)
     return Samples(np.array((A, *np.broadcast_arrays(h, h_A, h_AA, h_AAA, k))))
 
 

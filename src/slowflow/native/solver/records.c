@@ -1,7 +1,7 @@
 /* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
- *   model(record, parameters, damping[, attached])  an oscillator, prepared for the questions about one
+ *   model(record, parameters, damping)  an oscillator, prepared for the questions about one
  *
  * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as anything
  * made from it.
@@ -61,18 +61,13 @@ int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, 
 static PyObject *new_model(PyObject *self, PyObject *args)
 {
     PyObject *capsule, *parameters, *given;
-    int attached = 0;
     double damping[SF_MOST_DAMPING];
     (void)self;
-    if (!PyArg_ParseTuple(args, "OO!O!|p", &capsule, &PyTuple_Type, &parameters, &PyTuple_Type, &given, &attached))
+    if (!PyArg_ParseTuple(args, "OO!O!", &capsule, &PyTuple_Type, &parameters, &PyTuple_Type, &given))
         return NULL;
     const sf_mechanism *record = sf_record_in(capsule);
     if (record == NULL)
         return NULL;
-    if (attached && record->attached == NULL)
-        return PyErr_Format(PyExc_ValueError, "%s has no record of its first piece alone", record->name);
-    if (attached)
-        record = record->attached;
     sf_model *model = calloc(1, sizeof *model);
     if (model == NULL)
         return PyErr_NoMemory();
@@ -92,8 +87,7 @@ static PyObject *new_model(PyObject *self, PyObject *args)
 }
 
 static PyMethodDef functions[] = {
-    {"model", new_model, METH_VARARGS,
-     "(record, parameters, damping, attached=False) -> an oscillator, or the first piece of its force alone"},
+    {"model", new_model, METH_VARARGS, "(record, parameters, damping) -> an oscillator"},
     {NULL, NULL, 0, NULL},
 };
 
