@@ -55,7 +55,6 @@ def test_digits_that_doubles_cannot_hold_are_said_to_be_lost(delta_h, lost):
     for alone, batch in (
         (one.peak(0.2), many.peak(0.2)),
         (one.saddle_nodes(0.2), many.saddle_nodes(0.2)),
-        (one.saddle_node_onset(), many.saddle_node_onset()),
     ):
         assert (Remark.DIGITS_LOST in alone.remarks) is lost and ("digits are lost" in alone.message) is lost
         assert bool(batch.remarks & Remark.DIGITS_LOST) is lost
