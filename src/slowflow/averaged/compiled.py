@@ -11,9 +11,7 @@ from types import ModuleType
 import numpy as np
 
 from slowflow import backend
-from slowflow.averaged.reference import folds, locus
-from slowflow.averaged.reference import onset as critical
-from slowflow.averaged.reference.bounds import cut
+from slowflow.averaged import words
 from slowflow.model import Floats, Model
 from slowflow.results import (
     Cusps,
@@ -48,14 +46,14 @@ def _check(status: int, F_0: float | None = None) -> None:
 
 
 def _remark(model: Model, F_0: float) -> str:
-    return cut(model, F_0)[1] if model.zeta == 0 else ""
+    return words.cut(model, F_0)[1] if model.zeta == 0 else ""
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     status, Omega, A, up, corner = _solver().saddle_nodes(model.native, F_0)
     _check(status, F_0)
-    message = _remark(model, F_0) if A.size else folds.NO_FOLD.format(F_0)
+    message = _remark(model, F_0) if A.size else words.NO_FOLD.format(F_0)
     return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model)
 
 
@@ -64,9 +62,9 @@ def onset(model: Model) -> SaddleNodeOnset:
     status, F_SN, Omega, A, kind, at_rest = _solver().onset(model.native)
     _check(status)
     if status == Status.UNBOUNDED:
-        return SaddleNodeOnset(None, None, None, "", critical.NO_LOWEST.format(model.m))
-    return critical.with_folds_at_rest(
-        SaddleNodeOnset(None, None, None, "", critical.NO_ONSET)
+        return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m))
+    return words.with_folds_at_rest(
+        SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
         if status == Status.NONE
         else SaddleNodeOnset(F_SN, Omega, A, OnsetKind(kind).name.lower(), ""),
         at_rest,
@@ -77,7 +75,7 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = _solver().detachment(model.native)
     if status == Status.NONE:
-        return Detachment(None, None, None, critical.NO_DETACHMENT)
+        return Detachment(None, None, None, words.NO_DETACHMENT)
     return Detachment(F_cr, Omega_cr, u_cr, "")
 
 
@@ -86,7 +84,7 @@ def peak(model: Model, F_0: float) -> Peak:
     status, A, Omega = _solver().peak(model.native, F_0)
     _check(status, F_0)
     if status == Status.UNBOUNDED:
-        return Peak(None, None, F_0, critical.NO_PEAK)
+        return Peak(None, None, F_0, words.NO_PEAK)
     return Peak(A, Omega, F_0, "")
 
 
@@ -94,7 +92,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
     status, Omega, A, F_0, branch, _ = _solver().fold_locus(model.native, A_max, samples)
     _check(status)
-    return FoldLocus(Omega, A, F_0, branch, "" if A.size else locus.NO_LOCUS.format(A_max))
+    return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.NO_LOCUS.format(A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
@@ -104,10 +102,10 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     table = np.array(found, dtype=float).reshape(-1, 6)
     isola = table[:, 3] == 1
     F_0, Omega, A, _, minimum, saddle = table[~isola].T
-    cusps = Cusps(F_0, Omega, A, minimum == 1, "" if A.size else locus.NO_CUSP.format(A_max))
+    cusps = Cusps(F_0, Omega, A, minimum == 1, "" if A.size else words.NO_CUSP.format(A_max))
     F_0, Omega, A, _, minimum, saddle = table[isola].T
     kind = np.where(saddle == 1, "merger", np.where(minimum == 1, "birth", "death"))
-    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else locus.NO_ISOLA.format(A_max))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else words.NO_ISOLA.format(A_max))
 
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
@@ -116,7 +114,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     _check(status, F_0)
     message = _remark(model, F_0)
     if not A.size:
-        message = joined(message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
+        message = joined(message, words.empty_window(window))
     return FrequencyResponse(Omega, A, stable, message, model, branch, isola, F_0)
 
 
@@ -124,6 +122,4 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     status, at, A, stable = _solver().steady_states(model.native, F_0, Omega)
     _check(status, F_0)
-    missing = np.setdiff1d(Omega, at)
-    remark = "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
-    return SteadyStates(at, A, stable, joined(_remark(model, F_0), remark), model)
+    return SteadyStates(at, A, stable, joined(_remark(model, F_0), words.without_a_state(Omega, at)), model)

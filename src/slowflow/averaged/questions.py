@@ -14,8 +14,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from slowflow import validate
-from slowflow.averaged import plan, proofs, remarks, solvers
-from slowflow.averaged.reference.folds import NO_FOLD
+from slowflow.averaged import plan, proofs, remarks, solvers, words
 from slowflow.model import Floats, Model
 from slowflow.results import (
     Certificate,
@@ -147,7 +146,7 @@ class Averaged:
         planned = self._plan("saddle_nodes", F_0)
         if planned.model is None or not planned.folds:
             none = np.empty(0)
-            message = self._sticks(F_0) if planned.model is None else NO_FOLD.format(F_0)
+            message = self._sticks(F_0) if planned.model is None else words.NO_FOLD.format(F_0)
             return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self.model)
         return solvers.saddle_nodes(planned.model, F_0)
 

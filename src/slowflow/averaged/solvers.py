@@ -1,37 +1,42 @@
 """The solvers in use: the same questions, on compiled code where a model has it, on NumPy elsewhere.
 
-Which of them is decided when the model is made, see `Model.native`.
+Which of them is decided when the model is made, see `Model.native`. Those on NumPy are loaded where they are needed.
 """
 
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any, TypeVar, cast
 
 import numpy as np
 
 from slowflow.averaged import compiled
-from slowflow.averaged.reference import folds, locus, response
-from slowflow.averaged.reference import onset as critical
 from slowflow.model import Model
 
 Question = TypeVar("Question", bound=Callable[..., Any])
 
 
-def _either(on_compiled: Question, on_numpy: Question) -> Question:
+def _reference() -> ModuleType:
+    from slowflow.averaged.reference import answers
+
+    return answers
+
+
+def _either(on_compiled: Question, on_numpy: Callable[[], Question]) -> Question:
     def ask(model: Model, *arguments: Any) -> Any:
         if model.native is not None:
             return on_compiled(model, *arguments)
         # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
         with np.errstate(all="ignore"):
-            return on_numpy(model, *arguments)
+            return on_numpy()(model, *arguments)
 
     return cast(Question, ask)
 
 
-amplitudes = _either(compiled.amplitudes, response.amplitudes)
-detachment = _either(compiled.detachment, critical.detachment)
-extrema = _either(compiled.extrema, locus.extrema)
-fold_locus = _either(compiled.fold_locus, locus.fold_locus)
-frequency_response = _either(compiled.frequency_response, response.frequency_response)
-onset = _either(compiled.onset, critical.onset)
-peak = _either(compiled.peak, critical.peak)
-saddle_nodes = _either(compiled.saddle_nodes, folds.saddle_nodes)
+amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes)
+detachment = _either(compiled.detachment, lambda: _reference().detachment)
+extrema = _either(compiled.extrema, lambda: _reference().extrema)
+fold_locus = _either(compiled.fold_locus, lambda: _reference().fold_locus)
+frequency_response = _either(compiled.frequency_response, lambda: _reference().frequency_response)
+onset = _either(compiled.onset, lambda: _reference().onset)
+peak = _either(compiled.peak, lambda: _reference().peak)
+saddle_nodes = _either(compiled.saddle_nodes, lambda: _reference().saddle_nodes)

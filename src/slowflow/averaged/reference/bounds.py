@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from slowflow.averaged import words
 from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.roots import peak_roots
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS, STATIC_MULTIPLE
+from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS
 
 
 def _rungs() -> Floats:
@@ -34,18 +35,6 @@ def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
     return np.take_along_axis(level, lowest, -1)[..., 0], np.take_along_axis(Omega, lowest, -1)[..., 0]
 
 
-def cut(model: Model, F_0: float) -> tuple[float, str]:
-    """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
-
-    That is at the mechanism's reach, or at a multiple of the static deflection.
-    """
-    words = "unbounded without viscous damping: cut at A = "
-    if np.isfinite(model.reach):
-        return model.reach, f"{words}{model.reach:g}, {model.mechanism.reach_reason}"
-    A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
-    return A_max, f"{words}{A_max:g}"
-
-
 @np.errstate(all="ignore")
 def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     """An amplitude above that of every steady state at F_0, and a remark in words where the response has to be cut.
@@ -54,7 +43,7 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     OverflowError where no such amplitude is found.
     """
     if model.zeta == 0:
-        return cut(model, F_0)
+        return words.cut(model, F_0)
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
     at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
     slope = cells_of(at, far).h_A

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from slowflow.averaged import words
 from slowflow.averaged.reference.along import Fold
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import pieces_up_to, samples_at
@@ -19,10 +20,8 @@ from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import NEAR_END
 
+
 #: what is said where there is no answer
-NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
-
-
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     A_max, remark = amplitude_bound(model, F_0)
@@ -37,7 +36,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     up = np.concatenate((up, corner_up))
     corner = np.arange(A.size) >= A.size - corner_A.size
     order = np.argsort(Omega, kind="stable")
-    message = remark if A.size else NO_FOLD.format(F_0)
+    message = remark if A.size else words.NO_FOLD.format(F_0)
     kind = np.where(up, "jump-up", "jump-down")[order]
     return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model)
 

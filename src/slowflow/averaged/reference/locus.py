@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from slowflow.averaged import words
 from slowflow.averaged.reference.along import Cusp, Isola, Stiffness, Turn, Undamped
 from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.cells import Piece, pieces_up_to
@@ -18,10 +19,6 @@ from slowflow.averaged.reference.search import Zeros, find_zeros
 from slowflow.model import Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
 from slowflow_kernels import slow_flow
-
-NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
-NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
-NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
 
 
 @dataclass(frozen=True)
@@ -74,7 +71,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     arcs = graph.arcs
     if not arcs:
         none = np.empty(0)
-        return FoldLocus(none, none, none, np.empty(0, dtype=np.intp), NO_LOCUS.format(A_max))
+        return FoldLocus(none, none, none, np.empty(0, dtype=np.intp), words.NO_LOCUS.format(A_max))
     A, Omega = (np.array([getattr(arc, name) for arc in arcs]) for name in ("A", "Omega"))
     with np.errstate(all="ignore"):
         weight = np.abs(np.diff(Omega / (1 + Omega), axis=1)[:, 0]) + np.diff(A, axis=1)[:, 0] / A_max + 1e-3
@@ -106,9 +103,9 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
         Omega, A = at.Omega, at.A
         level = slow_flow.level(Omega, A, model.m, model.zeta, model.averaged(A)[0])
         F_0 = at.level if model.zeta > 0 else np.asarray(level)
-        cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else NO_CUSP.format(A_max))
+        cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else words.NO_CUSP.format(A_max))
         Omega, A = (np.empty(0),) * 2 if stations.isolas is None else (stations.isolas.Omega, stations.isolas.A)
         F_0 = np.asarray(slow_flow.level(Omega, A, model.m, model.zeta, model.averaged(A)[0]))
         birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")
         kind = np.where(is_saddle(model, Omega, A), "merger", birth)
-    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else NO_ISOLA.format(A_max))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else words.NO_ISOLA.format(A_max))

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from slowflow.averaged import words
 from slowflow.averaged.reference.along import Cusp, Isola, Peak, Rest, Stiffness
 from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
 from slowflow.averaged.reference.cells import Piece, Samples, pieces_up_to, sample_above, samples_at
@@ -19,20 +20,13 @@ from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
-from slowflow.results import Detachment, Remark, SaddleNodeOnset
+from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import RAISE, RAISES
 
+
 #: what is said where there is no answer
-NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
-NO_ONSET = "no saddle node"
-AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
-NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
-NO_DETACHMENT = "no detachment: the force has one piece only"
-NO_PEAK = "no peak: without viscous damping the response is unbounded"
-
-
 @dataclasses.dataclass
 class _Best:
     """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at Omega = 0."""
@@ -67,23 +61,15 @@ def onset(model: Model) -> SaddleNodeOnset:
             return _onset_without_viscous_damping(model)
         best = _lowest(model)
     if not best.kind:
-        return with_folds_at_rest(SaddleNodeOnset(None, None, None, "", NO_ONSET), best.rest)
-    return with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
-
-
-def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
-    """The onset, with the remark that there are folds at lower forcings: the locus ends at Omega = 0 at this level."""
-    if not rest < (math.inf if onset.F_SN is None else onset.F_SN):
-        return onset
-    words = (NONE_BUT_AT_REST if onset.F_SN is None else AT_REST).format(rest)
-    return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
+        return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), best.rest)
+    return words.with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
 
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
     if not saddle_nodes(model, 2 * model.m + 1.0).A.size:
-        return SaddleNodeOnset(None, None, None, "", NO_ONSET)
-    return SaddleNodeOnset(None, None, None, "", NO_LOWEST.format(model.m))
+        return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
+    return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m))
 
 
 def _lowest(model: Model) -> _Best:
@@ -169,7 +155,7 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     if not model.breakpoints:
-        return Detachment(None, None, None, NO_DETACHMENT)
+        return Detachment(None, None, None, words.NO_DETACHMENT)
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
     return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
 
@@ -180,7 +166,7 @@ def peak(model: Model, F_0: float) -> PeakFound:
     Raises ArithmeticError where there is neither to rounding.
     """
     if model.zeta == 0:
-        return PeakFound(None, None, F_0, NO_PEAK)
+        return PeakFound(None, None, F_0, words.NO_PEAK)
     A_max, _ = amplitude_bound(model, F_0)
     peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces_up_to(model, A_max))
     # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from slowflow.averaged import words
 from slowflow.averaged.reference.along import Peak, Rest
 from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
@@ -311,7 +312,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         branch.append(np.full(points, number))
     if not steps:
         empty = np.empty(0)
-        message = joined(found.message, f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]")
+        message = joined(found.message, words.empty_window(window))
         return FrequencyResponse(empty, empty, np.empty(0, bool), message, model, np.empty(0, np.intp), (), F_0)
     return FrequencyResponse(
         np.concatenate(Omega),
@@ -352,6 +353,4 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     found = skeleton(model, F_0)
     at, A, stable = states_at(found, Omega)
-    missing = np.setdiff1d(Omega, at)
-    remark = "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
-    return SteadyStates(at, A, stable, joined(found.message, remark), model)
+    return SteadyStates(at, A, stable, joined(found.message, words.without_a_state(Omega, at)), model)

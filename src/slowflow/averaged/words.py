@@ -1,0 +1,57 @@
+"""What both paths say beside an averaged answer, or in its place: in go numbers, out come words.
+
+The compiled path and the one on NumPy cannot differ in what is said here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+
+from slowflow.model import Floats, Model
+from slowflow.results import Remark, SaddleNodeOnset
+from slowflow_kernels.conventions import STATIC_MULTIPLE
+
+NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
+NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
+NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
+NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
+NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
+NO_ONSET = "no saddle node"
+AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
+NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
+NO_DETACHMENT = "no detachment: the force has one piece only"
+NO_PEAK = "no peak: without viscous damping the response is unbounded"
+
+
+def cut(model: Model, F_0: float) -> tuple[float, str]:
+    """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
+
+    That is at the mechanism's reach, or at a multiple of the static deflection.
+    """
+    words = "unbounded without viscous damping: cut at A = "
+    if np.isfinite(model.reach):
+        return model.reach, f"{words}{model.reach:g}, {model.mechanism.reach_reason}"
+    A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
+    return A_max, f"{words}{A_max:g}"
+
+
+def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
+    """The onset, with the remark that there are folds at lower forcings: the locus ends at Omega = 0 at this level."""
+    if not rest < (math.inf if onset.F_SN is None else onset.F_SN):
+        return onset
+    words = (NONE_BUT_AT_REST if onset.F_SN is None else AT_REST).format(rest)
+    return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
+
+
+def without_a_state(Omega: Floats, found: Floats) -> str:
+    """At which of the frequencies asked for there is no state among those found."""
+    missing = np.setdiff1d(Omega, found)
+    return "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
+
+
+def empty_window(window: tuple[float, float]) -> str:
+    """That a curve has no point in the window."""
+    return f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]"
