@@ -43,8 +43,8 @@ Let = tuple[sp.Symbol, sp.Expr]
 FEW = sp.Rational(7, 10)
 #: breakpoint up to which Gauss's rule serves
 MODERATE = sp.Rational(3, 4)
-#: the largest breakpoint beyond which amplitudes next to it are told from it by doubles, which 64 of their places are
-STEEPEST = 1 - sp.Rational(1, 2**44)
+#: the largest breakpoint whose double still says how far from 1 it is: u/(1 - b), the error of that, is 5e-13 here
+STEEPEST = sp.Rational(9998, 10000)
 #: multiple of the breakpoint from which on it lies far below
 AWAY = sp.Rational(21, 20)
 #: steps of the mean up to A = FEW, and up to the last double below 1: its differences fall quadratically
@@ -152,38 +152,21 @@ def gauss(nodes: int) -> tuple[tuple[sp.Rational, sp.Rational], ...]:
 
 
 class _Detached:
-    """The quarter cycle's part 0 < t < theta, u_cr = A sin(theta).
+    """The quarter cycle's part 0 < t < theta, u_cr = A sin(theta)."""
 
-    c -- sqrt(1 - u_cr^2) by the force's coefficients; None: by u_cr itself, which says it well unless it is near 1
-    """
-
-    def __init__(self, b: sp.Symbol, c: sp.Expr | None) -> None:
+    def __init__(self, b: sp.Symbol) -> None:
         self.b = b
         self.root = sp.Symbol("root", nonnegative=True)
         self.c, self.T, self.T2 = sp.symbols("c T T2", positive=True)
-        height, excess = sp.sqrt((1 - b) * (1 + b)), (A - b) * (A + b)
-        self.lets: list[Let] = [(self.root, sp.sqrt(excess)), (self.c, height)] if c is None else self._steep(c)
-        self.lets += [
+        self.lets: list[Let] = [
+            (self.root, sp.sqrt((A - b) * (A + b))),
+            (self.c, sp.sqrt((1 - b) * (1 + b))),
             # tan(theta/2)
             (self.T, b / (A + self.root)),
             (self.T2, self.T**2),
         ]
         self.g = sp.symbols(f"g_1:{NODES + 1}", positive=True)
         self.lets += [(g, 1 / (1 + x**2 * self.T2)) for g, (x, _) in zip(self.g, gauss(NODES), strict=True)]
-
-    def _steep(self, c: sp.Expr) -> list[Let]:
-        """root and c where u_cr is near 1: there the double next to u_cr does not say how far from 1 it is, c does.
-
-        A^2 - u_cr^2 is that of the double and what this lacks, but no more than a small part of it: next to u_cr itself
-        the double stands.
-        """
-        lacking, part = sp.Symbol("lacking", real=True), sp.Symbol("part", positive=True)
-        return [
-            (self.c, c),
-            (lacking, self.c**2 - (1 - self.b) * (1 + self.b)),
-            (part, (A - self.b) * (A + self.b) / 64),
-            (self.root, sp.sqrt(64 * part + (sp.Abs(lacking + part) - sp.Abs(lacking - part)) / 2)),
-        ]
 
     def by_gauss(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         """int sin^2 (1/c - 1/Delta), int sin^4/Delta^3, int sin^4/Delta^5, int sin^4 (1 + 4 u^2)/Delta^7."""
@@ -267,7 +250,7 @@ class _Detached:
         """
         x2, y2, third = sp.symbols("x2 y2 third", positive=True)
         self.lets += [(x2, (self.b / A) ** 2), (y2, (self.root / A) ** 2), (third, x2 * self.b / (3 * A))]
-        r = _Taylor(self.lets).duplicated(y2, self.c**2, by_second)
+        r = _Taylor(self.lets).duplicated(y2, (1 - self.b) * (1 + self.b), by_second)
         V = [sp.Symbol(f"V{2 * n + 2}", positive=True) for n in range(ORDERS + 1)]
         for n in range(ORDERS + 1):
             weight = math.factorial(n) / sp.rf(sp.Rational(1, 2), n)
@@ -372,15 +355,15 @@ def _minus(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 
 @functools.cache
-def _integrals(end: sp.Symbol, way: str, c: sp.Expr | None) -> tuple[_Detached, Sequence[sp.Expr]]:
+def _integrals(end: sp.Symbol, way: str) -> tuple[_Detached, Sequence[sp.Expr]]:
     """The lets, and what one of the methods above gives in them."""
-    quarter = _Detached(end, c)
+    quarter = _Detached(end)
     return quarter, getattr(quarter, way)()
 
 
-def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: sp.Expr | None = None) -> Regime:
-    """A > u_cr, where u (a + b (1/Delta - 1/c)) is averaged over 0 < t < theta, a u beyond; steep: c, near u_cr = 1."""
-    quarter, (W, V3, V5, V7) = _integrals(end, "by_gauss" if steep is None else "by_duplication", steep)
+def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
+    """A > u_cr, where u (a + b (1/Delta - 1/c)) is averaged over 0 < t < theta, a u beyond."""
+    quarter, (W, V3, V5, V7) = _integrals(end, "by_duplication" if steep else "by_gauss")
     root, c = quarter.root, quarter.c
     whole = u * (1 / ROOT - 1 / c)
 
@@ -411,12 +394,12 @@ def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: sp.Expr | None = Non
     return Regime((end,), (), tuple(quarter.lets), derivatives, intercept)
 
 
-def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: sp.Expr | None = None) -> Regime:
+def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     """The same where A exceeds u_cr by far: A is varied where it stands beside u, in A^-1 (A^2 - u^2)^(-1/2) u^2 du.
 
     That leaves the force undifferentiated, and all terms have one sign.
     """
-    quarter, W = _integrals(end, "far_by_gauss" if steep is None else "far_by_duplication", steep)
+    quarter, W = _integrals(end, "far_by_duplication" if steep else "far_by_gauss")
     q = sp.Symbol("q", positive=True)
     # over the kernel itself, by log-derivative: -1/A - A/(A^2 - u^2), where 1/(A^2 - u^2) = (1 + q)/A^2, q = tan^2 t
     logarithmic = -(2 + q) / A
@@ -464,14 +447,12 @@ def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Re
     if none != 0:
         raise ArithmeticError("an untruncated force is averaged only if it is linear beyond the breakpoint")
     (end,) = breakpoints
-    # both pieces are equal at u_cr: a + b (1/c - 1) = rest
-    c = b / (rest - a + b)
     cases = (
         Case("passed_0", ((A, end), (A, FEW)), attached(a, b, STEPS)),
         Case("passed_0_steep", ((A, end),), attached(a, b, STEPS_STEEP)),
-        Case("passed_1_far", ((end, MODERATE), (AWAY * end, A)), far_detached(rest, b, end)),
-        Case("passed_1", ((end, MODERATE),), detached(rest, b, end)),
-        Case("passed_1_steep_far", ((AWAY * end, A),), far_detached(rest, b, end, c)),
-        Case("passed_1_steep", (), detached(rest, b, end, c)),
+        Case("passed_1_far", ((end, MODERATE), (AWAY * end, A)), far_detached(rest, b, end, steep=False)),
+        Case("passed_1", ((end, MODERATE),), detached(rest, b, end, steep=False)),
+        Case("passed_1_steep_far", ((AWAY * end, A),), far_detached(rest, b, end, steep=True)),
+        Case("passed_1_steep", (), detached(rest, b, end, steep=True)),
     )
     return Restoring(tuple(pieces), (end,), (sp.Integer(0),), closed_forms(a, b, rest, end), {}, cases)

@@ -227,21 +227,3 @@ def test_many_takes_the_force():
     alone = [Isolator(**{**values, "delta_h": d}, force="untruncated").detachment().F_cr for d in (0.05, 0.08)]
     np.testing.assert_allclose(together.F_cr, alone, rtol=1e-14)
     assert (together.F_cr != Isolator.many(**values).detachment().F_cr).all()
-
-
-@pytest.mark.parametrize("A", [1.0001, 1.001, 1.02, 1.5])
-@pytest.mark.parametrize("distance", [2.0**-7, 2.0**-10, 2.0**-13, 2.0**-17, 2.0**-20, 2.0**-30])
-def test_the_average_keeps_its_digits_as_the_preload_nears_the_length_of_the_rod(distance, A):
-    """u_cr is 1 - distance^2/2, of which a double says little; the force is steep next to it, in a quadrature too."""
-    stiffness = mpf(1.25)
-    h = rod_spring_untruncated.h(A, *rod_spring_untruncated.coefficients(1.0, 1.25, 1 - distance))
-    with mp.workdps(DIGITS):
-        end = mp.asin(mp.sqrt(1 - mpf(distance) ** 2) / A)
-        cuts = [end * (1 - mpf(4) ** -k) for k in range(30)] + [end]
-
-        def share(t):
-            s = mp.sin(t) ** 2
-            return s * (distance / mp.sqrt(1 - mpf(A) ** 2 * s) - 1)
-
-        exact = -A - 4 / mp.pi * A * stiffness * mp.quad(share, cuts, method="gauss-legendre")
-        assert abs(mpf(float(h)) / exact - 1) < 1e-13

@@ -25,8 +25,8 @@
    Operations where passed_0_steep: 176 structured, 147 common subexpressions, 146 power chains
    Operations where passed_1_far: 714 structured, 714 common subexpressions, 639 power chains
    Operations where passed_1: 674 structured, 674 common subexpressions, 614 power chains
-   Operations where passed_1_steep_far: 1722 structured, 1722 common subexpressions, 1658 power chains
-   Operations where passed_1_steep: 1491 structured, 1491 common subexpressions, 1444 power chains
+   Operations where passed_1_steep_far: 1708 structured, 1708 common subexpressions, 1645 power chains
+   Operations where passed_1_steep: 1477 structured, 1477 common subexpressions, 1432 power chains
  */
 static inline void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
 {
@@ -508,14 +508,10 @@ static inline void rod_spring_untruncated_averaged_all_passed_1(double A, const 
 
 static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
     const double beta = p[1];
     const double u_cr = p[2];
-    const double c = 2.0 * beta / (-alpha + 2.0 * beta + 1.0);
-    const double c2 = c * c;
-    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
-    const double part = 0.015625 * (A - u_cr) * (A + u_cr);
-    const double root = sqrt(64.0 * part - 0.5 * fabs(lacking - part) + 0.5 * fabs(lacking + part));
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
@@ -537,13 +533,14 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
     const double x2 = u_cr * u_cr / A2;
     const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
     const double a0_half_0_2 = a0_half_0 * a0_half_0;
     const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
     const double a02_0 = -a0_half_0_3;
     const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
-    const double b0_0 = sqrt(c2);
+    const double b0_0 = sqrt(Y_0);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double lam0_2 = a02_0 * b0_0 + a02_0;
@@ -557,7 +554,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
     const double X0_1 = 0.25 * lam0_1 + 0.25;
     const double X0_2 = 0.25 * lam0_2;
     const double X0_3 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
     const double Y0_1 = 0.25 * lam0_1;
     const double Y0_2 = 0.25 * lam0_2;
     const double Y0_3 = 0.25 * lam0_3;
@@ -1016,14 +1013,10 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
 
 static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out)
 {
-    const double alpha = p[0];
     const double beta = p[1];
     const double u_cr = p[2];
-    const double c = 2.0 * beta / (-alpha + 2.0 * beta + 1.0);
-    const double c2 = c * c;
-    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
-    const double part = 0.015625 * (A - u_cr) * (A + u_cr);
-    const double root = sqrt(64.0 * part - 0.5 * fabs(lacking - part) + 0.5 * fabs(lacking + part));
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
@@ -1047,8 +1040,9 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
     const double root2 = root * root;
     const double y2 = root2 / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(c2);
+    const double b0_0 = sqrt(Y_0);
     const double b0_half_0 = 0.5 / b0_0;
     const double b0_half_0_2 = b0_half_0 * b0_half_0;
     const double b0_half_0_3 = b0_half_0 * b0_half_0_2;
@@ -1067,7 +1061,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
     const double X0_1 = 0.25 * lam0_1;
     const double X0_2 = 0.25 * lam0_2;
     const double X0_3 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
+    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
     const double Y0_1 = 0.25 * lam0_1 + 0.25;
     const double Y0_2 = 0.25 * lam0_2;
     const double Y0_3 = 0.25 * lam0_3;
@@ -1444,6 +1438,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
     const double A3 = A * A2;
+    const double c2 = c * c;
     const double c3 = c * c2;
     const double root3 = root * root2;
     const double A4 = A2 * A2;

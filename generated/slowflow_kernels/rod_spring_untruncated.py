@@ -584,12 +584,9 @@ def _averaged_all_passed_1(A, alpha, beta, u_cr):
 
 
 def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
-    # operations: 1722 structured, 1722 common subexpressions, 1658 power chains
-    c = 2.0 * beta / (-alpha + 2.0 * beta + 1.0)
-    c2 = c * c
-    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
-    part = 0.015625 * (A - u_cr) * (A + u_cr)
-    root = np.sqrt(64.0 * part - 0.5 * np.abs(lacking - part) + 0.5 * np.abs(lacking + part))
+    # operations: 1708 structured, 1708 common subexpressions, 1645 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
     t0 = T * T
     g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0)
@@ -611,13 +608,14 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
     x2 = u_cr * u_cr / A2
     y2 = root * root / A2
     third = 0.33333333333333331 * u_cr * x2 / A
+    Y_0 = (1.0 - u_cr) * (u_cr + 1.0)
     a0_0 = np.sqrt(y2)
     a0_half_0 = 0.5 / a0_0
     a0_half_0_2 = a0_half_0 * a0_half_0
     a0_half_0_3 = a0_half_0 * a0_half_0_2
     a02_0 = -a0_half_0_3
     a03_0 = -2.0 * a02_0 * a0_half_0_2
-    b0_0 = np.sqrt(c2)
+    b0_0 = np.sqrt(Y_0)
     lam0_0 = a0_0 * b0_0 + a0_0 + b0_0
     lam0_1 = a0_half_0 * b0_0 + a0_half_0
     lam0_2 = a02_0 * b0_0 + a02_0
@@ -631,7 +629,7 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
     X0_1 = 0.25 * lam0_1 + 0.25
     X0_2 = 0.25 * lam0_2
     X0_3 = 0.25 * lam0_3
-    Y0_0 = 0.25 * c2 + 0.25 * lam0_0
+    Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0
     Y0_1 = 0.25 * lam0_1
     Y0_2 = 0.25 * lam0_2
     Y0_3 = 0.25 * lam0_3
@@ -1146,12 +1144,9 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
 
 
 def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
-    # operations: 1491 structured, 1491 common subexpressions, 1444 power chains
-    c = 2.0 * beta / (-alpha + 2.0 * beta + 1.0)
-    c2 = c * c
-    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
-    part = 0.015625 * (A - u_cr) * (A + u_cr)
-    root = np.sqrt(64.0 * part - 0.5 * np.abs(lacking - part) + 0.5 * np.abs(lacking + part))
+    # operations: 1477 structured, 1477 common subexpressions, 1432 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
     t0 = T * T
     g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0)
@@ -1175,8 +1170,9 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
     root2 = root * root
     y2 = root2 / A2
     third = 0.33333333333333331 * u_cr * x2 / A
+    Y_0 = (1.0 - u_cr) * (u_cr + 1.0)
     a0_0 = np.sqrt(y2)
-    b0_0 = np.sqrt(c2)
+    b0_0 = np.sqrt(Y_0)
     b0_half_0 = 0.5 / b0_0
     b0_half_0_2 = b0_half_0 * b0_half_0
     b0_half_0_3 = b0_half_0 * b0_half_0_2
@@ -1195,7 +1191,7 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
     X0_1 = 0.25 * lam0_1
     X0_2 = 0.25 * lam0_2
     X0_3 = 0.25 * lam0_3
-    Y0_0 = 0.25 * c2 + 0.25 * lam0_0
+    Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0
     Y0_1 = 0.25 * lam0_1 + 0.25
     Y0_2 = 0.25 * lam0_2
     Y0_3 = 0.25 * lam0_3
@@ -1621,6 +1617,7 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     A3 = A * A2
+    c2 = c * c
     c3 = c * c2
     root3 = root * root2
     A4 = A2 * A2
@@ -3233,7 +3230,7 @@ MECHANISM = Mechanism(
     intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=0.75,
-    digits_up_to=0.9999999999999432,
+    digits_up_to=0.9998,
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=False,

@@ -26,7 +26,7 @@ WORDS = {
     Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to 0",
-    Remark.DIGITS_LOST: "digits are lost at amplitudes next to u_cr, which is 1 but for {lost:.0e}",
+    Remark.DIGITS_LOST: "digits are lost as u_cr nears 1: relative errors of {lost:.0e} and more",
     Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 
@@ -108,6 +108,6 @@ def stays_centred(model: Model) -> bool:
 def words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     """The remarks in words."""
     near = [validity.near_sticking(model, F_0)] if Remark.NEAR_STICKING in remarks else []
-    lost = 1.0 - model.breakpoints[-1] if Remark.DIGITS_LOST in remarks else 0.0
+    lost = 2.0**-53 / (1.0 - model.breakpoints[-1]) if Remark.DIGITS_LOST in remarks else 0.0
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "lost": lost}
     return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near
