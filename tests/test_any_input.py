@@ -57,6 +57,7 @@ questions = st.one_of(
         st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"A_max": anything}))
         for name in ("cusps", "isola_points")
     ),
+    st.tuples(st.just("certify"), st.tuples(anything), st.fixed_dictionaries({"Omega": anything})),
     st.tuples(st.just("explain"), st.tuples(st.just("saddle_nodes"), anything), st.just({})),
 )
 #: refusals: each has words

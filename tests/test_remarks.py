@@ -109,6 +109,13 @@ def test_a_motion_that_leaves_the_centre_is_not_stable():
     assert not motion.stable and max(abs(motion.multipliers)) > 10
 
 
+def test_an_amplitude_beyond_the_range_of_doubles_raises_no_warning():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        oscillator = Duffing(0.09130112224602271, -0.4507260127299224, mu=0.6117298112265566, zeta=8.781850915463343e-06)
+        assert oscillator.peak(1e300).A > 1e100
+
+
 def test_a_softening_spring_may_hold_a_motion_whose_mean_stiffness_is_negative():
     """The exact motion is stable: the stiffness that changes twice in a cycle makes up for its mean."""
     oscillator, Omega, F_0 = Duffing(1.916546773924, -0.8374511645265, 0.0, 0.0558), 0.93856559, 0.16

@@ -37,11 +37,11 @@ def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, 
     It does where the mean stiffness over its cycle is positive, and else where the stiffness that changes twice in a
     cycle makes up for it.
     """
-    h, h_A, *_ = mechanism.averaged(A, *parameters)
-    kept = np.asarray(slow_flow.mean_stiffness(A, h, h_A) > 0)
-    if kept.all():
-        return kept
-    with np.errstate(all="ignore"):  # where the mean is positive the other may be infinite, and is not asked for
+    with np.errstate(all="ignore"):  # amplitudes of any size; where the mean is positive the other is not asked for
+        h, h_A, *_ = mechanism.averaged(A, *parameters)
+        kept = np.asarray(slow_flow.mean_stiffness(A, h, h_A) > 0)
+        if kept.all():
+            return kept
         return np.asarray(kept | (slow_flow.offset_stiffness(Omega, A, h, h_A) > 0))
 
 
