@@ -112,7 +112,7 @@ def test_a_motion_that_leaves_the_centre_is_not_stable():
 def test_an_amplitude_beyond_the_range_of_doubles_raises_no_warning():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        oscillator = Duffing(0.09130112224602271, -0.4507260127299224, mu=0.6117298112265566, zeta=8.781850915463343e-06)
+        oscillator = Duffing(0.09130112224602271, -0.4507260127299224, 0.6117298112265566, 8.781850915463343e-06)
         assert oscillator.peak(1e300).A > 1e100
 
 
