@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 
 from derivations.emit.compensated import copysign
+from derivations.emit.form import Law
 from derivations.emit.targets.c import taylor
 from derivations.emit.views import templates
 from derivations.symbols import u
@@ -48,7 +49,9 @@ def fake_module(name, force):
         kernels.append(
             SimpleNamespace(name=kernel, arguments=(u, *CONSTANTS), branches=(branch,), doc=str(form), equation="(3)")
         )
-    return SimpleNamespace(name=name, kernels=kernels, record=SimpleNamespace(pieces=[("force", "slope")]))
+    return SimpleNamespace(
+        name=name, kernels=kernels, record=SimpleNamespace(pieces=[Law("force", "slope", f"{name}.force")])
+    )
 
 
 @pytest.fixture(scope="module")

@@ -138,12 +138,25 @@ class Composition:
 
 
 @dataclass(frozen=True)
+class Law:
+    """One piece of a force as a mechanism's record has it, by names.
+
+    force, slope -- of the generic kernels
+    name         -- of the law itself, the same in every language: by it Python finds the Taylor recurrences in C
+    """
+
+    force: str
+    slope: str
+    name: str
+
+
+@dataclass(frozen=True)
 class Record:
     """What the generated record of a mechanism holds beside the module's kernels.
 
     mechanism       -- where it comes from
     parameters      -- what its kernels take, in their order
-    pieces          -- names of the generic kernels of each piece of the force and of its slope
+    pieces          -- of the force, by rising |u|
     harmonics_up_to -- the largest breakpoint for which the harmonics hold
     digits_up_to    -- the largest breakpoint for which averages keep their digits
     truncated       -- whether the force is a Taylor polynomial that stands for another
@@ -152,7 +165,7 @@ class Record:
 
     mechanism: Mechanism
     parameters: tuple[Parameter, ...]
-    pieces: tuple[tuple[str, str], ...]
+    pieces: tuple[Law, ...]
     harmonics_up_to: sp.Expr
     digits_up_to: sp.Expr
     truncated: bool

@@ -19,6 +19,7 @@ from derivations.emit.form import (
     Branch,
     Composition,
     Kernel,
+    Law,
     Let,
     Module,
     Record,
@@ -55,7 +56,7 @@ def mechanism_module(results: Results, name: str, flow: Module) -> Module:
     mechanism = derived.oscillator.mechanism
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
-    pieces, table = piece_kernels(derived)
+    pieces, table = piece_kernels(derived, name)
     averages = together(derived) if is_spelled_out(derived) else one_by_one(derived)
     return Module(
         name=name,
@@ -380,8 +381,8 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
     return kernels
 
 
-def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], tuple[tuple[str, str], ...]]:
-    """The pieces of the force and their slopes, one by one, for the equation of motion; and their names."""
+def piece_kernels(derived: OfMechanism, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
+    """The pieces of the force and their slopes, one by one, for the equation of motion; and the laws of a module."""
     parameters = derived.oscillator.mechanism.parameters
     equation = "(3), (6)" if is_truncated(derived) else "(3), (5)"
     kernels, table = [], []
@@ -396,7 +397,7 @@ def piece_kernels(derived: OfMechanism) -> tuple[list[Kernel], tuple[tuple[str, 
         kernels.append(
             plain(name_of_slope, arguments, slope, "d/du of p" + what, *texts, lets=[*lets, *roots], generic=True)
         )
-        table.append((name, name_of_slope))
+        table.append(Law(name, name_of_slope, f"{module}.{name}"))
     return kernels, tuple(table)
 
 
@@ -433,7 +434,7 @@ def described(dimensionless: Oscillator) -> tuple[Parameter, ...]:
     return (*result, *ends)
 
 
-def record(results: Results, derived: OfMechanism, pieces: tuple[tuple[str, str], ...]) -> Record:
+def record(results: Results, derived: OfMechanism, pieces: tuple[Law, ...]) -> Record:
     """What the record says that no kernel does."""
     mechanism = derived.oscillator.mechanism
     truncated = is_truncated(derived)

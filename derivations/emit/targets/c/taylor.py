@@ -75,10 +75,10 @@ def _names(name: str, text: str) -> bool:
 
 
 @dataclass(frozen=True)
-class Law:
+class Recurrences:
     """One piece of a force as the template needs it.
 
-    name   -- of the kernel, after that of its module
+    name   -- of the law
     prefix -- of its functions
     doc    -- what it is
     scalars -- f, df/du and other leading coefficients, by name
@@ -100,14 +100,14 @@ def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
     return environment.get_template("taylor.h.jinja").render(tools=tools(), laws=list(laws(modules)))
 
 
-def laws(modules: Sequence[Module]) -> Iterator[Law]:
+def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
     """Each piece of each force."""
     for module in modules:
         by_name = {kernel.name: kernel for kernel in module.kernels}
-        for name, name_of_slope in module.record.pieces if module.record else ():
-            force, slope = by_name[name], by_name[name_of_slope]
+        for law in module.record.pieces if module.record else ():
+            force, slope = by_name[law.force], by_name[law.slope]
             constants = tuple(symbol for symbol in force.arguments if symbol != u)
-            prefix = f"{module.name}_{name}"
+            prefix = f"{module.name}_{law.force}"
             (value,), (gradient,) = force.branches, slope.branches
             lets = given = list(dict.fromkeys((*value.lets, *gradient.lets)))
             outputs = [value.outputs[0], gradient.outputs[0]]
@@ -118,8 +118,8 @@ def laws(modules: Sequence[Module]) -> Iterator[Law]:
                 other = recurrence(prefix, constants, [], short)
                 if len(other.sums) < len(both.sums):
                     lets, outputs, both, forms["secant"] = [], short, other, secant
-            yield Law(
-                name=f"{module.name}.{name}",
+            yield Recurrences(
+                name=law.name,
                 prefix=prefix,
                 doc=f"{module.name}: {force.doc} Equation {force.equation}.",
                 scalars={kind: scalar(given, form, constants) for kind, form in forms.items()},
