@@ -144,6 +144,16 @@ CONVENTIONS = (
             Number("ENDLESS", sp.Integer(2**60), "stands for an infinite amplitude, and an infinite multiple of one"),
             Number("DOUBT", sp.Rational(1, 2**48), "relative error that is taken for granted in a kernel's value"),
             Number("CANCELLED", sp.Rational(1, 4), "share of h below which h - A h_A has lost digits as a difference"),
+            Number(
+                "SOFT",
+                sp.Rational(1, 100),
+                "share of |h| below which A h_A may have lost digits, and Omega^2 = h_A with it",
+            ),
+            Number(
+                "BESIDE",
+                sp.Rational(1, 1000),
+                "a root is the one meant if it lies, relatively, this near to what has lost digits",
+            ),
             Number("FIRST", sp.Rational(1, 2**200), "where a search begins that cannot begin at A = 0"),
             Number("NARROW", sp.Rational(1, 2**50), "relative width of an interval of A that is not cut any more"),
             Number("MOST_CELLS", 50000, "intervals of A, after which a search is given up: numbers overflow"),

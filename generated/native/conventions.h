@@ -54,6 +54,10 @@ typedef enum {
 #define SF_DOUBT 3.5527136788005009e-15
 /* share of h below which h - A h_A has lost digits as a difference */
 #define SF_CANCELLED 0.25
+/* share of |h| below which A h_A may have lost digits, and Omega^2 = h_A with it */
+#define SF_SOFT 0.01
+/* a root is the one meant if it lies, relatively, this near to what has lost digits */
+#define SF_BESIDE 0.001
 /* where a search begins that cannot begin at A = 0 */
 #define SF_FIRST 6.2230152778611417e-61
 /* relative width of an interval of A that is not cut any more */

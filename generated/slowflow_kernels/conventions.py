@@ -82,6 +82,10 @@ ENDLESS = 1.152921504606847e+18
 DOUBT = 3.5527136788005009e-15
 # share of h below which h - A h_A has lost digits as a difference
 CANCELLED = 0.25
+# share of |h| below which A h_A may have lost digits, and Omega^2 = h_A with it
+SOFT = 0.01
+# a root is the one meant if it lies, relatively, this near to what has lost digits
+BESIDE = 0.001
 # where a search begins that cannot begin at A = 0
 FIRST = 6.2230152778611417e-61
 # relative width of an interval of A that is not cut any more

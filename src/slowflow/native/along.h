@@ -118,12 +118,13 @@ static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_an
     out->y[0] = fold[0], out->dy[0] = fold[1];
 }
 
-/* Omega at an isola point: Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that. */
+/* Omega at an isola point: Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that, which
+ * does not depend on h_A. */
 static inline double sf_isola_Omega(const sf_model *model, const sf_sample *at) {
     const double Omega = slow_flow_isola_Omega(at->h_A);
     double w[2];
-    if (at->h_A * at->A < 0.01 * fabs(at->h) && sf_peak_roots(at->A, at->h, model->m, model->zeta, w) == 2 &&
-        fabs(w[0] - Omega) < 1e-3 * Omega)
+    if (at->h_A * at->A < SF_SOFT * fabs(at->h) && sf_peak_roots(at->A, at->h, model->m, model->zeta, w) == 2 &&
+        fabs(w[0] - Omega) < SF_BESIDE * Omega)
         return w[0];
     return Omega;
 }

@@ -28,7 +28,7 @@ from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.averaged.reference.roots import Quartics, critical_points, peak_roots
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow, slow_flow_intervals, slow_flow_mu0_intervals, slow_flow_zeta0_intervals
-from slowflow_kernels.conventions import DOUBT
+from slowflow_kernels.conventions import BESIDE, DOUBT, SOFT
 
 #: where a channel is defined on a cell
 NOWHERE, PARTLY, THROUGHOUT = 0, 1, 2
@@ -184,10 +184,10 @@ class Isola(Question):
         return [_answer(at, at.h_A > 0, y, dy, self._Omega(at, rises))]
 
     def _Omega(self, at: Samples, rises: Floats) -> Floats:
-        """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that."""
+        """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega, without h_A, next to that."""
         Omega = slow_flow.isola_Omega(rises)
         roots, count = peak_roots(np.where(at.A > 0, at.A, 1.0), at.h, self.model.m, self.model.zeta)
-        lost = (rises * at.A < 0.01 * np.abs(at.h)) & (count == 2) & (np.abs(roots[:, 0] - Omega) < 1e-3 * Omega)
+        lost = (rises * at.A < SOFT * np.abs(at.h)) & (count == 2) & (np.abs(roots[:, 0] - Omega) < BESIDE * Omega)
         return np.where(lost, roots[:, 0], Omega)
 
     def range(self, cells: Cells) -> list[Range]:
