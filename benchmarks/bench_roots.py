@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import backend
-from slowflow.averaged.reference.roots import numpy_roots, response_roots
+from slowflow.averaged.reference.roots import numpy_response_roots, response_roots
 from tests.native.roots import build, why_not
 from tests.oracles.frequencies import U, relative_error, roots, stress_cases
 
@@ -63,7 +63,7 @@ def installed(rows: np.ndarray) -> np.ndarray:
 
 def structured(rows: np.ndarray) -> np.ndarray:
     """The NumPy path of slowflow."""
-    return numpy_roots("response_roots", *rows.T)[0]
+    return numpy_response_roots(*rows.T)[0]
 
 
 def positive(found: np.ndarray) -> np.ndarray:

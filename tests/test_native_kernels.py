@@ -409,7 +409,7 @@ def test_root_solvers_broadcast_as_gufuncs():
     assert Omega.shape == (4, 3, 3)
     assert count.shape == (4, 3)
     assert count.dtype == np.int32
-    old, old_count = roots.numpy_roots("response_roots", A, -0.3, 0.01, 0.02, np.array([0.05, 0.3, 0.6]))
+    old, old_count = roots.numpy_response_roots(A, -0.3, 0.01, 0.02, np.array([0.05, 0.3, 0.6]))
     assert np.array_equal(count, old_count)
     assert np.allclose(Omega, old, rtol=4 * U, atol=0, equal_nan=True)
     assert roots.peak_roots(0.5, -0.3, 0.01, 0.02)[0].shape == (2,)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from slowflow.averaged.reference.roots import numpy_roots, peak_roots, response_roots
+from slowflow.averaged.reference.roots import (
+    numpy_fold_roots,
+    numpy_peak_roots,
+    numpy_response_roots,
+    peak_roots,
+    response_roots,
+)
 from tests.native.roots import Solver, build, why_not
 from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
 
@@ -18,7 +22,7 @@ from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_ca
 # may reach 3/4.
 BOUND = 0.75 * U
 
-SOLVE = {kind: partial(numpy_roots, f"{kind}_roots") for kind in KINDS}
+SOLVE = {"response": numpy_response_roots, "fold": numpy_fold_roots, "peak": numpy_peak_roots}
 FAMILIES = [(kind, name) for kind in KINDS for name in stress_cases(kind, 1, 0)]
 
 

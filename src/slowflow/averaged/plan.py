@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from slowflow.averaged import words
 from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
 
@@ -70,13 +71,12 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     onset -- the onset of folds, if it has been asked for already
     """
     if F_0 <= whole.m:
-        stuck = f"the mass sticks: F_0 does not exceed 4 mu/pi = {whole.m:g}"
         return Plan(
             question,
             F_0,
             None,
             False,
-            tuple(Step(name, False, stuck) for name in ("force", "slow flow", "curve", "folds")),
+            tuple(Step(name, False, words.sticks(whole, F_0)) for name in ("force", "slow flow", "curve", "folds")),
         )
     if whole.linear:
         force = Step("force", True, "linear: one piece, no angles, no corner")

@@ -6,11 +6,14 @@ are the given doubles, exactly: parameters that follow from them, as alpha, u_cr
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from slowflow import backend
+from slowflow.averaged import words
 from slowflow.model import Floats, Model
 from slowflow.results import ProvedFolds, ProvedForcing, ProvedStates
 from slowflow_kernels.conventions import OnsetKind, Status
@@ -23,7 +26,6 @@ IN_DOUBT = "doubles do not decide for A in {}"
 NO_ROOM = "there are more of them than places"
 UNBOUNDED = "only amplitudes up to {:.6g} are looked at"
 NO_LOWEST = "zeta = 0: there is no lowest forcing to certify"
-NO_DETACHMENT = "the force has no breakpoint"
 NO_ONSET = "not certified: that no forcing has a fold is not proved"
 ONSET_IN_DOUBT = "doubles do not decide whether a lower forcing has a fold"
 NEAR_STICKING = "F_0 is so near to 4 mu/pi that doubles do not decide whether the mass moves"
@@ -35,21 +37,22 @@ _NO_FLAG = np.empty(0, bool)
 _KINDS = np.array(["", "jump-down", "jump-up"])
 
 
-def _asked(function: str, model: Model, *numbers: Any) -> tuple[Any, str]:
-    """What a compiled proof gives, or why there is none."""
+def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *numbers: Any) -> tuple[Any, str]:
+    """What one of the compiled solvers' proofs gives, or why there is none."""
     if backend.SOLVER is None or model.native is None:
         return None, NO_SOLVERS
     if not model.design:
         return None, NO_DESIGN
-    damping = (model.mu, model.zeta)
-    answer = getattr(backend.SOLVER, f"certify_{function}")(model.native, model.design, damping, *numbers)
+    answer = proof(backend.SOLVER)(model.native, model.design, (model.mu, model.zeta), *numbers)
     return answer, "" if answer is not None else NO_INTERVALS
 
 
-def _remarks(status: int, doubt: Floats, A_max: float, bounded: bool, room: bool) -> tuple[bool, str]:
+def _remarks(
+    model: Model, F_0: float, status: int, doubt: Floats, A_max: float, bounded: bool, room: bool
+) -> tuple[bool, str]:
     """Whether it is all proved, and what to say beside it."""
     if status == Status.STICKS:
-        return bounded, "sticks: F_0 does not exceed 4 mu/pi" if bounded else NEAR_STICKING
+        return bounded, words.sticks(model, F_0) if bounded else NEAR_STICKING
     if status != Status.OK:
         return False, FAILED
     said = []
@@ -64,28 +67,28 @@ def _remarks(status: int, doubt: Floats, A_max: float, bounded: bool, room: bool
 
 def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
-    answer, reason = _asked("folds", model, F_0, expected)
+    answer, reason = _asked(lambda solver: solver.certify_folds, model, F_0, expected)
     if answer is None:
         return ProvedFolds(False, reason, _NONE, _NONE, _KINDS[:0], _NO_FLAG, 0.0, False, _NONE)
     status, Omega, A, corner, sign, doubt, A_max, bounded, room = answer
-    proved, message = _remarks(status, doubt, A_max, bounded, room)
+    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
     return ProvedFolds(proved, message, Omega, A, _KINDS[sign], corner, A_max, bounded, doubt)
 
 
 def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """Every state at (Omega, F_0), with what is proved of it."""
-    answer, reason = _asked("states", model, F_0, Omega)
+    answer, reason = _asked(lambda solver: solver.certify_states, model, F_0, Omega)
     if answer is None:
         return ProvedStates(False, reason, _NONE, _NO_FLAG, 0.0, False, _NONE)
     status, _, A, _, sign, doubt, A_max, bounded, room = answer
     order = np.argsort(A[:, 0])
-    proved, message = _remarks(status, doubt, A_max, bounded, room)
+    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
     return ProvedStates(proved, message, A[order], sign[order] > 0, A_max, bounded, doubt)
 
 
 def onset(model: Model) -> ProvedForcing:
     """F_SN, and that no fold is born at a lower forcing."""
-    answer, reason = _asked("onset", model)
+    answer, reason = _asked(lambda solver: solver.certify_onset, model)
     if answer is None:
         return _no_forcing(reason)
     if answer[0] != Status.OK:
@@ -98,11 +101,11 @@ def onset(model: Model) -> ProvedForcing:
 
 def detachment(model: Model) -> ProvedForcing:
     """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
-    answer, reason = _asked("detachment", model)
+    answer, reason = _asked(lambda solver: solver.certify_detachment, model)
     if answer is None:
         return _no_forcing(reason)
     if answer[0] == Status.NONE:
-        return _no_forcing(NO_DETACHMENT, proved=True)
+        return _no_forcing(words.NO_DETACHMENT, proved=True)
     if answer[0] != Status.OK:
         return _no_forcing(FAILED)
     F_cr, Omega_cr, u_cr = map(np.array, answer[1:])

@@ -86,7 +86,9 @@ class Averaged:
         planned = self._plan("frequency_response", F_0)
         if planned.model is None:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
-            return FrequencyResponse(none, none, flags, self._sticks(F_0), self.model, np.empty(0, np.intp), (), F_0)
+            return FrequencyResponse(
+                none, none, flags, words.sticks(self.model, F_0), self.model, np.empty(0, np.intp), (), F_0
+            )
         return self._centred(solvers.frequency_response(planned.model, F_0, samples, shown))
 
     def amplitudes(self, *, Omega: Any, F_0: float) -> SteadyStates:
@@ -104,7 +106,7 @@ class Averaged:
         planned = self._plan("amplitudes", F_0)
         if planned.model is None:
             none = np.empty(0)
-            return SteadyStates(none, none, np.empty(0, dtype=bool), self._sticks(F_0), self.model)
+            return SteadyStates(none, none, np.empty(0, dtype=bool), words.sticks(self.model, F_0), self.model)
         return self._centred(solvers.amplitudes(planned.model, at, F_0))
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
@@ -146,7 +148,7 @@ class Averaged:
         planned = self._plan("saddle_nodes", F_0)
         if planned.model is None or not planned.folds:
             none = np.empty(0)
-            message = self._sticks(F_0) if planned.model is None else words.NO_FOLD.format(F_0)
+            message = words.sticks(self.model, F_0) if planned.model is None else words.NO_FOLD.format(F_0)
             return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self.model)
         return solvers.saddle_nodes(planned.model, F_0)
 
@@ -166,7 +168,7 @@ class Averaged:
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("peak", F_0)
         if planned.model is None:
-            return Peak(None, None, F_0, self._sticks(F_0))
+            return Peak(None, None, F_0, words.sticks(self.model, F_0))
         return self._remarked(solvers.peak(planned.model, F_0), F_0)
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
@@ -252,9 +254,6 @@ class Averaged:
         if A_max is None and math.isfinite(self.model.reach):
             return self.model.reach
         return validate.number("A_max", A_max, above=0.0)
-
-    def _sticks(self, F_0: float) -> str:
-        return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {self.model.m:g}"
 
     def _centred(self, found: State) -> State:
         """The answer, its states stable only if they stay about u = 0 as well, where that is not known beforehand."""

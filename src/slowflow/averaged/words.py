@@ -26,6 +26,11 @@ NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
 
 
+def sticks(model: Model, F_0: float) -> str:
+    """Why the mass stays at rest (27)."""
+    return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {model.m:g}"
+
+
 def cut(model: Model, F_0: float) -> tuple[float, str]:
     """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
 

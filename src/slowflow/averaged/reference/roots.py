@@ -34,8 +34,9 @@ size.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, fields
+from functools import partial
 from typing import Any, Self
 
 import numpy as np
@@ -504,9 +505,12 @@ def critical_points(A: Floats, p: Floats, q: float) -> tuple[Bools, Floats, Floa
 
 
 def _broadcast(
-    solve: Callable[..., tuple[Floats, Counts]], places: int, any_sign: tuple[int, ...], parameters: Sequence[ArrayLike]
+    solve: Callable[..., tuple[Floats, Counts]], places: int, any_sign: tuple[int, ...], *parameters: ArrayLike
 ) -> tuple[Floats, Counts]:
-    """Solve in chunks over the broadcast parameters; those outside the domain get the count -1."""
+    """Solve in chunks over the broadcast parameters; those outside the domain get the count -1.
+
+    places, any_sign -- for how many roots, and which arguments may be negative
+    """
     arrays = np.broadcast_arrays(*(np.asarray(parameter, dtype=np.float64) for parameter in parameters))
     shape = arrays[0].shape
     flat = [array.reshape(-1) for array in arrays]
@@ -523,25 +527,14 @@ def _broadcast(
     return found.reshape(*shape, places), count.reshape(shape)
 
 
-# solver, places for its roots, which arguments may be negative
-_NUMPY: dict[str, tuple[Callable[..., tuple[Floats, Counts]], int, tuple[int, ...]]] = {
-    "response_roots": (_response, 3, (1,)),
-    "fold_roots": (_fold, 3, (1, 2)),
-    "peak_roots": (_peak, 2, (1,)),
-}
+#: the functions below on NumPy, whatever the backend
+numpy_response_roots = partial(_broadcast, _response, 3, (1,))
+numpy_fold_roots = partial(_broadcast, _fold, 3, (1, 2))
+numpy_peak_roots = partial(_broadcast, _peak, 2, (1,))
 
-
-def numpy_roots(name: str, *parameters: ArrayLike) -> tuple[Floats, Counts]:
-    """One of the functions below, by name, on NumPy whatever the backend."""
-    return _broadcast(*_NUMPY[name], parameters)
-
-
-def _roots(name: str, *parameters: ArrayLike) -> tuple[Floats, Counts]:
-    """The same on the backend in use."""
-    if SOLVER is None:
-        return numpy_roots(name, *parameters)
-    found: tuple[Floats, Counts] = getattr(SOLVER, name)(*parameters)
-    return found
+_response_roots = numpy_response_roots if SOLVER is None else SOLVER.response_roots
+_fold_roots = numpy_fold_roots if SOLVER is None else SOLVER.fold_roots
+_peak_roots = numpy_peak_roots if SOLVER is None else SOLVER.peak_roots
 
 
 def response_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike, F_0: ArrayLike) -> tuple[Floats, Counts]:
@@ -552,7 +545,8 @@ def response_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike, F_
     padded with NaN, and the number of roots, shape (...), -1 outside the domain (see the module); nothing is raised but
     for arguments that do not broadcast.  With F_0 < m there is no root.
     """
-    return _roots("response_roots", A, h, m, zeta, F_0)
+    found: tuple[Floats, Counts] = _response_roots(A, h, m, zeta, F_0)
+    return found
 
 
 def fold_roots(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tuple[Floats, Counts]:
@@ -560,7 +554,8 @@ def fold_roots(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, m: ArrayLike, zeta: A
 
     h_A is the derivative of h, of either sign and any finite size.  Otherwise as in `response_roots`.
     """
-    return _roots("fold_roots", A, h, h_A, m, zeta)
+    found: tuple[Floats, Counts] = _fold_roots(A, h, h_A, m, zeta)
+    return found
 
 
 def peak_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tuple[Floats, Counts]:
@@ -568,4 +563,5 @@ def peak_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tup
 
     Returns Omega, shape (..., 2), and the number of roots; otherwise as in `response_roots`.
     """
-    return _roots("peak_roots", A, h, m, zeta)
+    found: tuple[Floats, Counts] = _peak_roots(A, h, m, zeta)
+    return found
