@@ -44,8 +44,8 @@ STEP = 0.05
 
 
 def averaged_linear(Omega: Any, ratio: float) -> Any:
-    """A/F_0 by (23) at delta_h = zeta = 0."""
-    return math.sqrt(1 - (4 * ratio / math.pi) ** 2) / np.abs(1 - Omega**2)
+    """A/F_0 of the averaged states at delta_h = zeta = 0, one at each Omega."""
+    return isolator(delta_h=0.0, mu=ratio, zeta=0.0).amplitudes(Omega=Omega, F_0=1.0).A
 
 
 def closed_form(Omega: Any, ratio: float) -> Any:

@@ -25,7 +25,7 @@ typedef struct sf_mechanism {
     const char *name;
     /* how many: numbers that a user gives for the spring and for the damping, parameters, breakpoints */
     int design_size, damping_size, parameters, breakpoints;
-    double reach;                        /* largest amplitude that it can take, or infinite */
+    double reach; /* largest amplitude that it can take, or infinite */
 
     /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. */
     int (*parameters_of)(const double *design, double *p);
@@ -52,10 +52,11 @@ typedef struct sf_mechanism {
     /* Mean B of the motion u = B + A cos psi; |B| + A is the largest displacement. */
     double (*mean_offset)(double A, const double *p);
 
-    /* The same on intervals, for proofs; NULL where no such form is known. A design's parameters, followed by the jumps at
-     * its breakpoints, all of which make up p here; ends, NULL where there are none; h, h_A, h_AA, h_AAA and h - A h_A on the piece that begins at breakpoint number
-     * `passed`, which A exceeds by `beyond`, by its formula, which may be asked above its end too. The excitation is a
-     * force there, and the motion is about u = 0. */
+    /* The same on intervals, for proofs; NULL where no such form is known. The excitation is a force there, and the motion
+     * is about u = 0. p holds the parameters that follow from a design, then the jumps at its breakpoints.
+     * ends_within is NULL where there are no breakpoints. averaged_within gives h, h_A, h_AA, h_AAA and h - A h_A on the
+     * piece that begins at breakpoint number `passed`, which A exceeds by `beyond`, by the formula of that piece, which
+     * may be asked above its end too. */
     void (*parameters_within)(const double *design, sf_interval *p);
     void (*ends_within)(const sf_interval *p, sf_interval *b);
     void (*averaged_within)(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out);
