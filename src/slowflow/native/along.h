@@ -58,19 +58,21 @@ typedef struct {
 } sf_terms;
 
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST. most: of SF_CUSP, where only the lowest minimum of
- * the level is wanted, a forcing above which cusps may be left out: each minimum found lowers it; NULL for all cusps */
+ * the level is wanted, a forcing above which cusps may be left out: each minimum found lowers it; NULL for all cusps.
+ * highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted */
 typedef struct {
     sf_question question;
     const sf_model *model;
     double F_0;
     double least;
     double *most;
+    int highest;
     sf_terms terms; /* the same as m, zeta, F_0 and least */
 } sf_asked;
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
-    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL;
+    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL, asked.highest = 0;
     asked.least = question == SF_FOLD_AT ? sqrt(F_0 - model->m) * sqrt(F_0 + model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);

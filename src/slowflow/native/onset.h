@@ -170,21 +170,23 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
 
 /* ==== Peak ========================================================================================================= */
 
-/* The highest zero of one question up to A_max: for SF_PEAK only where A has a maximum along the curve. */
+/* The highest top of one question up to A_max, from above. */
 static sf_status sf_highest(const sf_model *model, sf_question question, double F_0, sf_work *work, sf_point *out) {
+    sf_asked asked = sf_asked_of(question, model, F_0);
     sf_zeros *found = &work->zeros;
-    int i, k;
+    int k;
+    asked.highest = 1;
     for (k = work->pieces.n - 1; k >= 0; k--) {
+        const sf_zero *top;
         sf_clear_zeros(found);
-        sf_ask_all(model, question, F_0, &work->pieces.at[k], found);
+        sf_find_zeros(&asked, &work->pieces.at[k], found);
         if (found->status != SF_OK)
             return found->status;
-        sf_sort_zeros(found);
-        for (i = found->n - 1; i >= 0; i--)
-            if (question == SF_REST || found->at[i].rising == found->at[i].channel) {
-                out->A = found->at[i].A, out->Omega = found->at[i].Omega;
-                return SF_OK;
-            }
+        top = sf_top(found);
+        if (top != NULL) {
+            out->A = top->A, out->Omega = top->Omega;
+            return SF_OK;
+        }
     }
     return SF_NONE;
 }

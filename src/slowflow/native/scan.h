@@ -128,6 +128,12 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
         return;
     sf_probe_at(search, A, &middle);
     sf_know(&middle.at, &middle.known);
+    if (search->asked.highest) {
+        sf_search_between(search, &middle, b, open);
+        if (sf_top(search->found) == NULL)
+            sf_search_between(search, a, &middle, open);
+        return;
+    }
     sf_search_between(search, a, &middle, open);
     sf_search_between(search, &middle, b, open);
 }

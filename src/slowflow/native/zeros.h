@@ -30,6 +30,18 @@ static inline void sf_add_zero(sf_zeros *found, sf_zero zero) {
     found->at[found->n++] = zero;
 }
 
+/* The highest zero at which A has a maximum along the curve, or, of SF_REST, the highest; NULL where there is none. */
+static inline const sf_zero *sf_top(const sf_zeros *found) {
+    const sf_zero *top = NULL;
+    int i;
+    for (i = 0; i < found->n; i++) {
+        const sf_zero *zero = &found->at[i];
+        if ((zero->question == SF_REST || zero->rising == zero->channel) && (top == NULL || zero->A > top->A))
+            top = zero;
+    }
+    return top;
+}
+
 /* By rising A; the lists are short and nearly sorted. */
 static inline void sf_sort_zeros(sf_zeros *found) {
     int i, j;
