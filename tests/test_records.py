@@ -147,10 +147,14 @@ def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
         same(NATIVE.steady_states(mine, F_0, Omega), NATIVE.steady_states(ours, F_0, Omega))
     F_0 = np.array([0.005, 0.05, 0.5])
     many = Duffing.many(alpha=alpha, beta=beta, mu=damping[0], zeta=damping[1])
-    places = np.empty((3, 6)), np.empty((3, 6)), np.empty((3, 6), np.int8), np.empty(3, np.int8), np.empty(3, np.int8)
+    places = (
+        *(np.empty((3, 6)) for _ in range(2)),
+        np.empty((3, 6), np.int8),
+        *(np.empty(3, np.int8) for _ in range(3)),
+    )
     NATIVE.many_saddle_nodes(record)(beta, alpha, 0.0, *damping, F_0, out=places)
     folds = many.saddle_nodes(F_0)
-    same(places, (folds.Omega, folds.A, folds.kind, folds.count, folds.status))
+    same(places, (folds.Omega, folds.A, folds.kind, folds.count, folds.undecided, folds.status))
     found = many.saddle_node_onset()
     expected = (found.F_SN, found.Omega, found.A, found.kind, found.at_rest, found.status)
     same(NATIVE.many_onset(record)(beta, alpha, 0.0, *damping), expected)

@@ -12,6 +12,7 @@ from slowflow.exact import shooting
 from slowflow.paper.example import TABLE_1
 from slowflow.results import Remark
 from slowflow_kernels import duffing
+from tests.oracles import averaged, counts
 
 pytestmark = pytest.mark.both_backends
 
@@ -69,6 +70,38 @@ def test_an_onset_that_only_the_truncation_makes_says_so():
     assert "without truncation: no saddle node" in onset.message
     together = Isolator.many(**DESIGNS).saddle_node_onset()
     assert np.isnan(together.untruncated[0]) and together.remarks[0] & Remark.OF_TRUNCATION
+
+
+#: a softening oscillator whose folds at these forcings lie at Omega < 2e-5 and have the same A in doubles
+AT_REST = {"alpha": 1.0021174150372412, "beta": -0.7852683936675544, "mu": 0.03237752605590381, "zeta": 1e-4}
+
+
+@pytest.mark.parametrize("F_0", [0.5048231197593197, 0.5048231197858863, 0.5048231198056137])
+def test_folds_that_doubles_do_not_tell_apart_say_so(F_0):
+    one, many = Duffing(**AT_REST), Duffing.many(**AT_REST)
+    assert counts.Folds(averaged.Duffing(**AT_REST)).count(F_0) == 2
+    found = one.saddle_nodes(F_0)
+    assert Remark.UNDECIDED in found.remarks and "doubles do not tell" in found.message
+    assert "no saddle node" not in found.message
+    assert int(many.saddle_nodes(F_0).remarks) == int(found.remarks)
+    assert not one.saddle_nodes(F_0, certify=True).proof.proved
+
+
+def test_folds_that_doubles_tell_apart_do_not_say_otherwise():
+    one = Duffing(**AT_REST)
+    for F_0 in (0.1, 0.5, 0.6):
+        folds = one.saddle_nodes(F_0)
+        assert len(folds) == counts.Folds(averaged.Duffing(**AT_REST)).count(F_0)
+        assert Remark.UNDECIDED not in folds.remarks
+        assert not Duffing.many(**AT_REST).saddle_nodes(F_0).undecided
+
+
+def test_the_corner_leaves_no_fold_undecided():
+    """Derivatives of h are infinite there, which an interval beside it must hold without losing its finite end."""
+    for r in np.linspace(0.5, 4.0, 8):
+        iso = Isolator(lam=3.0, r=float(r), delta_h=0.063, mu=0.0013, zeta=0.0156)
+        for F_0 in (0.003, 0.0155, 0.1, 1.0):
+            assert Remark.UNDECIDED not in iso.saddle_nodes(F_0).remarks
 
 
 def test_folds_at_rest_are_said_beside_an_onset_and_where_none_is_born():

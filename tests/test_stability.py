@@ -87,10 +87,13 @@ def test_no_answer_is_worse_at_its_worst_points(mechanism, kind):
 
 @pytest.mark.parametrize(("mechanism", "kind"), COUNTS)
 def test_no_more_stored_counts_are_wrong(mechanism, kind):
-    """The stored cases were wrong when they were stored; those that are right by now stay so by the next baseline."""
+    """The stored cases were wrong when they were stored: they are right by now, or say that doubles do not decide."""
     rows = COUNTS[mechanism, kind]
-    wrong = [row for row in rows if counts.found(mechanism, kind, tuple(map(float, row["at"]))) != row["proved"]]
-    assert len(wrong) <= sum(row["found"] != row["proved"] for row in rows)
+    wrong = 0
+    for row in rows:
+        number, said = counts.found(mechanism, kind, tuple(map(float, row["at"])))
+        wrong += number != row["proved"] and not said
+    assert wrong <= sum(not row["said"] for row in rows)
 
 
 @pytest.mark.slow
@@ -100,8 +103,7 @@ def test_seeded_counts_are_proved(mechanism, oscillators, states):
     found = counts.stress(mechanism, part=1000, oscillators=oscillators, compared=False)
     assert found["states"]["cases"] > states
     for kind in ("states", "folds"):
-        # two folds next to Omega = 0 may have the same A in doubles
-        assert [case for case in found[kind]["wrong"] if case[-1] > counts.AT_REST] == []
+        assert found[kind]["wrong"] == []
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,8 @@
 """The worst points as tests: measured results in, tests/data/stability.json out, which the tests replay.
 
 Kernels keep their points with exact values as `kernel_oracle.json` does; roots and answers keep points, exact values
-and conditions; counts keep cases with the proved number. Beside each stands the error measured: it may not grow.
+and conditions; counts keep wrong cases with the proved number, and whether the answer says that it is undecided. Beside
+each stands the error measured: it may not grow.
 """
 
 from __future__ import annotations
@@ -29,10 +30,18 @@ def of(found: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
             for w in a["worst"]
         ],
         "counts": [
-            {"mechanism": c["mechanism"], "kind": kind, "at": at, "found": number, "proved": proved}
+            {
+                "mechanism": c["mechanism"],
+                "kind": kind,
+                "at": at,
+                "found": number,
+                "proved": proved,
+                "said": name != "wrong",
+            }
             for c in found["counts"]
             for kind in ("states", "folds")
-            for at, number, proved, *_ in c[kind]["wrong"][:CASES]
+            for name in ("wrong", "wrong, said")
+            for at, number, proved, *_ in c[kind][name][:CASES]
         ],
     }
 

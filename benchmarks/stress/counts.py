@@ -2,7 +2,8 @@
 
 Forcings are drawn next to the levels at which a number changes, from an ulp on, and between them; frequencies next to
 folds and at random. A case whose forcing is a level to within `UNDECIDED` is one that doubles cannot decide, as
-rounding the inputs and h once each moves the level by as much: those are counted apart.
+rounding the inputs and h once each moves the level by as much: those are counted apart, and so are answers that say
+themselves that doubles do not decide (`Remark.UNDECIDED`).
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from benchmarks.stress import instead
 from benchmarks.stress.answers import NAMES, design, oscillator
 from benchmarks.stress.domains import ulps
 from benchmarks.stress.search import Point
+from slowflow.results import Remark
 from tests.oracles import counts as proved
 from tests.oracles.averaged import Duffing, RodSpring
 
@@ -34,10 +36,8 @@ FORCINGS = {"states": 150, "folds": 60}
 FREQUENCIES = 4
 #: share of the forcings that is asked without compiled code, which takes a hundred times longer
 ON_NUMPY = 0.1
-#: Omega of a level below which the folds that end at Omega = 0 may have the same A in doubles
-AT_REST = 1e-4
 #: what is counted
-NUMBERS = ("cases", "undecided", "wrong undecided", "unproved")
+NUMBERS = ("cases", "undecided", "wrong undecided", "said", "unproved")
 #: of them go to what one would write instead
 COMPARED = 1
 
@@ -75,14 +75,15 @@ def cases(mechanism: str, rng: np.random.Generator) -> Iterator[tuple[str, Any, 
     yield "folds", iso, tuple(own), math.nan, functools.partial(proved.Folds, exact)
 
 
-def found(mechanism: str, kind: str, at: Point) -> int:
-    """The number of states or folds that an oscillator gives."""
+def found(mechanism: str, kind: str, at: Point) -> tuple[int, bool]:
+    """The number of states or folds that an oscillator gives, and whether it says that doubles do not decide it."""
     return _number(kind, oscillator(mechanism, at), at)
 
 
-def _number(kind: str, iso: Any, at: Point) -> int:
+def _number(kind: str, iso: Any, at: Point) -> tuple[int, bool]:
     F_0, Omega = at[-2:]
-    return len(iso.amplitudes(Omega=Omega, F_0=F_0) if kind == "states" else iso.saddle_nodes(F_0))
+    answer = iso.amplitudes(Omega=Omega, F_0=F_0) if kind == "states" else iso.saddle_nodes(F_0)
+    return len(answer), Remark.UNDECIDED in answer.remarks
 
 
 def stress(
@@ -91,7 +92,8 @@ def stress(
     """A share of the oscillators: cases and wrong counts, decided and not; `compared` with other ways beside it."""
     rng = np.random.default_rng([SEED, part, len(mechanism)])
     table: dict[str, dict[str, Any]] = {
-        kind: {**dict.fromkeys(NUMBERS, 0), "wrong": [], "refused": [], "instead": {}} for kind in ("states", "folds")
+        kind: {**dict.fromkeys(NUMBERS, 0), "wrong": [], "wrong, said": [], "refused": [], "instead": {}}
+        for kind in ("states", "folds")
     }
     for _ in range(oscillators):
         try:
@@ -132,15 +134,16 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, compar
     undecided = distance[0] < UNDECIDED
     row["undecided"] += undecided
     try:
-        given = _number(kind, iso, at)
+        given, said = _number(kind, iso, at)
     except ArithmeticError as refusal:
         row["refused"].append((str(refusal), at))
         return
+    row["said"] += said and not undecided
     if given != number:
         if undecided:
             row["wrong undecided"] += 1
         else:
-            row["wrong"].append((at, given, number, *distance))
+            row["wrong, said" if said else "wrong"].append((at, given, number, *distance))
     if compared and not undecided:
         for name, count in instead.counts(kind, iso, Omega, F_0).items():
             tally = row["instead"].setdefault(name, [0, 0])

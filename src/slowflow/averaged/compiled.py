@@ -20,6 +20,7 @@ from slowflow.results import (
     FrequencyResponse,
     IsolaPoints,
     Peak,
+    Remark,
     SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
@@ -51,10 +52,11 @@ def _remark(model: Model, F_0: float) -> str:
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
-    status, Omega, A, up, corner = _solver().saddle_nodes(model.native, F_0)
+    status, Omega, A, up, corner, undecided = _solver().saddle_nodes(model.native, F_0)
     _check(status, F_0)
-    message = _remark(model, F_0) if A.size else words.NO_FOLD.format(F_0)
-    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model)
+    message = _remark(model, F_0) if A.size or undecided else words.NO_FOLD.format(F_0)
+    beside = Remark.UNDECIDED if undecided else Remark(0)
+    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model, remarks=beside)
 
 
 def onset(model: Model) -> SaddleNodeOnset:

@@ -109,13 +109,20 @@ class Folds(Batch):
     kind     -- a number of `slowflow_kernels.conventions.FoldKind`: where a sweep goes that leaves the fold, and
                 whether it sits on a corner at a breakpoint; 0 is an empty place
     count    -- how many folds there are, also where they are more than places
+    undecided -- 1 where doubles do not tell whether there is another pair
     """
 
     Omega: Floats
     A: Floats
     kind: Codes
     count: Codes
+    undecided: Codes
     status: Codes
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """As of all batches, and `Remark.UNDECIDED`."""
+        return np.asarray(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
 
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega, self.A, self.kind >= FoldKind.JUMP_UP_AT_CORNER
@@ -302,12 +309,13 @@ FOLD_KINDS = {
 def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
     Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
     if oscillator is None:
-        return Omega, A, kind, 0, Status.NONE
+        return Omega, A, kind, 0, False, Status.NONE
     found = oscillator.saddle_nodes(F_0)
     n = min(places, len(found))
     Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
     kind[:n] = [FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
-    return Omega, A, kind, len(found), Status.OK if n == len(found) else Status.TOO_MANY
+    undecided = Remark.UNDECIDED in found.remarks
+    return Omega, A, kind, len(found), undecided, Status.OK if n == len(found) else Status.TOO_MANY
 
 
 def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
@@ -350,7 +358,7 @@ ONSET = Question(
 )
 SADDLE_NODES = Question(
     _saddle_nodes,
-    lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 2],
+    lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 3],
     lambda native: native.many_saddle_nodes,
     2**12,
 )

@@ -27,6 +27,7 @@ WORDS = {
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to 0",
     Remark.DIGITS_LOST: "digits are lost as u_cr nears 1: relative errors of {lost:.0e} and more",
+    Remark.UNDECIDED: "next to Omega = 0 or to a level where two folds meet: doubles do not tell how many there are",
     Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 

@@ -112,11 +112,11 @@ static sf_fold_kind sf_kind_of(const sf_fold *fold) {
     return fold->up ? SF_JUMP_UP : SF_JUMP_DOWN;
 }
 
-/* design, damping, F_0 -> Omega (places), A (places), kind (places), count, status */
+/* design, damping, F_0 -> Omega (places), A (places), kind (places), count, undecided, status */
 static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
     const int out = mechanism->design_size + mechanism->damping_size + 1;
-    const ptrdiff_t places = dimensions[1], *inner = steps + out + 5;
+    const ptrdiff_t places = dimensions[1], *inner = steps + out + 6;
     sf_work *work = malloc(sizeof *work);
     ptrdiff_t k, i;
     for (k = 0; k < dimensions[0]; k++) {
@@ -124,7 +124,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         sf_model model;
         sf_folds found;
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
-        found.n = 0;
+        found.n = found.undecided = 0;
         if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model))
             status = sf_saddle_nodes(&model, F_0, work, &found);
         if (found.n > places && status == SF_OK)
@@ -137,7 +137,8 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
                 (signed char)(filled ? sf_kind_of(&found.at[i]) : SF_EMPTY);
         }
         sf_output_code(args, steps, out + 3, k, found.n);
-        sf_output_code(args, steps, out + 4, k, status);
+        sf_output_code(args, steps, out + 4, k, found.undecided);
+        sf_output_code(args, steps, out + 5, k, status);
     }
     free(work);
 }

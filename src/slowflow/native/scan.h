@@ -4,7 +4,8 @@
  * one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise it is
  * cut in two. What bounds a function and its slope on the interval is said in cells.h and along.h.
  *
- * Where that goes on until no amplitude lies between the ends (a double zero to rounding), the signs at the ends decide.
+ * Where that goes on until no amplitude lies between the ends (a double zero to rounding), the signs at the ends decide,
+ * and that it was undecided is said.
  */
 #ifndef SF_SCAN_H
 #define SF_SCAN_H
@@ -93,8 +94,11 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
         y = sfi_both(y, sf_between(a->answer.y[c], b->answer.y[c], range->dy, b->at.A - a->at.A));
     if (sfi_has_sign(y))
         return 1;
-    if (!last && !sfi_has_sign(range->dy))
-        return 0;
+    if (!sfi_has_sign(range->dy)) {
+        if (!last)
+            return 0;
+        search->found->undecided = 1;
+    }
     if (both && (last || range->where == SF_THROUGHOUT)) {
         if (passes)
             sf_find_zero(search, a, b, c, 0);

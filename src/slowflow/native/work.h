@@ -12,8 +12,9 @@ typedef struct {
     int up, corner;
 } sf_fold;
 
+/* undecided: whether there may be another pair, whose amplitudes are the same double */
 typedef struct {
-    int n;
+    int n, undecided;
     sf_status status;
     sf_fold at[SF_MOST_FOLDS];
 } sf_folds;

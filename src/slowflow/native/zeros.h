@@ -13,14 +13,14 @@ typedef struct {
     int channel, rising;
 } sf_zero;
 
-/* cells: intervals looked at */
+/* cells: intervals looked at; undecided: whether one of them holds a number of zeros that doubles do not tell */
 typedef struct {
-    int n, cells;
+    int n, cells, undecided;
     sf_status status;
     sf_zero at[SF_MOST_ZEROS];
 } sf_zeros;
 
-static inline void sf_clear_zeros(sf_zeros *found) { found->n = found->cells = 0, found->status = SF_OK; }
+static inline void sf_clear_zeros(sf_zeros *found) { found->n = found->cells = found->undecided = 0, found->status = SF_OK; }
 
 static inline void sf_add_zero(sf_zeros *found, sf_zero zero) {
     if (found->n == SF_MOST_ZEROS) {

@@ -127,9 +127,10 @@ def between(f_a: Floats, f_b: Floats, slope: Interval, width: Floats) -> Interva
 
 
 def _doubt(f: Floats, A: Floats, slope: Floats) -> Floats:
-    """By how much a kernel may err: relatively, and as if its argument were a rounding away."""
+    """By how much a kernel may err: relatively, and as if its argument were a rounding away; a limit does not."""
     doubt = DOUBT * (np.abs(f) + A * np.abs(slope))
-    return np.asarray(np.where(doubt < np.inf, doubt, DOUBT * np.abs(f)))
+    relative = np.where(np.isinf(f), 0.0, DOUBT * np.abs(f))
+    return np.asarray(np.where(doubt < np.inf, doubt, relative))
 
 
 @dataclass(frozen=True, eq=False)

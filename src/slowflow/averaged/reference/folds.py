@@ -16,7 +16,7 @@ from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
-from slowflow.results import SaddleNodes
+from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import NEAR_END
 
@@ -36,9 +36,10 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     up = np.concatenate((up, corner_up))
     corner = np.arange(A.size) >= A.size - corner_A.size
     order = np.argsort(Omega, kind="stable")
-    message = remark if A.size else words.NO_FOLD.format(F_0)
+    message = remark if A.size or found.undecided else words.NO_FOLD.format(F_0)
     kind = np.where(up, "jump-up", "jump-down")[order]
-    return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model)
+    beside = Remark.UNDECIDED if found.undecided else Remark(0)
+    return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=beside)
 
 
 def _settled(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:

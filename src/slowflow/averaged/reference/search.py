@@ -3,14 +3,14 @@
 None is missed: an interval of A is left only when it is proved to hold no zero of a channel, because the function has
 one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise it is
 cut. What bounds a function and its slope on the interval is said in cells and along. Where that goes on until no
-amplitude lies between the ends (a double zero to rounding), the signs at the ends decide. As in native/scan.h; here all
-intervals of all pieces and questions are looked at together.
+amplitude lies between the ends (a double zero to rounding), the signs at the ends decide, and that it was undecided is
+said. As in native/scan.h; here all intervals of all pieces and questions are looked at together.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -38,6 +38,7 @@ class Zeros:
     A, Omega  -- where
     level     -- of cusps: the forcing
     rising    -- whether the function goes from below zero to above it with rising A
+    undecided -- whether some interval holds a number of zeros that doubles do not tell
     """
 
     piece: Ints
@@ -46,10 +47,11 @@ class Zeros:
     Omega: Floats
     level: Floats
     rising: Bools
+    undecided: bool = False
 
     def take(self, which: Any) -> Zeros:
         """Some of them."""
-        return Zeros(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
+        return replace(self, **{name: value[which] for name, value in vars(self).items() if name != "undecided"})
 
     def __len__(self) -> int:
         return self.A.size
@@ -81,6 +83,7 @@ def _find_zeros(model: Model, questions: Sequence[Question], pieces: Sequence[Pi
     values = [question.ask(joined(a, b)) for question in questions]
     is_open = [_opened(answers, a) for answers in values]
     brackets: list[list[_Brackets]] = [[] for _ in questions]
+    undecided = [False for _ in questions]
     looked_at = 0
     while len(a):
         looked_at += len(a)
@@ -96,8 +99,11 @@ def _find_zeros(model: Model, questions: Sequence[Question], pieces: Sequence[Pi
             part = cells if some.size == n else cells.take(some)
             for c, found in enumerate(question.range(part)):
                 answer = values[number][c]
-                settled, holds, edge = _settle(answer.take(some), answer.take(n + some), found, part.A.ends, last[some])
+                settled, holds, edge, unknown = _settle(
+                    answer.take(some), answer.take(n + some), found, part.A.ends, last[some]
+                )
                 wanted = is_open[number][c, some]
+                undecided[number] |= bool((unknown & wanted).any())
                 hits = some[holds & wanted]
                 if hits.size:
                     of_hits = edge[holds & wanted]
@@ -105,7 +111,10 @@ def _find_zeros(model: Model, questions: Sequence[Question], pieces: Sequence[Pi
                     brackets[number].append(_Brackets(piece[hits], a.take(hits), b.take(hits), channel, of_hits))
                 is_open[number][c, some] = wanted & ~settled
         piece, a, b, values, is_open = _cut(model, questions, base, piece, a, b, values, is_open)
-    return [_solved(model, question, base, found) for question, found in zip(questions, brackets, strict=True)]
+    return [
+        replace(_solved(model, question, base, found), undecided=unknown)
+        for question, found, unknown in zip(questions, brackets, undecided, strict=True)
+    ]
 
 
 def _first_intervals(model: Model, pieces: Sequence[Piece]) -> tuple[Ints, Samples, Samples]:
@@ -137,9 +146,9 @@ def _opened(answers: list[Answer], a: Samples) -> Bools:
     return np.tile(~vanishes, (len(answers), 1))
 
 
-def _settle(a: Answer, b: Answer, found: Range, A: Floats, last: Bools) -> tuple[Bools, Bools, Ints]:
-    """Whether a channel is settled on intervals, whether it has a zero there, and the sign where it ends; `last`: it is
-    settled anyway.
+def _settle(a: Answer, b: Answer, found: Range, A: Floats, last: Bools) -> tuple[Bools, Bools, Ints, Bools]:
+    """Whether a channel is settled on intervals, whether it has a zero there, the sign where it ends, and whether it is
+    settled without a proof; `last`: it is settled anyway.
     """
     both = a.exists & b.exists
     passes = both & ((a.y < 0) != (b.y < 0))
@@ -154,7 +163,7 @@ def _settle(a: Answer, b: Answer, found: Range, A: Floats, last: Bools) -> tuple
     negative_a = np.where(a.exists, a.y < 0, edge < 0)
     negative_b = np.where(b.exists, b.y < 0, edge < 0)
     holds = (by_ends | one_ends) & (negative_a != negative_b)
-    return empty | by_ends | one_ends | last, holds, np.where(one_ends, edge, 0)
+    return empty | by_ends | one_ends | last, holds, np.where(one_ends, edge, 0), ~empty & last & ~found.dy.has_sign
 
 
 def _cut(

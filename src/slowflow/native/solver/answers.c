@@ -52,13 +52,13 @@ static PyObject *fold_arrays(sf_status status, const sf_folds *folds)
     npy_bool *up, *corner;
     const int n = status == SF_OK ? folds->n : 0;
     PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &up),
-                         new_array(n, NPY_BOOL, &corner)};
+                         new_array(n, NPY_BOOL, &corner), PyBool_FromLong(status == SF_OK && folds->undecided)};
     if (items[0] && items[1] && items[2] && items[3])
         for (int i = 0; i < n; i++) {
             Omega[i] = folds->at[i].Omega, A[i] = folds->at[i].A;
             up[i] = (npy_bool)folds->at[i].up, corner[i] = (npy_bool)folds->at[i].corner;
         }
-    return answer(status, items, 4);
+    return answer(status, items, 5);
 }
 
 static PyObject *saddle_nodes(PyObject *self, PyObject *args)

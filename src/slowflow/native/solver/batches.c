@@ -29,8 +29,8 @@ static const question onset = {
     "many_onset", "(),(),(),(),(),()", "design, damping -> F_SN, Omega, A, kind, folds at rest, status", 0, 6,
     {D, D, D, B, B, B}};
 static const question saddle_nodes = {
-    "many_saddle_nodes", "(k),(k),(k),(),()", "design, damping, F_0 -> Omega, A, kind, count, status", 1, 5,
-    {D, D, B, B, B}};
+    "many_saddle_nodes", "(k),(k),(k),(),(),()", "design, damping, F_0 -> Omega, A, kind, count, undecided, status", 1, 6,
+    {D, D, B, B, B, B}};
 static const question peak = {"many_peak", "(),(),()", "design, damping, F_0 -> A, Omega, status", 1, 3, {D, D, B}};
 
 enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 1 + 6 };
@@ -110,7 +110,7 @@ static PyMethodDef functions[] = {
     {"many_detachment", many_detachment, METH_O, "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
     {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
     {"many_saddle_nodes", many_saddle_nodes, METH_O,
-     "record -> ufunc of (design, damping, F_0) -> Omega, A, kind, count, status"},
+     "record -> ufunc of (design, damping, F_0) -> Omega, A, kind, count, undecided, status"},
     {"many_peak", many_peak, METH_O, "record -> ufunc of (design, damping, F_0) -> A, Omega, status"},
 };
 
