@@ -463,7 +463,7 @@ def wrong_lines(numbers: Numbers) -> list[str]:
     head = ("asked", "found", "proved", "distance / u(1+κ)", "relative", "Omega of the level", "where")
     wrong = [w for kind in ("states", "folds") for t in summed(numbers["counts"], kind).values() for w in t["wrong"]]
     return [
-        f"All wrong ones are {len(wrong)}; the farthest from a level first:",
+        f"{len(wrong)} wrong in all; the farthest from a level first:",
         "",
         *table(head, rows),
         "",

@@ -20,7 +20,9 @@ typedef struct {
     sf_zero at[SF_MOST_ZEROS];
 } sf_zeros;
 
-static inline void sf_clear_zeros(sf_zeros *found) { found->n = found->cells = found->undecided = 0, found->status = SF_OK; }
+static inline void sf_clear_zeros(sf_zeros *found) {
+    found->n = found->cells = found->undecided = 0, found->status = SF_OK;
+}
 
 static inline void sf_add_zero(sf_zeros *found, sf_zero zero) {
     if (found->n == SF_MOST_ZEROS) {
