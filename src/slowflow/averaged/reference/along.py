@@ -35,7 +35,7 @@ NOWHERE, PARTLY, THROUGHOUT = 0, 1, 2
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
+class Channel:
     """One channel at samples.
 
     exists, y, dy  -- whether it is defined, its value and slope
@@ -52,9 +52,9 @@ class Answer:
     level: Floats
     edge: Floats
 
-    def take(self, which: Any) -> Answer:
+    def take(self, which: Any) -> Channel:
         """At some of them."""
-        return Answer(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
+        return Channel(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,9 +70,9 @@ class Range:
     edge: np.ndarray[Any, np.dtype[np.int_]]
 
 
-def _answer(like: Samples, exists: Any, y: Any, dy: Any, Omega: Any = 0.0, *beside: Any) -> Answer:
+def _channel(like: Samples, exists: Any, y: Any, dy: Any, Omega: Any = 0.0, *beside: Any) -> Channel:
     values = (exists, y, dy, Omega, *beside, *(0.0,) * (3 - len(beside)))
-    return Answer(*(np.broadcast_to(np.asarray(value), like.A.shape) for value in values))
+    return Channel(*(np.broadcast_to(np.asarray(value), like.A.shape) for value in values))
 
 
 def _range(like: Cells, where: Any, y: Interval, dy: Interval, edge: Any = 0) -> Range:
@@ -89,7 +89,7 @@ def _where_positive(x: Interval) -> np.ndarray[Any, np.dtype[np.int_]]:
     return np.where(x.lo > 0, THROUGHOUT, np.where(x.hi <= 0, NOWHERE, PARTLY))
 
 
-class Question:
+class Asked:
     """One of those above, about a model. `ask` and `range` give one entry for each of its `channels`."""
 
     channels: ClassVar[int] = 2
@@ -98,7 +98,7 @@ class Question:
         self.model = model
         self.m, self.zeta = Interval.point(model.m), Interval.point(model.zeta)
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         """At samples."""
         raise NotImplementedError
 
@@ -107,11 +107,11 @@ class Question:
         raise NotImplementedError
 
 
-class Stiffness(Question):
+class Stiffness(Asked):
     """h, next to A = 0 over A, and h_A."""
 
-    def ask(self, at: Samples) -> list[Answer]:
-        return [_answer(at, True, np.where(at.A > 0, at.h, at.h_A), at.h_A), _answer(at, True, at.h_A, at.h_AA)]
+    def ask(self, at: Samples) -> list[Channel]:
+        return [_channel(at, True, np.where(at.A > 0, at.h, at.h_A), at.h_A), _channel(at, True, at.h_A, at.h_AA)]
 
     def range(self, cells: Cells) -> list[Range]:
         inside = cells.A.lo > 0
@@ -119,7 +119,7 @@ class Stiffness(Question):
         return [_range(cells, THROUGHOUT, *first), _range(cells, THROUGHOUT, cells.h_A, cells.h_AA)]
 
 
-class Fold(Question):
+class Fold(Asked):
     """At a forcing. With viscous damping the channel ends at Omega = 0, where |k| is the least."""
 
     channels = 1
@@ -129,17 +129,17 @@ class Fold(Question):
         self.F_0 = F_0
         self.least = float(np.sqrt(F_0 - model.m) * np.sqrt(F_0 + model.m))
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         model, flow, F_0 = self.model, self.model.flow, self.F_0
         _, k_A = slow_flow.intercept(at.A, at.h, at.h_A, at.h_AA)
         if model.zeta == 0:
             y, dy = flow.fold(F_0, model.m, at.k, k_A)
-            return [_answer(at, at.h_A < 0, y, dy, flow.undamped_Omega(np.minimum(at.h_A, 0.0)))]
+            return [_channel(at, at.h_A < 0, y, dy, flow.undamped_Omega(np.minimum(at.h_A, 0.0)))]
         y, dy, Omega = flow.fold(at.A, F_0, model.m, model.zeta, at.h, at.h_A, at.k, k_A)
         # |k| may be the least but for the rounding of that: then y is NaN
         exists = (np.abs(at.k) >= self.least) & ~np.isnan(y)
         # F_A has the sign of h_A where the channel ends
-        return [_answer(at, exists, y, dy, self._Omega(at, Omega, y), 0.0, 0.0, np.sign(at.h_A))]
+        return [_channel(at, exists, y, dy, self._Omega(at, Omega, y), 0.0, 0.0, np.sign(at.h_A))]
 
     def _Omega(self, at: Samples, Omega: Floats, y: Floats) -> Floats:
         """Where a fold may be, from I or from R, y being what the two lack of agreeing: what rounding moves less.
@@ -172,16 +172,16 @@ class Fold(Question):
         return [_range(cells, where, unknown.where(both_sides, y), unknown.where(both_sides, dy), edge)]
 
 
-class Isola(Question):
+class Isola(Asked):
     """For zeta > 0; for m = 0 without the factor Omega."""
 
     channels = 1
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         model = self.model
         rises = np.maximum(at.h_A, 0.0)
         y, dy = model.flow.isola(at.A, model.m, model.zeta, at.h, rises, at.h_AA)
-        return [_answer(at, at.h_A > 0, y, dy, self._Omega(at, rises))]
+        return [_channel(at, at.h_A > 0, y, dy, self._Omega(at, rises))]
 
     def _Omega(self, at: Samples, rises: Floats) -> Floats:
         """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega, without h_A, next to that."""
@@ -212,14 +212,14 @@ def _quadratic_root_range(a: Interval, b: Interval, root: Interval, larger: bool
     return direct.both(quotient).where(apart, direct)
 
 
-class Cusp(Question):
+class Cusp(Asked):
     """For zeta > 0; those at a forcing above F_0 may be left out. The first channel is the larger root Omega^2."""
 
     def __init__(self, model: Model, F_0: float = np.inf) -> None:
         super().__init__(model)
         self.F_0 = F_0
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         model = self.model
         a, b, c, d, square = slow_flow.cusps(at.A, model.zeta, at.h, at.h_A, at.h_AA, at.k)
         root, answers = np.sqrt(np.maximum(square, 0.0)), []
@@ -229,7 +229,7 @@ class Cusp(Question):
             X, signed = np.where(exists, X, np.nan), root if larger else -root
             R, _ = slow_flow.cusp_R(at.A, model.zeta, at.h_AA, at.k, X, T)
             y, _, dy, level = slow_flow.cusp(at.A, model.m, model.zeta, at.h_AA, at.h_AAA, at.k, X, T, R, signed)
-            answers.append(_answer(at, exists, y, dy, np.sqrt(X), 0.0, level))
+            answers.append(_channel(at, exists, y, dy, np.sqrt(X), 0.0, level))
         return answers
 
     def range(self, cells: Cells) -> list[Range]:
@@ -275,10 +275,10 @@ def _critical_of(model: Model, cells: Cells, p: Interval, q: float) -> tuple[Any
     return where, next_to_0.where(origin, w1), next_to_0.where(origin, w2)
 
 
-class Turn(Question):
+class Turn(Asked):
     """For zeta > 0; without friction the first channel lies at Omega = 0 and belongs to other questions."""
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         model, flow = self.model, slow_flow
         inside = at.A > 0
         A = np.where(inside, at.A, 1.0)
@@ -286,7 +286,7 @@ class Turn(Question):
         answers = []
         for w, y in quartics.critical:
             dy = 0.5 * flow.F_AA(w, A, model.m, model.zeta, at.h, at.h_A, at.h_AA)
-            answers.append(_answer(at, inside & quartics.exist & (w > 0), y, dy, w))
+            answers.append(_channel(at, inside & quartics.exist & (w > 0), y, dy, w))
         return answers
 
     def range(self, cells: Cells) -> list[Range]:
@@ -305,17 +305,17 @@ class Turn(Question):
         return ranges
 
 
-class Undamped(Question):
+class Undamped(Asked):
     """For zeta = 0: h_AA, next to A = 0 over A, and R, there over A^3/3."""
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         flow = self.model.flow
         first, first_A, second, second_A = flow.undamped(at.A, at.h, at.h_A, at.h_AA, at.h_AAA)
         falls, inside = at.h_A < 0, at.A > 0
         Omega = flow.undamped_Omega(np.minimum(at.h_A, 0.0))
         return [
-            _answer(at, falls, np.where(inside, first, at.h_AAA), first_A, Omega),
-            _answer(at, falls, np.where(inside, second, -at.h_AAA), second_A, Omega),
+            _channel(at, falls, np.where(inside, first, at.h_AAA), first_A, Omega),
+            _channel(at, falls, np.where(inside, second, -at.h_AAA), second_A, Omega),
         ]
 
     def range(self, cells: Cells) -> list[Range]:
@@ -326,14 +326,14 @@ class Undamped(Question):
         ]
 
 
-class Peak(Question):
+class Peak(Asked):
     """At a forcing, for zeta > 0. The second channel is the minimum over Omega; without friction it is the only one."""
 
     def __init__(self, model: Model, F_0: float) -> None:
         super().__init__(model)
         self.F_0 = F_0
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         m, zeta = self.model.m, self.model.zeta
         inside = at.A > 0
         A = np.where(inside, at.A, 1.0)
@@ -344,7 +344,7 @@ class Peak(Question):
             place = np.clip(channel + n - 2, 0, 1)
             Omega = np.where(exists, np.take_along_axis(w, place[:, np.newaxis], axis=-1)[:, 0], np.nan)
             y, dy = slow_flow.peak(Omega, A, self.F_0, m, zeta, at.h_A)
-            answers.append(_answer(at, exists, y, dy, Omega, slow_flow.peak_Omega_A(Omega, A, m, zeta, at.h_A)))
+            answers.append(_channel(at, exists, y, dy, Omega, slow_flow.peak_Omega_A(Omega, A, m, zeta, at.h_A)))
         return answers
 
     def range(self, cells: Cells) -> list[Range]:
@@ -360,16 +360,16 @@ class Peak(Question):
         return ranges
 
 
-class Rest(Question):
+class Rest(Asked):
     """At a forcing: h^2 + m^2 = F_0^2 has two smooth halves."""
 
     def __init__(self, model: Model, F_0: float) -> None:
         super().__init__(model)
         self.F_0 = F_0
 
-    def ask(self, at: Samples) -> list[Answer]:
+    def ask(self, at: Samples) -> list[Channel]:
         lower, upper, slope = slow_flow.rest(self.F_0, self.model.m, at.h, at.h_A)
-        return [_answer(at, True, lower, slope), _answer(at, True, upper, slope)]
+        return [_channel(at, True, lower, slope), _channel(at, True, upper, slope)]
 
     def range(self, cells: Cells) -> list[Range]:
         # F at A = 0: -c and c

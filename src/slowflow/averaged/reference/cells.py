@@ -89,7 +89,7 @@ def sample_above(model: Model, i: int) -> Samples:
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class Stretch:
     """A piece of the force, from its first amplitude (0 or a breakpoint, as its own side has it) to its last.
 
     base -- where the piece begins, which may be below its first amplitude
@@ -100,12 +100,12 @@ class Piece:
     base: float
 
 
-def pieces_up_to(model: Model, A_max: float) -> list[Piece]:
+def stretches_up_to(model: Model, A_max: float) -> list[Stretch]:
     """All pieces up to an amplitude."""
     ends = [b for b in model.breakpoints if b < A_max]
     firsts = [samples_at(model, 0.0), *(sample_above(model, i) for i in range(len(ends)))]
     return [
-        Piece(first, samples_at(model, last), float(first.A[0]))
+        Stretch(first, samples_at(model, last), float(first.A[0]))
         for first, last in zip(firsts, [*ends, A_max], strict=True)
     ]
 

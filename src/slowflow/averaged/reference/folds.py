@@ -11,7 +11,7 @@ import numpy as np
 from slowflow.averaged import words
 from slowflow.averaged.reference.along import Fold
 from slowflow.averaged.reference.bounds import amplitude_bound
-from slowflow.averaged.reference.cells import pieces_up_to, samples_at
+from slowflow.averaged.reference.cells import samples_at, stretches_up_to
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from slowflow.averaged.reference.search import find_zeros
@@ -25,7 +25,7 @@ from slowflow_kernels.conventions import NEAR_END
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     A_max, remark = amplitude_bound(model, F_0)
-    (found,) = find_zeros(model, [Fold(model, F_0)], pieces_up_to(model, A_max))
+    (found,) = find_zeros(model, [Fold(model, F_0)], stretches_up_to(model, A_max))
     with np.errstate(all="ignore"):
         A, Omega = found.A, _settled(model, F_0, found.A, found.Omega)
         h, h_A, h_AA, _ = model.averaged(A)

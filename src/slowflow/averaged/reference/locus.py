@@ -13,7 +13,7 @@ import numpy as np
 from slowflow.averaged import words
 from slowflow.averaged.reference.along import Cusp, Isola, Stiffness, Turn, Undamped
 from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
-from slowflow.averaged.reference.cells import Piece, pieces_up_to
+from slowflow.averaged.reference.cells import Stretch, stretches_up_to
 from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
 from slowflow.averaged.reference.search import Zeros, find_zeros
 from slowflow.model import Model
@@ -25,7 +25,7 @@ from slowflow_kernels import slow_flow
 class _Stations:
     """Zeros along the fold locus, by question; those of a question that its damping has not are None."""
 
-    pieces: list[Piece]
+    pieces: list[Stretch]
     stiffness: Zeros
     cusps: Zeros
     isolas: Zeros | None
@@ -33,7 +33,7 @@ class _Stations:
 
     @classmethod
     def of(cls, model: Model, A_max: float) -> _Stations:
-        pieces = pieces_up_to(model, A_max)
+        pieces = stretches_up_to(model, A_max)
         if model.zeta == 0:
             stiffness, cusps = find_zeros(model, [Stiffness(model), Undamped(model)], pieces)
             return cls(pieces, stiffness, cusps, None, None)

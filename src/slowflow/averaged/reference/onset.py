@@ -14,7 +14,7 @@ import numpy as np
 from slowflow.averaged import words
 from slowflow.averaged.reference.along import Cusp, Isola, Peak, Rest, Stiffness
 from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
-from slowflow.averaged.reference.cells import Piece, Samples, pieces_up_to, sample_above, samples_at
+from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
 from slowflow.averaged.reference.folds import saddle_nodes
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
@@ -79,7 +79,7 @@ def _lowest(model: Model) -> _Best:
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
         at, above = samples_at(model, b), sample_above(model, i)
         _consider_breakpoint(model, at, jump, float(above.h_AA[0]), best)
-        bounded.append(Piece(first, at, float(first.A[0])))
+        bounded.append(Stretch(first, at, float(first.A[0])))
         first = above
     if bounded:
         _consider_pieces(model, bounded, best)
@@ -87,7 +87,7 @@ def _lowest(model: Model) -> _Best:
     return best
 
 
-def _consider_pieces(model: Model, pieces: list[Piece], best: _Best) -> None:
+def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
     """Where the level may be least inside of pieces: cusps, isola points, ends."""
     zeta, m = model.zeta, model.m
     ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
@@ -145,7 +145,7 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
             last = samples_at(model, A_max)
             if first.A[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
                 return  # linear
-            _consider_pieces(model, [Piece(first, last, base)], best)
+            _consider_pieces(model, [Stretch(first, last, base)], best)
             first = last
         if best.F_SN <= F_0:
             return
@@ -168,7 +168,7 @@ def peak(model: Model, F_0: float) -> PeakFound:
     if model.zeta == 0:
         return PeakFound(None, None, F_0, words.NO_PEAK)
     A_max, _ = amplitude_bound(model, F_0)
-    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces_up_to(model, A_max))
+    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], stretches_up_to(model, A_max))
     # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
     tops = peaks.take(peaks.rising == (peaks.channel == 1))
     found = tops if len(tops) else static

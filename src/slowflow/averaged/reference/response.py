@@ -17,7 +17,7 @@ from slowflow.averaged import words
 from slowflow.averaged.reference.along import Peak, Rest
 from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
-from slowflow.averaged.reference.cells import amid, pieces_up_to
+from slowflow.averaged.reference.cells import amid, stretches_up_to
 from slowflow.averaged.reference.folds import saddle_nodes
 from slowflow.averaged.reference.roots import Quartics
 from slowflow.averaged.reference.search import find_zeros
@@ -85,7 +85,7 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
 
 def _events(model: Model, F_0: float, A_max: float) -> list[Event]:
     """Where the number of roots may change, by rising A: peaks, static states, breakpoints."""
-    pieces = pieces_up_to(model, A_max)
+    pieces = stretches_up_to(model, A_max)
     peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces)
     # where F is biquadratic in Omega with a minimum inside, it is a second root that comes from Omega = 0
     with np.errstate(all="ignore"):

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.along import NOWHERE, THROUGHOUT, Answer, Question, Range
-from slowflow.averaged.reference.cells import Piece, Samples, amid, between, cells_of, joined, samples_at
+from slowflow.averaged.reference.along import NOWHERE, THROUGHOUT, Asked, Channel, Range
+from slowflow.averaged.reference.cells import Samples, Stretch, amid, between, cells_of, joined, samples_at
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.model import Floats, Model
 from slowflow_kernels.conventions import FIRST, MOST_CELLS, NARROW
@@ -68,7 +68,7 @@ class _Brackets:
     edge: Ints
 
 
-def find_zeros(model: Model, questions: Sequence[Question], pieces: Sequence[Piece]) -> list[Zeros]:
+def find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stretch]) -> list[Zeros]:
     """All zeros of each question's channels on the pieces; one at the last amplitude counts, one at A = 0 does not.
 
     Raises ArithmeticError where too many intervals stay undecided: numbers overflow.
@@ -77,7 +77,7 @@ def find_zeros(model: Model, questions: Sequence[Question], pieces: Sequence[Pie
         return _find_zeros(model, questions, pieces)
 
 
-def _find_zeros(model: Model, questions: Sequence[Question], pieces: Sequence[Piece]) -> list[Zeros]:
+def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stretch]) -> list[Zeros]:
     piece, a, b = _first_intervals(model, pieces)
     base = np.array([one.base for one in pieces])
     values = [question.ask(joined(a, b)) for question in questions]
@@ -117,7 +117,7 @@ def _find_zeros(model: Model, questions: Sequence[Question], pieces: Sequence[Pi
     ]
 
 
-def _first_intervals(model: Model, pieces: Sequence[Piece]) -> tuple[Ints, Samples, Samples]:
+def _first_intervals(model: Model, pieces: Sequence[Stretch]) -> tuple[Ints, Samples, Samples]:
     """Numbers of pieces, and samples at both ends of each of the intervals that are looked at first."""
     numbers, lows, highs, inner = [], [], [], []
     for number, piece in enumerate(pieces):
@@ -139,14 +139,14 @@ def _first_intervals(model: Model, pieces: Sequence[Piece]) -> tuple[Ints, Sampl
     return np.concatenate(numbers), joined(*lows), joined(*highs)
 
 
-def _opened(answers: list[Answer], a: Samples) -> Bools:
+def _opened(answers: list[Channel], a: Samples) -> Bools:
     """Which intervals are looked at, a row for each channel: next to A = 0 none of what vanishes there."""
     n = len(a)
     vanishes = np.any([answer.exists[:n] & (answer.y[:n] == 0) for answer in answers], axis=0) & (a.A == 0)
     return np.tile(~vanishes, (len(answers), 1))
 
 
-def _settle(a: Answer, b: Answer, found: Range, A: Floats, last: Bools) -> tuple[Bools, Bools, Ints, Bools]:
+def _settle(a: Channel, b: Channel, found: Range, A: Floats, last: Bools) -> tuple[Bools, Bools, Ints, Bools]:
     """Whether a channel is settled on intervals, whether it has a zero there, the sign where it ends, and whether it is
     settled without a proof; `last`: it is settled anyway.
     """
@@ -168,14 +168,14 @@ def _settle(a: Answer, b: Answer, found: Range, A: Floats, last: Bools) -> tuple
 
 def _cut(
     model: Model,
-    questions: Sequence[Question],
+    questions: Sequence[Asked],
     base: Floats,
     piece: Ints,
     a: Samples,
     b: Samples,
-    values: list[list[Answer]],
+    values: list[list[Channel]],
     is_open: list[Bools],
-) -> tuple[Ints, Samples, Samples, list[list[Answer]], list[Bools]]:
+) -> tuple[Ints, Samples, Samples, list[list[Channel]], list[Bools]]:
     """The intervals that are open for some channel, each cut in two or more."""
     n = len(a)
     left = np.flatnonzero(np.any([opened.any(axis=0) for opened in is_open], axis=0))
@@ -200,7 +200,7 @@ def _cut(
     fresh = []
     for answers, asked in zip(values, (question.ask(inner) for question in questions), strict=True):
         table = [
-            _joined_answers(answer.take(left), one, answer.take(n + left))
+            _joined_channels(answer.take(left), one, answer.take(n + left))
             for answer, one in zip(answers, asked, strict=True)
         ]
         fresh.append([one.take(np.concatenate((low, high))) for one in table])
@@ -208,11 +208,11 @@ def _cut(
     return piece[of], ends.take(low), ends.take(high), fresh, opened
 
 
-def _joined_answers(*parts: Answer) -> Answer:
-    return Answer(*(np.concatenate([getattr(part, name) for part in parts]) for name in Answer.__dataclass_fields__))
+def _joined_channels(*parts: Channel) -> Channel:
+    return Channel(*(np.concatenate([getattr(part, name) for part in parts]) for name in Channel.__dataclass_fields__))
 
 
-def _solved(model: Model, question: Question, base: Floats, found: list[_Brackets]) -> Zeros:
+def _solved(model: Model, question: Asked, base: Floats, found: list[_Brackets]) -> Zeros:
     """The zeros in the brackets, by rising A."""
     if not found:
         none, numbers = np.empty(0), np.empty(0, dtype=np.intp)
@@ -228,15 +228,17 @@ def _solved(model: Model, question: Question, base: Floats, found: list[_Bracket
     return zeros.take(np.lexsort((zeros.A, zeros.piece)))
 
 
-def _of_channel(answers: list[Answer], channel: Ints) -> Answer:
+def _of_channel(answers: list[Channel], channel: Ints) -> Channel:
     """At each sample the answer of its own channel."""
     if len(answers) == 1:
         return answers[0]
     first, second = answers
-    return Answer(*(np.where(channel == 0, getattr(first, n), getattr(second, n)) for n in Answer.__dataclass_fields__))
+    return Channel(
+        *(np.where(channel == 0, getattr(first, n), getattr(second, n)) for n in Channel.__dataclass_fields__)
+    )
 
 
-def _solve(model: Model, question: Question, base: Floats, brackets: _Brackets) -> Zeros:
+def _solve(model: Model, question: Asked, base: Floats, brackets: _Brackets) -> Zeros:
     """Newton's steps, kept in the brackets."""
     channel, edge = brackets.channel, brackets.edge
     lo, hi = brackets.low.A.copy(), brackets.high.A.copy()
