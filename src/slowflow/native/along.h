@@ -120,8 +120,8 @@ static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_an
     out->y[0] = fold[0], out->dy[0] = fold[1];
 }
 
-/* Omega at an isola point: Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that, which
- * does not depend on h_A. */
+/* Omega at an isola point: Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that,
+ * which has no h_A in it. */
 static inline double sf_isola_Omega(const sf_model *model, const sf_sample *at) {
     const double Omega = slow_flow_isola_Omega(at->h_A);
     double w[2];

@@ -1,7 +1,7 @@
-/* The response curve at one forcing: in goes a model, out come its pieces, points along them, states at a frequency.
+/* The response curve at one forcing: in goes a model, out come its segments, points along them, states at a frequency.
  *
- * Its events are zeros of SF_PEAK and SF_REST; between them each root is an arc, and the folds cut an arc into pieces
- * along which Omega is monotone too. So a piece holds at most one state at any frequency, and one stability.
+ * Its events are zeros of SF_PEAK and SF_REST; between them each root is an arc, and the folds cut an arc into segments
+ * along which Omega is monotone too. So a segment holds at most one state at any frequency, and one stability.
  */
 #ifndef SF_CURVE_H
 #define SF_CURVE_H
@@ -71,23 +71,23 @@ static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *gra
     return found;
 }
 
-static int sf_is_stable(const sf_model *model, double F_0, const sf_piece *piece) {
+static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *segment) {
     sf_sample at;
-    sf_sample_at(model, 0.5 * (piece->A[0] + piece->A[1]), &at);
-    return sf_half_F_A(model, &at, sf_response_branch(model, &at, F_0, piece->count, piece->index)) > 0;
+    sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]), &at);
+    return sf_half_F_A(model, &at, sf_response_branch(model, &at, F_0, segment->count, segment->index)) > 0;
 }
 
-static void sf_add_piece(const sf_model *model, double F_0, sf_skeleton *out, sf_piece piece) {
-    piece.stable = sf_is_stable(model, F_0, &piece);
-    out->piece[out->pieces++] = piece;
+static void sf_add_segment(const sf_model *model, double F_0, sf_skeleton *out, sf_segment segment) {
+    segment.stable = sf_is_stable(model, F_0, &segment);
+    out->segment[out->segments++] = segment;
 }
 
-/* The pieces of one step of a tour: its arc cut at its folds, in order along the curve. */
+/* The segments of one step of a tour: its arc cut at its folds, in order along the curve. */
 static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, int upward, int curve,
                            const sf_folds *folds, const int *arc_of, int number, sf_skeleton *out) {
-    sf_piece piece;
+    sf_segment segment;
     double A = arc->A[1 - upward], Omega = arc->Omega[1 - upward];
-    piece.index = arc->index, piece.count = arc->count, piece.curve = curve, piece.upward = upward;
+    segment.index = arc->index, segment.count = arc->count, segment.curve = curve, segment.upward = upward;
     for (;;) { /* the nearest fold ahead */
         int i, next = -1;
         for (i = 0; i < folds->n; i++) {
@@ -96,11 +96,11 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
                 (next < 0 || (upward ? folds->at[i].A < folds->at[next].A : folds->at[i].A > folds->at[next].A)))
                 next = i;
         }
-        piece.A[1 - upward] = A, piece.Omega[1 - upward] = Omega;
+        segment.A[1 - upward] = A, segment.Omega[1 - upward] = Omega;
         A = next < 0 ? arc->A[upward] : folds->at[next].A;
         Omega = next < 0 ? arc->Omega[upward] : folds->at[next].Omega;
-        piece.A[upward] = A, piece.Omega[upward] = Omega;
-        sf_add_piece(model, F_0, out, piece);
+        segment.A[upward] = A, segment.Omega[upward] = Omega;
+        sf_add_segment(model, F_0, out, segment);
         if (next < 0)
             return;
     }
@@ -110,7 +110,7 @@ static sf_status sf_make_skeleton(const sf_model *model, double F_0, sf_work *wo
     sf_skeleton *out = &work->skeleton;
     int arc_of[SF_MOST_FOLDS], i, c;
     sf_status status = sf_saddle_nodes(model, F_0, work, &work->folds);
-    out->pieces = out->curves = 0, out->start[0] = 0;
+    out->segments = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
         return status;
     sf_response_graph(model, F_0, work);
@@ -126,7 +126,7 @@ static sf_status sf_make_skeleton(const sf_model *model, double F_0, sf_work *wo
                            out);
         }
         out->closed[c] = work->tour.closed[c];
-        out->start[c + 1] = out->pieces;
+        out->start[c + 1] = out->segments;
         out->curves = c + 1;
     }
     return SF_OK;
@@ -135,14 +135,14 @@ static sf_status sf_make_skeleton(const sf_model *model, double F_0, sf_work *wo
 /* ==== Points ======================================================================================================= */
 
 /* An amplitude below the state at Omega of the branch that comes from A = 0, Omega = inf. */
-static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_piece *piece, double Omega) {
+static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segment *segment, double Omega) {
     double A = slow_flow_tail(Omega, F_0, model->m);
     int i;
-    A = fmin(A, 0.5 * piece->A[1]);
+    A = fmin(A, 0.5 * segment->A[1]);
     for (i = 0; i < 500; i++) {
         sf_sample at;
         sf_sample_at(model, A, &at);
-        if (sf_response_branch(model, &at, F_0, piece->count, piece->index) > Omega)
+        if (sf_response_branch(model, &at, F_0, segment->count, segment->index) > Omega)
             break;
         A *= 0.25;
     }
@@ -159,19 +159,19 @@ static double sf_polish_amplitude(const sf_model *model, double F_0, double Omeg
     return fabs(step) < 1e-8 * at->A ? at->A - step : at->A;
 }
 
-/* The amplitude at which a piece has the given Omega, which must lie in its range. */
-static double sf_amplitude_on(const sf_model *model, double F_0, const sf_piece *piece, double Omega) {
-    const int falls = piece->Omega[0] > piece->Omega[1];
-    double lo = piece->A[0], hi = piece->A[1], last, A;
+/* The amplitude at which a segment has the given Omega, which must lie in its range. */
+static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segment *segment, double Omega) {
+    const int falls = segment->Omega[0] > segment->Omega[1];
+    double lo = segment->A[0], hi = segment->A[1], last, A;
     sf_sample at;
     int i;
-    if (Omega == piece->Omega[0] || Omega == piece->Omega[1])
-        return Omega == piece->Omega[0] ? lo : hi;
+    if (Omega == segment->Omega[0] || Omega == segment->Omega[1])
+        return Omega == segment->Omega[0] ? lo : hi;
     if (lo == 0) {
-        lo = sf_tail_amplitude(model, F_0, piece, Omega);
+        lo = sf_tail_amplitude(model, F_0, segment, Omega);
         A = lo;
     } else {
-        A = lo + (hi - lo) * ((Omega - piece->Omega[0]) / (piece->Omega[1] - piece->Omega[0]));
+        A = lo + (hi - lo) * ((Omega - segment->Omega[0]) / (segment->Omega[1] - segment->Omega[0]));
     }
     last = hi - lo;
     for (i = 0; i < 200; i++) {
@@ -179,7 +179,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_piece 
         if (!(A > lo && A < hi))
             A = sf_amid(0, lo, hi);
         sf_sample_at(model, A, &at);
-        w = sf_response_branch(model, &at, F_0, piece->count, piece->index);
+        w = sf_response_branch(model, &at, F_0, segment->count, segment->index);
         if ((w > Omega) == falls)
             lo = A;
         else
@@ -197,22 +197,22 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_piece 
         A = next;
     }
     A = sf_polish_amplitude(model, F_0, Omega, &at);
-    return fmin(fmax(A, piece->A[0]), piece->A[1]);
+    return fmin(fmax(A, segment->A[0]), segment->A[1]);
 }
 
-static int sf_holds(const sf_piece *piece, double Omega) {
-    return fmin(piece->Omega[0], piece->Omega[1]) <= Omega && Omega <= fmax(piece->Omega[0], piece->Omega[1]);
+static int sf_holds(const sf_segment *segment, double Omega) {
+    return fmin(segment->Omega[0], segment->Omega[1]) <= Omega && Omega <= fmax(segment->Omega[0], segment->Omega[1]);
 }
 
 /* No fewer than the number of steady states at Omega. */
 static int sf_most_states(const sf_work *work, double Omega) {
     int i, n = 0;
-    for (i = 0; i < work->skeleton.pieces; i++)
-        n += sf_holds(&work->skeleton.piece[i], Omega);
+    for (i = 0; i < work->skeleton.segments; i++)
+        n += sf_holds(&work->skeleton.segment[i], Omega);
     return n;
 }
 
-/* A state among those by rising A; a point where two pieces meet is one state, and a fold is not stable. */
+/* A state among those by rising A; a point where two segments meet is one state, and a fold is not stable. */
 static int sf_add_state(double found, int is_stable, int n, double *A, unsigned char *stable) {
     int i, j;
     for (i = n; i > 0 && A[i - 1] > found; i--)
@@ -232,27 +232,27 @@ static int sf_add_state(double found, int is_stable, int n, double *A, unsigned 
 static int sf_states(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
                         unsigned char *stable) {
     int i, n = 0;
-    for (i = 0; i < work->skeleton.pieces; i++) {
-        const sf_piece *piece = &work->skeleton.piece[i];
-        if (sf_holds(piece, Omega))
-            n = sf_add_state(sf_amplitude_on(model, F_0, piece, Omega), piece->stable, n, A, stable);
+    for (i = 0; i < work->skeleton.segments; i++) {
+        const sf_segment *segment = &work->skeleton.segment[i];
+        if (sf_holds(segment, Omega))
+            n = sf_add_state(sf_amplitude_on(model, F_0, segment, Omega), segment->stable, n, A, stable);
     }
     return n;
 }
 
 /* ==== The window =================================================================================================== */
 
-/* The part of a piece between two frequencies; 0 if there is none. */
-static int sf_clip(const sf_model *model, double F_0, const sf_piece *piece, double low, double high,
-                      sf_piece *out) {
+/* The part of a segment between two frequencies; 0 if there is none. */
+static int sf_clip(const sf_model *model, double F_0, const sf_segment *segment, double low, double high,
+                      sf_segment *out) {
     int end;
-    *out = *piece;
-    if (fmax(piece->Omega[0], piece->Omega[1]) <= low || fmin(piece->Omega[0], piece->Omega[1]) >= high)
+    *out = *segment;
+    if (fmax(segment->Omega[0], segment->Omega[1]) <= low || fmin(segment->Omega[0], segment->Omega[1]) >= high)
         return 0;
     for (end = 0; end < 2; end++) {
-        const double edge = fmin(fmax(piece->Omega[end], low), high);
-        if (edge != piece->Omega[end]) {
-            out->A[end] = sf_amplitude_on(model, F_0, piece, edge);
+        const double edge = fmin(fmax(segment->Omega[end], low), high);
+        if (edge != segment->Omega[end]) {
+            out->A[end] = sf_amplitude_on(model, F_0, segment, edge);
             out->Omega[end] = edge;
         }
     }
@@ -260,9 +260,9 @@ static int sf_clip(const sf_model *model, double F_0, const sf_piece *piece, dou
 }
 
 static void sf_close_run(sf_skeleton *shown, int closed) {
-    if (shown->start[shown->curves] < shown->pieces) {
+    if (shown->start[shown->curves] < shown->segments) {
         shown->closed[shown->curves++] = closed;
-        shown->start[shown->curves] = shown->pieces;
+        shown->start[shown->curves] = shown->segments;
     }
 }
 
@@ -271,9 +271,9 @@ static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *
                              double high, sf_skeleton *shown) {
     const int first = all->start[curve], n = all->start[curve + 1] - first;
     int i, shift = 0, whole = 1;
-    sf_piece piece;
+    sf_segment segment;
     for (i = 0; i < n; i++) { /* the start of a closed curve is no end: begin behind a place outside the window */
-        const sf_piece *p = &all->piece[first + i];
+        const sf_segment *p = &all->segment[first + i];
         if (sf_last_of(p, p->Omega) < low || sf_last_of(p, p->Omega) > high) {
             whole = 0;
             shift = i + 1;
@@ -282,14 +282,14 @@ static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *
     if (!all->closed[curve])
         shift = 0;
     for (i = 0; i < n; i++) {
-        const sf_piece *p = &all->piece[first + (i + shift) % n];
-        if (!sf_clip(model, F_0, p, low, high, &piece)) {
+        const sf_segment *p = &all->segment[first + (i + shift) % n];
+        if (!sf_clip(model, F_0, p, low, high, &segment)) {
             sf_close_run(shown, 0);
             continue;
         }
-        piece.curve = shown->curves;
-        shown->piece[shown->pieces++] = piece;
-        if (sf_last_of(&piece, piece.Omega) != sf_last_of(p, p->Omega))
+        segment.curve = shown->curves;
+        shown->segment[shown->segments++] = segment;
+        if (sf_last_of(&segment, segment.Omega) != sf_last_of(p, p->Omega))
             sf_close_run(shown, 0);
     }
     sf_close_run(shown, all->closed[curve] && whole);
@@ -303,51 +303,51 @@ typedef struct {
     double Omega, A, total;
 } sf_sharing;
 
-/* Weight of a piece: its extent in Omega and A, with a floor for short ones. */
-static double sf_weight(const sf_piece *piece, const sf_sharing *sharing) {
-    return fabs(piece->Omega[1] - piece->Omega[0]) / sharing->Omega +
-           fabs(piece->A[1] - piece->A[0]) / sharing->A + 1e-3;
+/* Weight of a segment: its extent in Omega and A, with a floor for short ones. */
+static double sf_weight(const sf_segment *segment, const sf_sharing *sharing) {
+    return fabs(segment->Omega[1] - segment->Omega[0]) / sharing->Omega +
+           fabs(segment->A[1] - segment->A[0]) / sharing->A + 1e-3;
 }
 
 static void sf_share_out(const sf_skeleton *shown, sf_sharing *sharing) {
     int i;
     sharing->Omega = sharing->A = 1, sharing->total = 0;
-    for (i = 0; i < shown->pieces; i++) {
-        const sf_piece *piece = &shown->piece[i];
-        sharing->Omega = fmax(sharing->Omega, 0.5 * fmax(piece->Omega[0], piece->Omega[1]));
-        sharing->A = fmax(sharing->A, piece->A[1]);
+    for (i = 0; i < shown->segments; i++) {
+        const sf_segment *segment = &shown->segment[i];
+        sharing->Omega = fmax(sharing->Omega, 0.5 * fmax(segment->Omega[0], segment->Omega[1]));
+        sharing->A = fmax(sharing->A, segment->A[1]);
     }
-    for (i = 0; i < shown->pieces; i++)
-        sharing->total += sf_weight(&shown->piece[i], sharing);
+    for (i = 0; i < shown->segments; i++)
+        sharing->total += sf_weight(&shown->segment[i], sharing);
 }
 
-static int sf_steps_of(const sf_piece *piece, double samples, const sf_sharing *sharing) {
-    return (int)ceil(samples * sf_weight(piece, sharing) / sharing->total);
+static int sf_steps_of(const sf_segment *segment, double samples, const sf_sharing *sharing) {
+    return (int)ceil(samples * sf_weight(segment, sharing) / sharing->total);
 }
 
-/* The shown pieces in a window, and the number of points on them. */
+/* The shown segments in a window, and the number of points on them. */
 static long sf_show(const sf_model *model, double F_0, double low, double high, double samples, sf_work *work) {
     sf_skeleton *shown = &work->shown;
     sf_sharing sharing;
     long points = 0;
     int i;
-    shown->pieces = shown->curves = 0, shown->start[0] = 0;
+    shown->segments = shown->curves = 0, shown->start[0] = 0;
     for (i = 0; i < work->skeleton.curves; i++)
         sf_show_curve(model, F_0, &work->skeleton, i, low, high, shown);
     sf_share_out(shown, &sharing);
-    for (i = 0; i < shown->pieces; i++)
-        points += sf_steps_of(&shown->piece[i], samples, &sharing);
+    for (i = 0; i < shown->segments; i++)
+        points += sf_steps_of(&shown->segment[i], samples, &sharing);
     return points + shown->curves;
 }
 
-/* How far along a piece the k-th of n - 1 points inside lies: they crowd towards its ends, where A or Omega may stand
+/* How far along a segment the k-th of n - 1 points inside lies: they crowd towards its ends, where A or Omega may stand
  * still. */
 static double sf_share_at(int k, int n) { return 0.5 - 0.5 * cos(3.14159265358979312 * k / n); }
 
-/* n - 1 rising amplitudes inside a piece. Where it spans orders of magnitude half of them are shared out among these, as
+/* n - 1 rising amplitudes inside a segment. Where it spans orders of magnitude half of them are shared out among these, as
  * Omega changes with each; the others follow its top. */
-static void sf_amplitudes_inside(const sf_piece *piece, int n, double *A) {
-    const double low = piece->A[0], high = piece->A[1];
+static void sf_amplitudes_inside(const sf_segment *segment, int n, double *A) {
+    const double low = segment->A[0], high = segment->A[1];
     const int many = low > 0 && high > 100 * low, orders = many ? n / 2 : 1, plain = n + 1 - orders;
     int i = 1, j = 1, k;
     for (k = 0; k < n - 1; k++) {
@@ -358,7 +358,7 @@ static void sf_amplitudes_inside(const sf_piece *piece, int n, double *A) {
     }
 }
 
-/* Points of all shown pieces in order. */
+/* Points of all shown segments in order. */
 static void sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, double *Omega,
                        double *A, unsigned char *stable, long long *branch) {
     const sf_curve curve = {model, F_0};
@@ -366,25 +366,25 @@ static void sf_draw(const sf_model *model, double F_0, double samples, const sf_
     long at = 0, point;
     int i, k;
     sf_share_out(shown, &sharing);
-    for (i = 0; i < shown->pieces; i++) {
-        const sf_piece *piece = &shown->piece[i];
-        const int n = sf_steps_of(piece, samples, &sharing), starts = i == shown->start[piece->curve];
+    for (i = 0; i < shown->segments; i++) {
+        const sf_segment *segment = &shown->segment[i];
+        const int n = sf_steps_of(segment, samples, &sharing), starts = i == shown->start[segment->curve];
         const long first = at;
         if (starts)
-            A[at] = sf_first_of(piece, piece->A), Omega[at++] = sf_first_of(piece, piece->Omega);
-        sf_amplitudes_inside(piece, n, A + at);
-        for (k = 0; !piece->upward && k < (n - 1) / 2; k++) {
+            A[at] = sf_first_of(segment, segment->A), Omega[at++] = sf_first_of(segment, segment->Omega);
+        sf_amplitudes_inside(segment, n, A + at);
+        for (k = 0; !segment->upward && k < (n - 1) / 2; k++) {
             const double kept = A[at + k];
             A[at + k] = A[at + n - 2 - k], A[at + n - 2 - k] = kept;
         }
         for (k = 1; k < n; k++) {
             sf_sample sample;
             sf_sample_at(model, A[at], &sample);
-            Omega[at++] = sf_branch_at(&curve, &sample, piece->count, piece->index);
+            Omega[at++] = sf_branch_at(&curve, &sample, segment->count, segment->index);
         }
-        A[at] = sf_last_of(piece, piece->A), Omega[at++] = sf_last_of(piece, piece->Omega);
+        A[at] = sf_last_of(segment, segment->A), Omega[at++] = sf_last_of(segment, segment->Omega);
         for (point = first; point < at; point++)
-            stable[point] = (unsigned char)piece->stable, branch[point] = piece->curve;
+            stable[point] = (unsigned char)segment->stable, branch[point] = segment->curve;
     }
 }
 

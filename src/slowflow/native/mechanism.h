@@ -52,11 +52,11 @@ typedef struct sf_mechanism {
     /* Mean B of the motion u = B + A cos psi; |B| + A is the largest displacement. */
     double (*mean_offset)(double A, const double *p);
 
-    /* The same on intervals, for proofs; NULL where no such form is known. The excitation is a force there, and the motion
-     * is about u = 0. p holds the parameters that follow from a design, then the jumps at its breakpoints.
-     * ends_within is NULL where there are no breakpoints. averaged_within gives h, h_A, h_AA, h_AAA and h - A h_A on the
-     * piece that begins at breakpoint number `passed`, which A exceeds by `beyond`, by the formula of that piece, which
-     * may be asked above its end too. */
+    /* The same on intervals, for proofs; NULL where no such form is known. The excitation is a force there, and the
+     * motion is about u = 0. p holds the parameters that follow from a design, then the jumps at its breakpoints.
+     * ends_within is NULL where there are no breakpoints. averaged_within gives h, h_A, h_AA, h_AAA and h - A h_A on
+     * the piece that begins at breakpoint number `passed`, which A exceeds by `beyond`; by its formula, which may be
+     * asked above its end too. */
     void (*parameters_within)(const double *design, sf_interval *p);
     void (*ends_within)(const sf_interval *p, sf_interval *b);
     void (*averaged_within)(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out);

@@ -4,7 +4,7 @@
 
 #include "arcs.h"
 
-enum { SF_MOST_FOLDS = 48, SF_MOST_PIECES = SF_MOST_ARCS + SF_MOST_FOLDS };
+enum { SF_MOST_FOLDS = 48, SF_MOST_SEGMENTS = SF_MOST_ARCS + SF_MOST_FOLDS };
 
 /* up: whether a sweep leaves the fold for a larger amplitude */
 typedef struct {
@@ -36,13 +36,13 @@ typedef struct {
 typedef struct {
     double A[2], Omega[2];
     int index, count, curve, upward, stable;
-} sf_piece;
+} sf_segment;
 
-/* Pieces in order along each curve; piece start[c] is the first of curve c. */
+/* Segments in order along each curve; segment start[c] is the first of curve c. */
 typedef struct {
-    int pieces, curves;
-    int start[SF_MOST_PIECES + 1], closed[SF_MOST_PIECES];
-    sf_piece piece[SF_MOST_PIECES];
+    int segments, curves;
+    int start[SF_MOST_SEGMENTS + 1], closed[SF_MOST_SEGMENTS];
+    sf_segment segment[SF_MOST_SEGMENTS];
 } sf_skeleton;
 
 /* extrema: cusps and isola points of the locus */
@@ -56,7 +56,7 @@ typedef struct {
     sf_skeleton skeleton, shown;
 } sf_work;
 
-static inline double sf_first_of(const sf_piece *piece, const double ends[2]) { return ends[1 - piece->upward]; }
-static inline double sf_last_of(const sf_piece *piece, const double ends[2]) { return ends[piece->upward]; }
+static inline double sf_first_of(const sf_segment *segment, const double ends[2]) { return ends[1 - segment->upward]; }
+static inline double sf_last_of(const sf_segment *segment, const double ends[2]) { return ends[segment->upward]; }
 
 #endif
