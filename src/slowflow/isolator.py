@@ -10,7 +10,7 @@ from typing import Any
 
 from slowflow import validate
 from slowflow.averaged.many import Designs
-from slowflow.mechanism import Force, Mechanism, told
+from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import Model
 from slowflow.oscillator import FORCES, Oscillator
 from slowflow_kernels import duffing, rod_spring
@@ -18,9 +18,6 @@ from slowflow_kernels.domains import DAMPING
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
-
-#: alpha and beta of the cubic spring that is linear
-LINEAR = (1.0, 0.0)
 
 
 def _averaged(force: Any) -> Mechanism:

@@ -20,6 +20,7 @@ from slowflow_kernels import duffing
 from slowflow_support.record import Function, Law, Mechanism, Parameter
 
 __all__ = [
+    "LINEAR",
     "EquationOfMotion",
     "Floats",
     "Force",
@@ -116,9 +117,13 @@ class EquationOfMotion:
             )
 
 
+#: alpha and beta of the cubic spring that is linear
+LINEAR = (1.0, 0.0)
+
+
 def linear() -> Force:
     """f(u) = u: the isolator without preload (delta_h = 0), Den Hartog's oscillator."""
-    return Force.of(duffing.MECHANISM, (1.0, 0.0))
+    return Force.of(duffing.MECHANISM, LINEAR)
 
 
 def told(domains: Iterable[Parameter]) -> str:
