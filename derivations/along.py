@@ -162,7 +162,7 @@ def _damped(flow: SlowFlow) -> Damped:
         cusp_scaled=cusp_scaled,
         peak_lets=peak_lets,
         peak=peak,
-        peak_Omega_A=-flow.F_AOmega / flow.F_OmegaOmega,
+        peak_Omega_A=_peak_Omega_A(flow, peak_lets),
     )
 
 
@@ -335,6 +335,12 @@ def _peak(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     along = -2 * R * (Omega**2 - h_A)
     _vanishes((flow.F_A - along).subs(R, balanced).subs(I, flow.I), "F_A at an extremum of F over Omega")
     return ((R, balanced), (I, flow.I)), (flow.F, along)
+
+
+def _peak_Omega_A(flow: SlowFlow, lets: tuple[Let, ...]) -> sp.Expr:
+    """-F_AOmega/F_OmegaOmega, in which m zeta cancels once R is the one of F_Omega = 0."""
+    numerator, denominator = sp.fraction(sp.cancel((-flow.F_AOmega / flow.F_OmegaOmega).subs(lets[:1]).subs(lets[1:])))
+    return sp.factor(numerator) / denominator
 
 
 def _undamped(flow: SlowFlow) -> Undamped:

@@ -418,16 +418,13 @@ static inline void slow_flow_peak(double Omega, double A, double F_0, double m, 
 
 /* dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
    Equation from (34). Domain: Omega > 0, A > 0.
-   Operations: 33 structured, 24 common subexpressions, 24 power chains
+   Operations: 14 structured, 13 common subexpressions, 12 power chains
  */
 static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A)
 {
-    const double t0 = 2.0 * A;
-    const double t1 = t0 * zeta * zeta;
-    const double R = -t1 - m * zeta / Omega;
-    const double I_ = Omega * t0 * zeta + m;
-    const double t2 = Omega * Omega;
-    return -(A * Omega * (h_A + t2) + I_ * zeta + Omega * R + Omega * t1) / (A * (R + t0 * t2 + t1));
+    const double Omega2 = Omega * Omega;
+    const double Omega3 = Omega * Omega2;
+    return Omega2 * (Omega2 + h_A + 2.0 * zeta * zeta) / (-2.0 * A * Omega3 + m * zeta);
 }
 
 /* dOmega/dA along the response.

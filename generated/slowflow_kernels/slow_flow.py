@@ -540,15 +540,12 @@ def peak_Omega_A(Omega, A, m, zeta, h_A):
     """dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
 
     Equation from (34). Domain: Omega > 0, A > 0.
-    Operations: 33 structured, 24 common subexpressions, 24 power chains.
+    Operations: 14 structured, 13 common subexpressions, 12 power chains.
     """
     Omega, A, m, zeta, h_A = floats(Omega, A, m, zeta, h_A)
-    t0 = 2.0 * A
-    t1 = t0 * zeta * zeta
-    R = -t1 - m * zeta / Omega
-    I = Omega * t0 * zeta + m
-    t2 = Omega * Omega
-    return -(A * Omega * (h_A + t2) + I * zeta + Omega * R + Omega * t1) / (A * (R + t0 * t2 + t1))
+    Omega2 = Omega * Omega
+    Omega3 = Omega * Omega2
+    return Omega2 * (Omega2 + h_A + 2.0 * zeta * zeta) / (-2.0 * A * Omega3 + m * zeta)
 
 
 def Omega_A(Omega, A, m, zeta, h, h_A):

@@ -393,7 +393,6 @@ def damped_kernels(along: Damped) -> list[Kernel]:
             along.peak_Omega_A,
             "dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.",
             "from (34)",
-            lets=along.peak_lets,
         ),
     ]
 
