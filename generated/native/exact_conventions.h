@@ -36,6 +36,8 @@ typedef enum {
 #define SF_FAR 1000000.0
 /* a velocity at a breakpoint that cannot be told from rest: the way beyond is its square */
 #define SF_GRAZING 1e-13
+/* phase of the forcing within which a motion switches when the cycle's equations say */
+#define SF_ON_TIME 1.0000000000000001e-05
 /* in one turn of the forcing; more means that switches accumulate */
 #define SF_MOST_PHASES 400
 /* relative step of u_0 at which Newton's iteration ends */

@@ -86,6 +86,8 @@ CANCELLED = 0.25
 SOFT = 0.01
 # a root is the one meant if it lies, relatively, this near to what has lost digits
 BESIDE = 0.001
+# relative step of A up to which Newton's last step is taken
+LAST_STEP = 1e-08
 # where a search begins that cannot begin at A = 0
 FIRST = 6.2230152778611417e-61
 # relative width of an interval of A that is not cut any more

@@ -269,7 +269,7 @@ class Averaged:
         beside = remarks.of_one(self.model, F_0, *_states(found)) | found.remarks
         if not beside:
             return found
-        said = remarks.words(beside, self.model, F_0)
+        said = remarks.in_words(beside, self.model, F_0)
         return dataclasses.replace(found, message=joined(found.message, *said), remarks=beside)
 
 

@@ -106,8 +106,8 @@ def stays_centred(model: Model) -> bool:
     return model.hardens and not model.negative_stiffness
 
 
-def words(remarks: Remark, model: Model, F_0: float) -> list[str]:
-    """The remarks in words."""
+def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
+    """Each remark as a sentence or less."""
     near = [validity.near_sticking(model, F_0)] if Remark.NEAR_STICKING in remarks else []
     lost = 2.0**-53 / (1.0 - model.breakpoints[-1]) if Remark.DIGITS_LOST in remarks else 0.0
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "lost": lost}

@@ -26,7 +26,7 @@ from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
-from slowflow_kernels.exact_conventions import FAR, LOOSE, TIGHT, ExtraKind
+from slowflow_kernels.exact_conventions import FAR, LOOSE, ON_TIME, TIGHT, ExtraKind
 
 Array = NDArray[np.float64]
 
@@ -361,7 +361,7 @@ class Cycle:
         end = float(z[1])
         for phase, span in zip(found, spans, strict=True):
             end += span
-            if not abs(phase.end - end) < 1e-5:
+            if not abs(phase.end - end) < ON_TIME:
                 return None
         return found
 

@@ -156,7 +156,7 @@ static double sf_polish_amplitude(const sf_model *model, double F_0, double Omeg
     s.kind = SF_RESPONSE;
     s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
     step = 0.5 * sf_value_fine(&s, Omega) / sf_half_F_A(model, at, Omega);
-    return fabs(step) < 1e-8 * at->A ? at->A - step : at->A;
+    return fabs(step) < SF_LAST_STEP * at->A ? at->A - step : at->A;
 }
 
 /* The amplitude at which a segment has the given Omega, which must lie in its range. */

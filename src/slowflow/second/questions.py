@@ -183,7 +183,7 @@ class SecondApproximation:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
         model = self.first.model
         beside = remarks.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
-        return joined(message, *remarks.words(beside, model, math.nan), validity.of_second(model, Omega, A))
+        return joined(message, *remarks.in_words(beside, model, math.nan), validity.of_second(model, Omega, A))
 
     def _around(self, F_0: float, Omega: Floats) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""

@@ -24,7 +24,7 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, joined
 from slowflow_kernels import frequencies, slow_flow
-from slowflow_kernels.conventions import SAME
+from slowflow_kernels.conventions import LAST_STEP, SAME
 
 
 @dataclass(frozen=True)
@@ -229,7 +229,7 @@ def _polished(roots: Roots, Omega: Floats, A: Floats) -> Floats:
     h, h_A = model.averaged(A)[:2]
     residual, _ = frequencies.response_fine(Omega, A, roots.F_0, model.m, model.zeta, h)[:2]
     step = residual / slow_flow.F_A(Omega, A, model.m, model.zeta, h, h_A)
-    return np.asarray(np.where(np.abs(step) < 1e-8 * A, A - step, A))
+    return np.asarray(np.where(np.abs(step) < LAST_STEP * A, A - step, A))
 
 
 def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tuple[Segment, bool]], bool]]:

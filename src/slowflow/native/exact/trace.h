@@ -56,7 +56,7 @@ static int sf_holds(sf_forced *forced, const sf_cycle *cycle, int starts_from_re
         const sf_phase *const phase = &phases->at[i];
         at += z[2 + i];
         if (phase->slip != cycle->phase[2 * i] || phase->region != cycle->phase[2 * i + 1] ||
-            !(fabs(phase->end - at) < 1e-5))
+            !(fabs(phase->end - at) < SF_ON_TIME))
             return 0;
     }
     return 1;
