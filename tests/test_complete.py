@@ -11,6 +11,8 @@ import pytest
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged.reference import bounds
 from slowflow.averaged.reference.roots import fold_roots, response_roots
+from slowflow.paper import example
+from slowflow.paper.example import TABLE_1
 from tests.test_solver_paths import random_designs
 
 pytestmark = pytest.mark.both_backends
@@ -128,9 +130,9 @@ def test_the_onset_is_that_of_33_under_the_two_conditions_of_the_ledger_and_no_o
 
 def test_the_least_preload_for_which_33_names_the_onset_is_the_ledgers():
     """Shares of 1/(lam r) in LEDGER.md, four digits each, Table 1 otherwise."""
-    r = 3747 / 1848
+    lam_r = TABLE_1["lam"] * TABLE_1["r"]
     for share, attached, named in ((0.1106, 0, False), (0.1108, 1, False), (0.14395, 1, False), (0.14405, 1, True)):
-        isolator = Isolator(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02)
+        isolator = example.isolator(delta_h=share / lam_r)
         assert isolator.cusps(A_max=isolator.u_cr).minimum.sum() == attached
         assert (isolator.saddle_node_onset().kind == "cusp") == named
 
@@ -212,7 +214,7 @@ def test_isola_points_at_low_frequency_have_their_digits():
 
 def test_a_tall_peak_is_followed_down_to_its_foot():
     """At zeta = 1e-4 it is 200 high: points shared out by A leave out its foot, where it is 1/50 of that and less."""
-    curve = Isolator(lam=3, r=3747 / 1848, delta_h=1848 / (6 * 3747), zeta=1e-4).frequency_response(0.04)
+    curve = example.isolator(mu=0.0, zeta=1e-4).frequency_response(0.04)
     above = curve.Omega > 1.2
     steps = np.diff(np.sort(np.unique(curve.Omega[above])))
     assert steps.max() < 0.1 and curve.A.max() > 100
@@ -291,7 +293,7 @@ def test_no_fold_on_the_corner_is_made_up_where_there_is_all_but_no_damping(zeta
 @pytest.mark.parametrize("delta_h", [0.02, 0.05, 0.08])
 def test_the_peak_at_the_detachment_is_the_higher_static_state(delta_h, zeta):
     """The response only falls with Omega: at rest -h = F_0 holds on u_cr, and perhaps above it."""
-    oscillator = Isolator(lam=3, r=3747 / 1848, delta_h=delta_h, zeta=zeta)
+    oscillator = example.isolator(delta_h=delta_h, mu=0.0, zeta=zeta)
     F_cr = oscillator.detachment().F_cr
     peak = oscillator.peak(F_cr)
     A = np.linspace(oscillator.u_cr * (1 + 1e-9), 2, 100_000)
