@@ -97,9 +97,9 @@ class Averaged:
         Flat arrays .Omega, .A, .phi, .stable, in the order of Omega, then by rising A. Raises ValueError for Omega <= 0
         or > 1e40 and for F_0 <= 0. F_0 <= 4 mu/pi gives no state and a message.
         """
-        return self._remarked(self.states(Omega, F_0), F_0)
+        return self._remarked(self.states(Omega=Omega, F_0=F_0), F_0)
 
-    def states(self, Omega: Any, F_0: float) -> SteadyStates:
+    def states(self, *, Omega: Any, F_0: float) -> SteadyStates:
         """`amplitudes` without the remarks on averaging: what another approximation starts from."""
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)

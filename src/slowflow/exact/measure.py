@@ -117,11 +117,11 @@ def folds(averaged: Averaged, system: EquationOfMotion, found: SaddleNodes) -> M
 
 def _fold(averaged: Averaged, system: EquationOfMotion, F_0: float, Omega: float, A: float) -> continuation.Fold | None:
     """The nearest of the folds that the exact curve meets from motions beside the averaged one."""
-    more, fewer = (averaged.states(Omega * (1 + side * ASIDE), F_0).A.size for side in (1, -1))
+    more, fewer = (averaged.states(Omega=Omega * (1 + side * ASIDE), F_0=F_0).A.size for side in (1, -1))
     for offset in BESIDE:
         for side in (1.0, -1.0) if more == fewer else (1.0,) if more > fewer else (-1.0,):
             at = Omega * (1.0 + side * offset)
-            beside = averaged.states(at, F_0)
+            beside = averaged.states(Omega=at, F_0=F_0)
             by_distance = np.argsort(np.abs(beside.A - A) / A + ~beside.stable)
             for i in by_distance[:2]:
                 start = shooting.near(system, at, F_0, (float(beside.A[i]), float(beside.phi[i])))

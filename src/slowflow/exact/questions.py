@@ -100,7 +100,7 @@ def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: 
     try:
         return shooting.steady_state(system, Omega, F_0)
     except shooting.NotSettled:
-        states = averaged.states(Omega, F_0)
+        states = averaged.states(Omega=Omega, F_0=F_0)
         if states.A.size == 1:
             found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])))
             if found is not None and found.stable:
@@ -115,7 +115,7 @@ def _guesses(averaged: Averaged, Omega: float, F_0: float, A: float) -> list[tup
     next to Omega are tried, and the amplitude itself with the phase that averaging gives it.
     """
     model = averaged.model
-    states, folds = averaged.states(Omega, F_0), averaged.folds(F_0)
+    states, folds = averaged.states(Omega=Omega, F_0=F_0), averaged.folds(F_0)
     beside = np.abs(folds.Omega / Omega - 1.0) < BESIDE
     amplitudes = np.concatenate((folds.A[beside], [A]))
     frequencies = np.concatenate((folds.Omega[beside], [Omega]))

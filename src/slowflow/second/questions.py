@@ -79,7 +79,7 @@ class SecondApproximation:
 
     def amplitudes(self, *, Omega: Any, F_0: float) -> SecondStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses."""
-        first = self.first.states(Omega, F_0)
+        first = self.first.states(Omega=Omega, F_0=F_0)
         wanted = np.asarray(Omega, dtype=float).ravel()
         if not wanted.size or not first.A.size:
             none = np.empty(0)
