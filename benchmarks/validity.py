@@ -452,6 +452,8 @@ def table(numbers: dict[str, Any]) -> str:
     levels = [level for level in TRUNCATION_LEVELS if all(_size(cells, u_cr, level) is not None for u_cr in u_crs)]
     sizes = [[_size(cells, u_cr, level) for level in levels] for u_cr in u_crs]
 
+    measured = [json.dumps(example.isolator(force=force).model.mechanism.name) for force in FORCES.values()]
+
     def line(name: str, values: Any) -> str:
         return f"{name} = ({', '.join(f'{value:.3g}' for value in values)})"
 
@@ -468,7 +470,7 @@ def table(numbers: dict[str, Any]) -> str:
             "# fmt: off",
             "",
             "# the mechanisms that were measured, by name",
-            'MECHANISMS = ("rod_spring", "rod_spring_attached", "rod_spring_untruncated")',
+            f"MECHANISMS = ({', '.join(measured)})",
             "# edges of mu/F_0 and of mu/(A Omega^2)",
             line("RATIOS", BINS),
             line("RESTS", RESTS),
