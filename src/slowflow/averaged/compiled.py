@@ -1,7 +1,6 @@
 """The questions about one oscillator on the compiled solvers: in go a model and numbers, out come the same answers.
 
-Same names, arguments and answers as in `folds`, `onset`, `response` and `locus` of `reference`, which run on NumPy;
-`solvers` chooses.
+Same names, arguments and answers as in `reference.answers`, which run on NumPy; `solvers` chooses.
 """
 
 from __future__ import annotations

@@ -14,6 +14,8 @@
 
 /* an interval of Omega that is wider, relatively, is searched for roots */
 #define SF_WIDE 0x1p-20
+/* by how much, relatively, the forcing up to which an onset is proved to be the lowest exceeds the one that was found */
+#define SF_ABOVE_ONSET 0x1p-20
 
 static int sf_sign_of(sf_interval x) { return sfi_positive(x) - sfi_negative(x); }
 static sf_interval sf_hull_of(sf_interval a, sf_interval b) {
@@ -390,7 +392,7 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
     status = sf_find_onset(model, work, &best);
     if (status != SF_OK)
         return status;
-    F_0 = best.F_SN * (1 + 0x1p-20);
+    F_0 = best.F_SN * (1 + SF_ABOVE_ONSET);
     status = sf_amplitude_bound(model, F_0, &A_max);
     if (status != SF_OK)
         return status;

@@ -8,6 +8,9 @@
 #include "cells.h"
 #include "slow_flow_intervals.h"
 
+/* of Newton's method on intervals, each of which takes a quarter of the interval or more */
+enum { SF_MOST_STEPS = 60 };
+
 typedef struct {
     const sf_mechanism *mechanism;
     sf_interval p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], m, zeta;

@@ -11,8 +11,6 @@
 #include "certificate.h"
 #include "scan.h"
 
-enum { SF_MOST_STEPS = 60 };
-
 /* what is not decided after so many cells is left in doubt */
 #define SF_MOST_PROOF_CELLS 4000
 /* a narrower interval, relatively, is not cut any more: it may hold a double zero, or a zero may lie on its end */

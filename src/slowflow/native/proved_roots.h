@@ -8,6 +8,11 @@
 
 enum { SF_MOST_ROOTS = 8, SF_MOST_ROOT_CELLS = 1000 };
 
+/* a narrower interval, relatively, is not cut any more: it may hold a double root */
+#define SF_ROOT_NARROW 0x1p-32
+/* intervals in doubt that are nearer to each other than this, relatively, are one */
+#define SF_ROOTS_TOUCH 0x1p-30
+
 /* of the response, F = 0; of the fold locus, F_A = 0; of its peaks, F_Omega = 0 */
 typedef enum { SF_ROOTS_OF_F, SF_ROOTS_OF_F_A, SF_ROOTS_OF_F_OMEGA } sf_roots_of;
 
@@ -54,7 +59,7 @@ static double sf_highest_root(const sf_at_amplitude *q) {
 
 static void sf_add_root(sf_roots *out, sf_interval w, int doubtful) {
     const int last = out->n - 1;
-    if (doubtful && last >= 0 && out->doubtful[last] && w.lo - out->at[last].hi <= 0x1p-30 * w.lo) {
+    if (doubtful && last >= 0 && out->doubtful[last] && w.lo - out->at[last].hi <= SF_ROOTS_TOUCH * w.lo) {
         out->at[last].hi = w.hi; /* neighbours are one */
     } else if (out->n == SF_MOST_ROOTS) {
         out->full = 1;
@@ -66,7 +71,7 @@ static void sf_add_root(sf_roots *out, sf_interval w, int doubtful) {
 /* The one root in an interval on which the slope has a sign. */
 static sf_interval sf_narrow_root(const sf_at_amplitude *q, sf_interval w) {
     int i;
-    for (i = 0; i < 60; i++) {
+    for (i = 0; i < SF_MOST_STEPS; i++) {
         const sf_interval x = sfi_point(0.5 * (w.lo + w.hi));
         sf_interval y, dy, unused, next;
         sf_value_on(q, x, &y, &unused);
@@ -82,7 +87,8 @@ static sf_interval sf_narrow_root(const sf_at_amplitude *q, sf_interval w) {
 static void sf_roots_between(const sf_at_amplitude *q, double low, double high, sf_roots *out) {
     const sf_interval w = sfi_of(low, high);
     const double middle = sf_amid(0, low, high);
-    const int last = !(middle > low && middle < high) || high - low <= 0x1p-32 * high || out->cells++ > SF_MOST_ROOT_CELLS;
+    const int last = !(middle > low && middle < high) || high - low <= SF_ROOT_NARROW * high ||
+                     out->cells++ > SF_MOST_ROOT_CELLS;
     sf_interval y, dy, at_low, at_high, unused;
     sf_value_on(q, w, &y, &dy);
     if (sfi_has_sign(y))

@@ -26,7 +26,6 @@ from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import RAISE, RAISES
 
 
-#: what is said where there is no answer
 @dataclasses.dataclass
 class _Best:
     """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at Omega = 0."""
