@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
+from slowflow_kernels import rod_spring_untruncated
 from tests.oracles.make_kernel_oracle import RANGES
 
 Point = dict[str, float]
@@ -48,6 +49,8 @@ BOX: dict[str, tuple[float, float, bool, bool]] = {
 }
 #: modules whose numbers have no scale to vary over: the ranges of the kernels' oracle serve
 PLAIN = ("motion", "den_hartog", "second_approximation")
+#: beyond it a double does not say how far from 1 it is: the domain that the averages' kernels state
+LARGEST_BREAKPOINT = rod_spring_untruncated.MECHANISM.digits_up_to
 #: what a double lacks of its number
 LACKED = ("tail", "p_low", "q_low")
 #: sizes of the extreme arguments
@@ -67,7 +70,7 @@ def limits(module: str, name: str) -> tuple[float, float, bool, bool]:
 
 
 def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
-    """Whether a point lies in the box, and amplitudes within the reach of an attached untruncated force."""
+    """Whether a point lies in the box, and where the kernels keep their digits; beyond, answers say that they do not."""
     for name, x in zip(names, at, strict=True):
         low, high, negative, zero = limits(module, name)
         if not math.isfinite(x) or (x < 0 and not negative) or (x == 0 and not zero) or abs(x) > high:
@@ -75,6 +78,8 @@ def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
         if x and abs(x) < low:
             return False
     x = dict(zip(names, at, strict=True))
+    if module.startswith("rod_spring_untruncated") and x.get("u_cr", 0.0) > LARGEST_BREAKPOINT:
+        return False
     if "h_3" in x and not -0.5 < -x["h"] / (x["A"] * x["Omega"] ** 2) < 8:
         return False
     if "T" in x and "R" not in x and x["h_AA"] == 0:  # one form of R divides by it

@@ -20,7 +20,7 @@
 #define ROD_SPRING_UNTRUNCATED_BREAKPOINTS 1
 
 /* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0.
+   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
    Operations where passed_0: 120 structured, 99 common subexpressions, 98 power chains
    Operations where passed_0_steep: 176 structured, 147 common subexpressions, 146 power chains
    Operations where passed_1_far: 714 structured, 714 common subexpressions, 639 power chains
@@ -2776,7 +2776,7 @@ static inline double rod_spring_untruncated_force(double u, double alpha, double
 }
 
 /* h, h_A, h_AA, h_AAA together.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
     double values[7];
@@ -2788,7 +2788,7 @@ static inline void rod_spring_untruncated_averaged(double A, const double *p, do
 }
 
 /* h, h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
     double values[7];
@@ -2798,7 +2798,7 @@ static inline void rod_spring_untruncated_averaged_2(double A, const double *p, 
 }
 
 /* H, H_A together.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
     double values[7];
@@ -2808,7 +2808,7 @@ static inline void rod_spring_untruncated_averaged_H(double A, const double *p, 
 }
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_intercept(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};
@@ -2818,7 +2818,7 @@ static inline double rod_spring_untruncated_intercept(double A, double alpha, do
 }
 
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};
@@ -2828,7 +2828,7 @@ static inline double rod_spring_untruncated_h(double A, double alpha, double bet
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_h_A(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};
@@ -2838,7 +2838,7 @@ static inline double rod_spring_untruncated_h_A(double A, double alpha, double b
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};
@@ -2848,7 +2848,7 @@ static inline double rod_spring_untruncated_h_AA(double A, double alpha, double 
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};
@@ -2858,7 +2858,7 @@ static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_H(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};
@@ -2868,7 +2868,7 @@ static inline double rod_spring_untruncated_H(double A, double alpha, double bet
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_H_A(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};
@@ -2878,7 +2878,7 @@ static inline double rod_spring_untruncated_H_A(double A, double alpha, double b
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
 static inline double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double u_cr)
 {
     const double p[] = {alpha, beta, u_cr};

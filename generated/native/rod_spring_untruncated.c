@@ -412,7 +412,8 @@ static const sf_loop rod_spring_untruncated_force_loops[] = {
 
 static const sf_kernel kernels[] = {
     {"averaged_all",
-     "h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
+     "h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together. Equation (20)-(22), (31). Domain: A >= 0; digits are lost for "
+     "u_cr > 0.9998.",
      4, 7, 6, rod_spring_untruncated_averaged_all_regime, rod_spring_untruncated_averaged_all_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "

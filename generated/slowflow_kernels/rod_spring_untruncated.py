@@ -1638,7 +1638,7 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
 def averaged_all(A, alpha, beta, u_cr):
     """h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     arguments = floats(A, alpha, beta, u_cr)
     A, alpha, beta, u_cr = arguments
@@ -2975,7 +2975,7 @@ def force(u, alpha, beta, u_cr):
 def averaged(A, alpha, beta, u_cr):
     """h, h_A, h_AA, h_AAA together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     values = averaged_all(A, alpha, beta, u_cr)
     return values[0], values[1], values[2], values[3]
@@ -2984,7 +2984,7 @@ def averaged(A, alpha, beta, u_cr):
 def averaged_2(A, alpha, beta, u_cr):
     """h, h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     values = averaged_all(A, alpha, beta, u_cr)
     return values[0], values[1]
@@ -2993,7 +2993,7 @@ def averaged_2(A, alpha, beta, u_cr):
 def averaged_H(A, alpha, beta, u_cr):
     """H, H_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     values = averaged_all(A, alpha, beta, u_cr)
     return values[4], values[5]
@@ -3002,7 +3002,7 @@ def averaged_H(A, alpha, beta, u_cr):
 def intercept(A, alpha, beta, u_cr):
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged_all(A, alpha, beta, u_cr)[6]
 
@@ -3010,7 +3010,7 @@ def intercept(A, alpha, beta, u_cr):
 def h(A, alpha, beta, u_cr):
     """The averaged restoring force h = H - A.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged_2(A, alpha, beta, u_cr)[0]
 
@@ -3018,7 +3018,7 @@ def h(A, alpha, beta, u_cr):
 def h_A(A, alpha, beta, u_cr):
     """d/dA of the averaged restoring force h = H - A.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged_2(A, alpha, beta, u_cr)[1]
 
@@ -3026,7 +3026,7 @@ def h_A(A, alpha, beta, u_cr):
 def h_AA(A, alpha, beta, u_cr):
     """d2/dA2 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged(A, alpha, beta, u_cr)[2]
 
@@ -3034,7 +3034,7 @@ def h_AA(A, alpha, beta, u_cr):
 def h_AAA(A, alpha, beta, u_cr):
     """d3/dA3 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged(A, alpha, beta, u_cr)[3]
 
@@ -3042,7 +3042,7 @@ def h_AAA(A, alpha, beta, u_cr):
 def H(A, alpha, beta, u_cr):
     """The averaged force H beside the vertical spring.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged_H(A, alpha, beta, u_cr)[0]
 
@@ -3050,7 +3050,7 @@ def H(A, alpha, beta, u_cr):
 def H_A(A, alpha, beta, u_cr):
     """d/dA of the averaged force H beside the vertical spring.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged_H(A, alpha, beta, u_cr)[1]
 
@@ -3058,7 +3058,7 @@ def H_A(A, alpha, beta, u_cr):
 def H_AA(A, alpha, beta, u_cr):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
     """
     return averaged(A, alpha, beta, u_cr)[2]
 

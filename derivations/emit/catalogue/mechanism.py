@@ -140,6 +140,13 @@ def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, .
     )
 
 
+def domain_of_averages(derived: OfMechanism) -> str:
+    """In words; a breakpoint too near to where the force is singular is a double that does not say how near."""
+    if not is_spelled_out(derived):
+        return "A >= 0"
+    return "; ".join(["A >= 0", *(f"digits are lost for {b} > {STEEPEST.evalf(4)}" for b in derived.whole.breakpoints)])
+
+
 def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cases: tuple[Branch, ...]) -> Kernel:
     """Some of h, H and their derivatives together."""
     parameters = derived.oscillator.mechanism.parameters
@@ -149,7 +156,7 @@ def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cas
         cases,
         f"{', '.join(outputs)} together.",
         "(20)-(22), (31)",
-        "A >= 0",
+        domain_of_averages(derived),
         parameters=len(parameters),
         returns="tuple",
     )
