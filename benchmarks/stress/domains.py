@@ -70,7 +70,7 @@ def limits(module: str, name: str) -> tuple[float, float, bool, bool]:
 
 
 def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
-    """Whether a point lies in the box, and where the kernels keep their digits; beyond, answers say that they do not."""
+    """Whether a point lies in the box, and where the kernels keep their digits: beyond, answers say they are lost."""
     for name, x in zip(names, at, strict=True):
         low, high, negative, zero = limits(module, name)
         if not math.isfinite(x) or (x < 0 and not negative) or (x == 0 and not zero) or abs(x) > high:

@@ -379,7 +379,7 @@ def page(numbers: Numbers) -> str:
         "quasi-zero stiffness to the ulp and negative stiffness among them. The equation of motion, Den Hartog's",
         "solution and the second approximation are tried in the ranges of `make_kernel_oracle`.",
         f"Untruncated forces are tried for u_cr up to {domains.LARGEST_BREAKPOINT:g}, the domain that their averages",
-        "state. Beyond it the error grows as u/(1 - u_cr), the averages next to u_cr = 1 have no digit left, and answers",
+        "state. Beyond it the error grows as u/(1 - u_cr), averages next to u_cr = 1 have no digit left, and answers",
         "say that digits are lost (`Remark.DIGITS_LOST`).",
         "",
         *table(("argument", "from", "to", "negative", "zero"), box),
