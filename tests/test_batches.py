@@ -55,6 +55,8 @@ def test_a_number_of_workers_that_is_none_is_refused(workers):
 def test_ctrl_c_ends_a_batch(question):
     """A batch of minutes: the interrupt is heard while it runs."""
     program = (
+        # a runner in the background may have its children ignore interrupts
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "import numpy as np; from slowflow import Isolator\n"
         "r = np.linspace(0.5, 2.0, 10**7)\n"
         "designs = Isolator.many(lam=3, r=r, delta_h=0.2 / r, mu=0.01, zeta=0.02)\n"

@@ -194,6 +194,7 @@ def test_ctrl_c_interrupts():
     """A question of hours stops when it is interrupted."""
     code = (
         "import signal, threading, numpy as np; from slowflow import Duffing\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a runner in the background may ignore them
         "oscillator = Duffing(1.0, 0.1, 0.01, 0.01)\n"
         "oscillator.steady_state(Omega=0.5, F_0=0.1)\n"  # all is imported then
         "threading.Timer(1.0, lambda: signal.raise_signal(signal.SIGINT)).start()\n"

@@ -77,8 +77,10 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
 
 def interrupted(program: str) -> str:
     """What a program prints that is interrupted 0.5 s after it has printed "asked", and the end of its errors."""
+    # a runner in the background may have its children ignore interrupts
+    listening = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
     with subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-c", listening + program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
         try:
             assert process.stdout.readline() == "asked\n"
