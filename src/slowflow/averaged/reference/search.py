@@ -121,12 +121,13 @@ def _first_intervals(model: Model, pieces: Sequence[Stretch]) -> tuple[Ints, Sam
     """Numbers of pieces, and samples at both ends of each of the intervals that are looked at first."""
     numbers, lows, highs, inner = [], [], [], []
     for number, piece in enumerate(pieces):
-        base, nodes = piece.base, np.array([piece.first.A[0], piece.last.A[0]])
-        if nodes[0] == 0:
+        base, first, last = piece.base, piece.first.A[0], piece.last.A[0]
+        nodes = np.array([first, last])
+        if first == 0:
             nodes = np.concatenate(([0.0, FIRST], nodes[1] * 0.125 ** np.arange(ORDERS, -1, -1)))
         for _ in range(HALVED_FIRST):
             nodes = np.unique(np.concatenate((nodes, amid(np.asarray(base), nodes[:-1], nodes[1:]))))
-            nodes = nodes[(nodes == 0) | ((nodes >= FIRST) & (nodes < piece.last.A[0])) | (nodes == piece.last.A[0])]
+            nodes = nodes[(nodes == first) | ((nodes >= FIRST) & (nodes < last)) | (nodes == last)]
         inner.append(nodes[1:-1])
         numbers.append(np.full(nodes.size - 1, number))
     at = samples_at(model, np.concatenate(inner))
