@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import signal
-import subprocess
-import sys
-import time
-
 import numpy as np
 import pytest
 
 from slowflow import Isolator, backend
 from slowflow.averaged import many as batches
+from tests.interrupts import ENDING, interrupted
 
 native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 
@@ -55,24 +51,12 @@ def test_a_number_of_workers_that_is_none_is_refused(workers):
 def test_ctrl_c_ends_a_batch(question):
     """A batch of minutes: the interrupt is heard while it runs."""
     program = (
-        # a runner in the background may have its children ignore interrupts
-        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "import numpy as np; from slowflow import Isolator\n"
         "r = np.linspace(0.5, 2.0, 10**7)\n"
         "designs = Isolator.many(lam=3, r=r, delta_h=0.2 / r, mu=0.01, zeta=0.02)\n"
         f"print('asked', flush=True); designs.{question}; print('answered', flush=True)"
     )
-    with subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
-        try:
-            assert process.stdout.readline() == "asked\n"
-            time.sleep(0.5)
-            process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=30)
-        finally:
-            process.kill()
-    assert out == "" and err.rstrip().endswith("KeyboardInterrupt")
+    assert interrupted(program) == ENDING
 
 
 @pytest.mark.both_backends

@@ -6,7 +6,6 @@ import itertools
 import math
 import multiprocessing
 import os
-import signal
 import subprocess
 import sys
 import time
@@ -20,6 +19,7 @@ from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator, backend
 from slowflow.paper.example import isolator
+from tests.interrupts import ENDING, interrupted
 
 native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 
@@ -75,23 +75,6 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
     subprocess.run([sys.executable, "-c", program], check=True, timeout=120)
 
 
-def interrupted(program: str) -> str:
-    """What a program prints that is interrupted 0.5 s after it has printed "asked", and the end of its errors."""
-    # a runner in the background may have its children ignore interrupts
-    listening = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-    with subprocess.Popen(
-        [sys.executable, "-c", listening + program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as process:
-        try:
-            assert process.stdout.readline() == "asked\n"
-            time.sleep(0.5)
-            process.send_signal(signal.SIGINT)
-            out, err = process.communicate(timeout=30)
-        finally:
-            process.kill()
-    return out + err.rstrip()[-len("KeyboardInterrupt") :]
-
-
 @native_only
 def test_ctrl_c_ends_a_long_answer():
     program = (
@@ -99,7 +82,7 @@ def test_ctrl_c_ends_a_long_answer():
         "grid = np.linspace(0.1, 2.0, 3 * 10**7); print('asked', flush=True)\n"
         "isolator().amplitudes(Omega=grid, F_0=0.04); print('answered', flush=True)"
     )
-    assert interrupted(program) == "KeyboardInterrupt"
+    assert interrupted(program) == ENDING
 
 
 @native_only
@@ -108,7 +91,7 @@ def test_ctrl_c_ends_an_exact_curve():
         "from slowflow.paper.example import isolator\n"
         "print('asked', flush=True); isolator().exact_response(0.04, step=1e-6); print('answered', flush=True)"
     )
-    assert interrupted(program) == "KeyboardInterrupt"
+    assert interrupted(program) == ENDING
 
 
 @pytest.mark.slow
