@@ -171,12 +171,11 @@ static sf_status sf_begin_certificate(const sf_model *model, const sf_given *giv
 static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, const double *hints, int count,
                                   sf_proof *proof, sf_certificate *out) {
     const sf_status status = sf_begin_certificate(model, given, F_0, out);
-    sf_proving proving;
+    sf_proving proving = sf_proving_of(given, F_0, proof);
     int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
-    proving.given = given, proving.range = sf_fold_on, proving.channels = 1, proving.out = proof, proving.from = 0;
-    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.hints = hints, proving.expected = count;
+    proving.range = sf_fold_on, proving.channels = 1, proving.hints = hints, proving.expected = count;
     sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, proof, out);
     for (i = 0; i < proof->n; i++) {
@@ -204,12 +203,11 @@ static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open
 static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega, sf_proof *proof,
                                    sf_certificate *out) {
     const sf_status status = sf_begin_certificate(model, given, F_0, out);
-    sf_proving proving;
+    sf_proving proving = sf_proving_of(given, F_0, proof);
     int i;
     if (status != SF_OK || out->doubts > 0)
         return status;
-    proving.given = given, proving.range = sf_state_on, proving.channels = 1, proving.out = proof, proving.from = 0;
-    proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.Omega = sfi_point(Omega), proving.expected = 0;
+    proving.range = sf_state_on, proving.channels = 1, proving.Omega = sfi_point(Omega);
     sf_prove(&proving, out->A_max);
     sf_leave_all_in_doubt(given, proof, out);
     for (i = 0; i < proof->n; i++)
@@ -397,7 +395,7 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
     if (status != SF_OK)
         return status;
     list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
-    proving.given = given, proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.expected = 0, proving.out = proof;
+    proving = sf_proving_of(given, F_0, proof);
     /* without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out */
     proving.from = given->m.hi > 0 ? 0 : SF_FIRST;
     for (i = 0; i < 2; i++) {

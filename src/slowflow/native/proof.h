@@ -47,6 +47,14 @@ static inline sf_terms sf_terms_of(const sf_given *given, sf_interval F_0) {
     return terms;
 }
 
+/* About zeros from A = 0 on, none of which is expected anywhere. */
+static inline sf_proving sf_proving_of(const sf_given *given, double F_0, sf_proof *out) {
+    sf_proving proving;
+    memset(&proving, 0, sizeof proving);
+    proving.given = given, proving.terms = sf_terms_of(given, sfi_point(F_0)), proving.out = out;
+    return proving;
+}
+
 static void sf_clear_range(sf_range out[2]) {
     out[0].where = out[1].where = SF_NOWHERE, out[0].edge = out[1].edge = 0;
 }
