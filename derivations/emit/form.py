@@ -92,8 +92,9 @@ class Kernel:
 class Selection:
     """A function that takes some outputs of another with the same arguments.
 
-    source -- the other one; it returns a tuple
-    chosen -- numbers of the outputs taken
+    source   -- the other one; it returns a tuple
+    chosen   -- numbers of the outputs taken
+    compiled -- whether Python has it as a loop over arrays of floats, which computes these alone
     """
 
     name: str
@@ -101,6 +102,7 @@ class Selection:
     chosen: tuple[int, ...]
     doc: str
     equation: str
+    compiled: bool = False
 
     @property
     def arguments(self) -> tuple[sp.Symbol, ...]:
@@ -127,7 +129,8 @@ class Selection:
 class Composition:
     """A function that calls `inner` of the slow flow with m = friction(mu) and h, h_A, ... of the mechanism put in.
 
-    average -- what gives h and its first derivatives; None where the inner kernel takes none
+    average  -- what gives h and its first derivatives; None where the inner kernel takes none
+    compiled -- whether Python has it as one loop over arrays of floats
     """
 
     name: str
@@ -135,6 +138,27 @@ class Composition:
     inner: Kernel
     average: Kernel | Selection | None
     parameters: int = 0
+    compiled: bool = False
+
+    @property
+    def doc(self) -> str:
+        return self.inner.doc
+
+    @property
+    def equation(self) -> str:
+        return self.inner.equation
+
+    @property
+    def domain(self) -> str:
+        return self.inner.domain
+
+    @property
+    def width(self) -> int:
+        return self.inner.width
+
+    @property
+    def returns(self) -> str:
+        return self.inner.returns
 
 
 @dataclass(frozen=True)
@@ -222,9 +246,9 @@ class Module:
     cells: tuple[Kernel, ...] = ()
 
     @property
-    def loops(self) -> bool:
-        """Whether anything in it is compiled into loops over arrays."""
-        return any(kernel.compiled for kernel in self.kernels)
+    def looped(self) -> tuple[Kernel | Selection | Composition, ...]:
+        """What is compiled into loops over arrays."""
+        return tuple(one for one in (*self.kernels, *self.selections, *self.compositions) if one.compiled)
 
 
 def plain(

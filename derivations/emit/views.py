@@ -281,23 +281,23 @@ def composition_view(composition: Composition, calls: Calls) -> dict[str, object
     """A composition as a template needs it: what to compute first, and the call of the inner kernel."""
     arguments = [argument.name for argument in composition.arguments]
     split = len(arguments) - composition.parameters
-    average, inner = composition.average, composition.inner
+    average = composition.average
     given = AVERAGED[: average.width] if average else ()
     local = {symbol.name: name for symbol, name in zip(AVERAGED, calls.averages, strict=True)}
     local[m.name] = calls.friction
     return {
         "name": composition.name,
-        "doc": inner.doc,
-        "equation": inner.equation,
-        "domain": inner.domain,
+        "doc": composition.doc,
+        "equation": composition.equation,
+        "domain": composition.domain,
         "plain": arguments[:split],
         "packed": arguments[split:],
-        "averages": [local[symbol.name] if symbol in inner.arguments else "_" for symbol in given],
+        "averages": [local[symbol.name] if symbol in composition.inner.arguments else "_" for symbol in given],
         "average_function": average.name if average else "",
-        "inner": calls.inner(inner.name),
-        "passed": [local.get(argument.name, argument.name) for argument in inner.arguments],
-        "width": inner.width,
-        "returns": inner.returns,
+        "inner": calls.inner(composition.inner.name),
+        "passed": [local.get(argument.name, argument.name) for argument in composition.inner.arguments],
+        "width": composition.width,
+        "returns": composition.returns,
     }
 
 

@@ -10,12 +10,9 @@
 
 static SF_WIDE void den_hartog_V_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = den_hartog_V(Omega[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i];
+        out[0][i] = den_hartog_V(Omega);
     }
 }
 
@@ -25,12 +22,9 @@ static const sf_loop den_hartog_V_loops[] = {
 
 static SF_WIDE void den_hartog_U_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = den_hartog_U(Omega[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i];
+        out[0][i] = den_hartog_U(Omega);
     }
 }
 
@@ -40,13 +34,9 @@ static const sf_loop den_hartog_U_loops[] = {
 
 static SF_WIDE void den_hartog_S_ratio_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict tau = in[0];
-    const double *restrict Omega = in[1];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = den_hartog_S_ratio(tau[i], Omega[i]);
+    SF_EACH(i, n) {
+        const double tau = in[0][i], Omega = in[1][i];
+        out[0][i] = den_hartog_S_ratio(tau, Omega);
     }
 }
 
@@ -56,14 +46,9 @@ static const sf_loop den_hartog_S_ratio_loops[] = {
 
 static SF_WIDE void den_hartog_amplitude_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict mu = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = den_hartog_amplitude(Omega[i], F_0[i], mu[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i];
+        out[0][i] = den_hartog_amplitude(Omega, F_0, mu);
     }
 }
 
@@ -73,14 +58,9 @@ static const sf_loop den_hartog_amplitude_loops[] = {
 
 static SF_WIDE void den_hartog_bound_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict S = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = den_hartog_bound(Omega[i], F_0[i], S[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i], S = in[2][i];
+        out[0][i] = den_hartog_bound(Omega, F_0, S);
     }
 }
 
@@ -90,15 +70,9 @@ static const sf_loop den_hartog_bound_loops[] = {
 
 static SF_WIDE void den_hartog_motion_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict tau = in[0];
-    const double *restrict Omega = in[1];
-    const double *restrict A = in[2];
-    const double *restrict mu = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = den_hartog_motion(tau[i], Omega[i], A[i], mu[i]);
+    SF_EACH(i, n) {
+        const double tau = in[0][i], Omega = in[1][i], A = in[2][i], mu = in[3][i];
+        out[0][i] = den_hartog_motion(tau, Omega, A, mu);
     }
 }
 

@@ -10,23 +10,13 @@
 
 static SF_WIDE void duffing_averaged_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
         double values[4];
-        duffing_averaged(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        duffing_averaged(A, p, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -36,19 +26,13 @@ static const sf_loop duffing_averaged_loops[] = {
 
 static SF_WIDE void duffing_averaged_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
         double values[2];
-        duffing_averaged_2(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        duffing_averaged_2(A, p, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -58,19 +42,13 @@ static const sf_loop duffing_averaged_2_loops[] = {
 
 static SF_WIDE void duffing_averaged_H_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
         double values[2];
-        duffing_averaged_H(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        duffing_averaged_H(A, p, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -80,14 +58,9 @@ static const sf_loop duffing_averaged_H_loops[] = {
 
 static SF_WIDE void duffing_intercept_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = duffing_intercept(A[i], alpha[i], beta[i]);
+    SF_EACH(i, n) {
+        const double A = in[0][i], alpha = in[1][i], beta = in[2][i];
+        out[0][i] = duffing_intercept(A, alpha, beta);
     }
 }
 
@@ -97,31 +70,13 @@ static const sf_loop duffing_intercept_loops[] = {
 
 static SF_WIDE void duffing_harmonics_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    double *restrict out_7 = out[7];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
         double values[8];
-        duffing_harmonics(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
-        out_7[i] = values[7];
+        duffing_harmonics(A, p, values);
+        for (int k = 0; k < 8; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -131,17 +86,12 @@ static const sf_loop duffing_harmonics_loops[] = {
 
 static SF_WIDE void duffing_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict alpha = in[0];
-    const double *restrict beta = in[1];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double alpha = in[0][i], beta = in[1][i];
         double values[2];
-        duffing_coefficients(alpha[i], beta[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        duffing_coefficients(alpha, beta, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -151,16 +101,12 @@ static const sf_loop duffing_coefficients_loops[] = {
 
 static SF_WIDE void duffing_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict alpha = in[0];
-    const double *restrict beta = in[1];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i]};
+    SF_EACH(i, n) {
+        const double p[] = {in[0][i], in[1][i]};
         double values[1];
         duffing_hardening(p, values);
-        out_0[i] = values[0];
+        for (int k = 0; k < 1; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -170,14 +116,9 @@ static const sf_loop duffing_hardening_loops[] = {
 
 static SF_WIDE void duffing_force_force_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict u = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = duffing_force_1(u[i], alpha[i], beta[i]);
+    SF_EACH(i, n) {
+        const double u = in[0][i], alpha = in[1][i], beta = in[2][i];
+        out[0][i] = duffing_force_1(u, alpha, beta);
     }
 }
 
@@ -187,38 +128,13 @@ static const sf_loop duffing_force_loops[] = {
 
 static SF_WIDE void duffing_saddle_node_onset_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict m = in[0];
-    const double *restrict zeta = in[1];
-    const double *restrict alpha = in[2];
-    const double *restrict beta = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    double *restrict out_7 = out[7];
-    double *restrict out_8 = out[8];
-    double *restrict out_9 = out[9];
-    double *restrict out_10 = out[10];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i]};
+    SF_EACH(i, n) {
+        const double m = in[0][i], zeta = in[1][i];
+        const double p[] = {in[2][i], in[3][i]};
         double values[11];
-        duffing_saddle_node_onset(m[i], zeta[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
-        out_7[i] = values[7];
-        out_8[i] = values[8];
-        out_9[i] = values[9];
-        out_10[i] = values[10];
+        duffing_saddle_node_onset(m, zeta, p, values);
+        for (int k = 0; k < 11; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -228,44 +144,342 @@ static const sf_loop duffing_saddle_node_onset_loops[] = {
 
 static SF_WIDE void duffing_saddle_nodes_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict F_0 = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict alpha = in[3];
-    const double *restrict beta = in[4];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    double *restrict out_7 = out[7];
-    double *restrict out_8 = out[8];
-    double *restrict out_9 = out[9];
-    double *restrict out_10 = out[10];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i]};
+    SF_EACH(i, n) {
+        const double F_0 = in[0][i], m = in[1][i], zeta = in[2][i];
+        const double p[] = {in[3][i], in[4][i]};
         double values[11];
-        duffing_saddle_nodes(F_0[i], m[i], zeta[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
-        out_7[i] = values[7];
-        out_8[i] = values[8];
-        out_9[i] = values[9];
-        out_10[i] = values[10];
+        duffing_saddle_nodes(F_0, m, zeta, p, values);
+        for (int k = 0; k < 11; k++)
+            out[k][i] = values[k];
     }
 }
 
 static const sf_loop duffing_saddle_nodes_loops[] = {
     duffing_saddle_nodes_loop,
+};
+
+static SF_WIDE void duffing_h_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double values[2];
+        duffing_averaged_2(A, p, values);
+        out[0][i] = values[0];
+    }
+}
+
+static const sf_loop duffing_h_loops[] = {
+    duffing_h_loop,
+};
+
+static SF_WIDE void duffing_h_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double values[2];
+        duffing_averaged_2(A, p, values);
+        out[0][i] = values[1];
+    }
+}
+
+static const sf_loop duffing_h_A_loops[] = {
+    duffing_h_A_loop,
+};
+
+static SF_WIDE void duffing_h_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double values[4];
+        duffing_averaged(A, p, values);
+        out[0][i] = values[2];
+    }
+}
+
+static const sf_loop duffing_h_AA_loops[] = {
+    duffing_h_AA_loop,
+};
+
+static SF_WIDE void duffing_h_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double values[4];
+        duffing_averaged(A, p, values);
+        out[0][i] = values[3];
+    }
+}
+
+static const sf_loop duffing_h_AAA_loops[] = {
+    duffing_h_AAA_loop,
+};
+
+static SF_WIDE void duffing_H_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double values[2];
+        duffing_averaged_H(A, p, values);
+        out[0][i] = values[0];
+    }
+}
+
+static const sf_loop duffing_H_loops[] = {
+    duffing_H_loop,
+};
+
+static SF_WIDE void duffing_H_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double values[2];
+        duffing_averaged_H(A, p, values);
+        out[0][i] = values[1];
+    }
+}
+
+static const sf_loop duffing_H_A_loops[] = {
+    duffing_H_A_loop,
+};
+
+static SF_WIDE void duffing_H_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double values[4];
+        duffing_averaged(A, p, values);
+        out[0][i] = values[2];
+    }
+}
+
+static const sf_loop duffing_H_AA_loops[] = {
+    duffing_H_AA_loop,
+};
+
+static SF_WIDE void duffing_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
+        const double p[] = {in[5][i], in[6][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        out[0][i] = slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
+    }
+}
+
+static const sf_loop duffing_F_loops[] = {
+    duffing_F_loop,
+};
+
+static SF_WIDE void duffing_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
+        const double p[] = {in[4][i], in[5][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        out[0][i] = slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
+    }
+}
+
+static const sf_loop duffing_F_A_loops[] = {
+    duffing_F_A_loop,
+};
+
+static SF_WIDE void duffing_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
+        const double p[] = {in[4][i], in[5][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        out[0][i] = slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
+    }
+}
+
+static const sf_loop duffing_level_loops[] = {
+    duffing_level_loop,
+};
+
+static SF_WIDE void duffing_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
+        const double p[] = {in[4][i], in[5][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        out[0][i] = slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
+    }
+}
+
+static const sf_loop duffing_phase_loops[] = {
+    duffing_phase_loop,
+};
+
+static SF_WIDE void duffing_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
+        const double p[] = {in[4][i], in[5][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        double values[4];
+        slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop duffing_jacobian_loops[] = {
+    duffing_jacobian_loop,
+};
+
+static SF_WIDE void duffing_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
+        const double p[] = {in[4][i], in[5][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        out[0][i] = slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
+    }
+}
+
+static const sf_loop duffing_stability_loops[] = {
+    duffing_stability_loop,
+};
+
+static SF_WIDE void duffing_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
+        const double p[] = {in[5][i], in[6][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        out[0][i] = slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
+    }
+}
+
+static const sf_loop duffing_transmissibility_loops[] = {
+    duffing_transmissibility_loop,
+};
+
+static SF_WIDE void duffing_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        out[0][i] = slow_flow_backbone(A, average[0]);
+    }
+}
+
+static const sf_loop duffing_backbone_loops[] = {
+    duffing_backbone_loop,
+};
+
+static SF_WIDE void duffing_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
+    }
+}
+
+static const sf_loop duffing_limit_envelope_loops[] = {
+    duffing_limit_envelope_loop,
+};
+
+static SF_WIDE void duffing_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
+    }
+}
+
+static const sf_loop duffing_equivalent_damping_loops[] = {
+    duffing_equivalent_damping_loop,
+};
+
+static SF_WIDE void duffing_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
+        const double p[] = {in[4][i], in[5][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        double values[4];
+        slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop duffing_response_quartic_loops[] = {
+    duffing_response_quartic_loop,
+};
+
+static SF_WIDE void duffing_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
+        const double p[] = {in[3][i], in[4][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        double values[4];
+        slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop duffing_fold_quartic_loops[] = {
+    duffing_fold_quartic_loop,
+};
+
+static SF_WIDE void duffing_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
+        const double p[] = {in[3][i], in[4][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        double values[3];
+        slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], values);
+        for (int k = 0; k < 3; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop duffing_peak_cubic_loops[] = {
+    duffing_peak_cubic_loop,
+};
+
+static SF_WIDE void duffing_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
+        const double p[] = {in[3][i], in[4][i]};
+        double average[2];
+        duffing_averaged_2(A, p, average);
+        double values[4];
+        slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop duffing_detachment_loops[] = {
+    duffing_detachment_loop,
 };
 
 static const sf_kernel kernels[] = {
@@ -304,6 +518,75 @@ static const sf_kernel kernels[] = {
      "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds. Equation "
      "from (24), (30). Domain: roots with A > 0.",
      5, 11, 1, NULL, duffing_saddle_nodes_loops},
+    {"h",
+     "The averaged restoring force h = H - A. Equation (20)-(22). Domain: A >= 0.",
+     3, 1, 1, NULL, duffing_h_loops},
+    {"h_A",
+     "d/dA of the averaged restoring force h = H - A. Equation (31). Domain: A >= 0.",
+     3, 1, 1, NULL, duffing_h_A_loops},
+    {"h_AA",
+     "d2/dA2 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
+     3, 1, 1, NULL, duffing_h_AA_loops},
+    {"h_AAA",
+     "d3/dA3 of the averaged restoring force h = H - A. Equation from (31). Domain: A >= 0.",
+     3, 1, 1, NULL, duffing_h_AAA_loops},
+    {"H",
+     "The averaged force H beside the vertical spring. Equation (20)-(22). Domain: A >= 0.",
+     3, 1, 1, NULL, duffing_H_loops},
+    {"H_A",
+     "d/dA of the averaged force H beside the vertical spring. Equation (31). Domain: A >= 0.",
+     3, 1, 1, NULL, duffing_H_A_loops},
+    {"H_AA",
+     "d2/dA2 of the averaged force H beside the vertical spring. Equation from (31). Domain: A >= 0.",
+     3, 1, 1, NULL, duffing_H_AA_loops},
+    {"F",
+     "Frequency response; zero at a steady state. Equation (24). Domain: Omega > 0, A > 0.",
+     7, 1, 1, NULL, duffing_F_loops},
+    {"F_A",
+     "dF/dA; positive where stable. Equation (24), (30). Domain: Omega > 0, A > 0.",
+     6, 1, 1, NULL, duffing_F_A_loops},
+    {"level",
+     "The forcing F_0 for which (Omega, A) is a steady state. Equation (24). Domain: Omega >= 0, A > 0.",
+     6, 1, 1, NULL, duffing_level_loops},
+    {"phase",
+     "Phase phi of a steady state, from -pi to 0. Equation (25). Domain: Omega > 0, A > 0.",
+     6, 1, 1, NULL, duffing_phase_loops},
+    {"jacobian",
+     "Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22. Equation (28). Domain: Omega > 0, A "
+     "> 0.",
+     6, 4, 1, NULL, duffing_jacobian_loops},
+    {"stability",
+     "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive. Equation (30). Domain: Omega > 0, A > 0.",
+     6, 1, 1, NULL, duffing_stability_loops},
+    {"transmissibility",
+     "Fundamental harmonic of the force on the base over F_0, at a steady state. Equation from (23). Domain: Omega > "
+     "0, A > 0, F_0 > 0.",
+     7, 1, 1, NULL, duffing_transmissibility_loops},
+    {"backbone",
+     "Frequency on the backbone. Equation (26). Domain: A > 0, h <= 0.",
+     3, 1, 1, NULL, duffing_backbone_loops},
+    {"limit_envelope",
+     "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
+     "sticks otherwise.",
+     4, 1, 1, NULL, duffing_limit_envelope_loops},
+    {"equivalent_damping",
+     "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
+     "A > 0.",
+     4, 1, 1, NULL, duffing_equivalent_damping_loops},
+    {"response_quartic",
+     "F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4. Equation (24). Domain: A > 0.",
+     6, 4, 1, NULL, duffing_response_quartic_loops},
+    {"fold_quartic",
+     "F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4. Equation (24), (30). Domain: A > "
+     "0.",
+     5, 4, 1, NULL, duffing_fold_quartic_loops},
+    {"peak_cubic",
+     "F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3. Equation (34). Domain: A > 0.",
+     5, 3, 1, NULL, duffing_peak_cubic_loops},
+    {"detachment",
+     "Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr. "
+     "Equation (34). Domain: A > 0.",
+     5, 4, 1, NULL, duffing_detachment_loops},
 };
 
 const sf_module sf_module_duffing = {"duffing", kernels, sizeof kernels / sizeof kernels[0]};

@@ -10,186 +10,83 @@
 
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[7];
-        rod_spring_untruncated_averaged_all_passed_0(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
+        rod_spring_untruncated_averaged_all_passed_0(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[7];
-        rod_spring_untruncated_averaged_all_passed_0_steep(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
+        rod_spring_untruncated_averaged_all_passed_0_steep(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[7];
-        rod_spring_untruncated_averaged_all_passed_1_far(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
+        rod_spring_untruncated_averaged_all_passed_1_far(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[7];
-        rod_spring_untruncated_averaged_all_passed_1(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
+        rod_spring_untruncated_averaged_all_passed_1(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[7];
-        rod_spring_untruncated_averaged_all_passed_1_steep_far(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
+        rod_spring_untruncated_averaged_all_passed_1_steep_far(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[7];
-        rod_spring_untruncated_averaged_all_passed_1_steep(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
+        rod_spring_untruncated_averaged_all_passed_1_steep(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_averaged_all_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
-    const double *restrict A_ = in[0];
-    const double *restrict u_cr_ = in[3];
+    /* a char may alias the table of arrays */
+    const double *A_ = in[0], *u_cr_ = in[3];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i];
-        const double u_cr = u_cr_[i];
+        const double A = A_[i], u_cr = u_cr_[i];
         regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
     }
 }
@@ -205,74 +102,35 @@ static const sf_loop rod_spring_untruncated_averaged_all_loops[] = {
 
 static SF_WIDE void rod_spring_untruncated_harmonics_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    double *restrict out_7 = out[7];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[8];
-        rod_spring_untruncated_harmonics_passed_0(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
-        out_7[i] = values[7];
+        rod_spring_untruncated_harmonics_passed_0(A, p, values);
+        for (int k = 0; k < 8; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_harmonics_passed_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    double *restrict out_7 = out[7];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[8];
-        rod_spring_untruncated_harmonics_passed_1(A[i], p, values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
-        out_7[i] = values[7];
+        rod_spring_untruncated_harmonics_passed_1(A, p, values);
+        for (int k = 0; k < 8; k++)
+            out[k][i] = values[k];
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_harmonics_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
-    const double *restrict A_ = in[0];
-    const double *restrict u_cr_ = in[3];
+    /* a char may alias the table of arrays */
+    const double *A_ = in[0], *u_cr_ = in[3];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i];
-        const double u_cr = u_cr_[i];
+        const double A = A_[i], u_cr = u_cr_[i];
         regime[i] = A <= u_cr ? 0 : 1;
     }
 }
@@ -284,20 +142,12 @@ static const sf_loop rod_spring_untruncated_harmonics_loops[] = {
 
 static SF_WIDE void rod_spring_untruncated_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict lam = in[0];
-    const double *restrict r = in[1];
-    const double *restrict delta_h = in[2];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double lam = in[0][i], r = in[1][i], delta_h = in[2][i];
         double values[3];
-        rod_spring_untruncated_coefficients(lam[i], r[i], delta_h[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
+        rod_spring_untruncated_coefficients(lam, r, delta_h, values);
+        for (int k = 0; k < 3; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -307,17 +157,12 @@ static const sf_loop rod_spring_untruncated_coefficients_loops[] = {
 
 static SF_WIDE void rod_spring_untruncated_breakpoints_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict alpha = in[0];
-    const double *restrict beta = in[1];
-    const double *restrict u_cr = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double p[] = {in[0][i], in[1][i], in[2][i]};
         double values[1];
         rod_spring_untruncated_breakpoints(p, values);
-        out_0[i] = values[0];
+        for (int k = 0; k < 1; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -327,17 +172,12 @@ static const sf_loop rod_spring_untruncated_breakpoints_loops[] = {
 
 static SF_WIDE void rod_spring_untruncated_jumps_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict alpha = in[0];
-    const double *restrict beta = in[1];
-    const double *restrict u_cr = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double p[] = {in[0][i], in[1][i], in[2][i]};
         double values[1];
         rod_spring_untruncated_jumps(p, values);
-        out_0[i] = values[0];
+        for (int k = 0; k < 1; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -347,17 +187,12 @@ static const sf_loop rod_spring_untruncated_jumps_loops[] = {
 
 static SF_WIDE void rod_spring_untruncated_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict alpha = in[0];
-    const double *restrict beta = in[1];
-    const double *restrict u_cr = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double p[] = {alpha[i], beta[i], u_cr[i]};
+    SF_EACH(i, n) {
+        const double p[] = {in[0][i], in[1][i], in[2][i]};
         double values[1];
         rod_spring_untruncated_hardening(p, values);
-        out_0[i] = values[0];
+        for (int k = 0; k < 1; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -367,40 +202,27 @@ static const sf_loop rod_spring_untruncated_hardening_loops[] = {
 
 static SF_WIDE void rod_spring_untruncated_force_force_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict u = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_untruncated_force_1(u[i], alpha[i], beta[i], u_cr[i]);
+    SF_EACH(i, n) {
+        const double u = in[0][i], alpha = in[1][i], beta = in[2][i], u_cr = in[3][i];
+        out[0][i] = rod_spring_untruncated_force_1(u, alpha, beta, u_cr);
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_force_force_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict u = in[0];
-    const double *restrict alpha = in[1];
-    const double *restrict beta = in[2];
-    const double *restrict u_cr = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = rod_spring_untruncated_force_2(u[i], alpha[i], beta[i], u_cr[i]);
+    SF_EACH(i, n) {
+        const double u = in[0][i], alpha = in[1][i], beta = in[2][i], u_cr = in[3][i];
+        out[0][i] = rod_spring_untruncated_force_2(u, alpha, beta, u_cr);
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
-    const double *restrict u_ = in[0];
-    const double *restrict u_cr_ = in[3];
+    /* a char may alias the table of arrays */
+    const double *u_ = in[0], *u_cr_ = in[3];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        const double u = u_[i];
-        const double u_cr = u_cr_[i];
+        const double u = u_[i], u_cr = u_cr_[i];
         regime[i] = fabs(u) <= u_cr ? 0 : 1;
     }
 }
@@ -408,6 +230,30 @@ static SF_WIDE void rod_spring_untruncated_force_regime(ptrdiff_t n, const doubl
 static const sf_loop rod_spring_untruncated_force_loops[] = {
     rod_spring_untruncated_force_force_1_loop,
     rod_spring_untruncated_force_force_2_loop,
+};
+
+static SF_WIDE void rod_spring_untruncated_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
+    }
+}
+
+static const sf_loop rod_spring_untruncated_limit_envelope_loops[] = {
+    rod_spring_untruncated_limit_envelope_loop,
+};
+
+static SF_WIDE void rod_spring_untruncated_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
+    }
+}
+
+static const sf_loop rod_spring_untruncated_equivalent_damping_loops[] = {
+    rod_spring_untruncated_equivalent_damping_loop,
 };
 
 static const sf_kernel kernels[] = {
@@ -435,6 +281,14 @@ static const sf_kernel kernels[] = {
     {"force",
      "Whole dimensionless restoring force u + F_k(u), untruncated. Equation (3), (5). Domain: |u| < 1.",
      4, 1, 2, rod_spring_untruncated_force_regime, rod_spring_untruncated_force_loops},
+    {"limit_envelope",
+     "Largest amplitude that the forcing can hold at this frequency. Equation (27). Domain: Omega > 0, F_0 > m; "
+     "sticks otherwise.",
+     4, 1, 1, NULL, rod_spring_untruncated_limit_envelope_loops},
+    {"equivalent_damping",
+     "Viscous damping ratio that dissipates as much as zeta and friction together. Equation (38). Domain: Omega > 0, "
+     "A > 0.",
+     4, 1, 1, NULL, rod_spring_untruncated_equivalent_damping_loops},
 };
 
 const sf_module sf_module_rod_spring_untruncated = {"rod_spring_untruncated", kernels, sizeof kernels / sizeof kernels[0]};

@@ -10,44 +10,15 @@
 
 static SF_WIDE void second_approximation_response_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h = in[5];
-    const double *restrict h_A = in[6];
-    const double *restrict h_AA = in[7];
-    const double *restrict h_3 = in[8];
-    const double *restrict h_3_A = in[9];
-    const double *restrict h_3_AA = in[10];
-    const double *restrict h_5 = in[11];
-    const double *restrict h_5_A = in[12];
-    const double *restrict h_5_AA = in[13];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    double *restrict out_5 = out[5];
-    double *restrict out_6 = out[6];
-    double *restrict out_7 = out[7];
-    double *restrict out_8 = out[8];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], m = in[3][i], zeta = in[4][i], h = in[5][i],
+            h_A = in[6][i], h_AA = in[7][i], h_3 = in[8][i], h_3_A = in[9][i], h_3_AA = in[10][i], h_5 = in[11][i],
+            h_5_A = in[12][i], h_5_AA = in[13][i];
         double values[9];
-        second_approximation_response(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_3[i],
-            h_3_A[i], h_3_AA[i], h_5[i], h_5_A[i], h_5_AA[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
-        out_5[i] = values[5];
-        out_6[i] = values[6];
-        out_7[i] = values[7];
-        out_8[i] = values[8];
+        second_approximation_response(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA,
+            values);
+        for (int k = 0; k < 9; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -57,33 +28,15 @@ static const sf_loop second_approximation_response_loops[] = {
 
 static SF_WIDE void second_approximation_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    const double *restrict h_3 = in[7];
-    const double *restrict h_3_A = in[8];
-    const double *restrict h_3_AA = in[9];
-    const double *restrict h_5 = in[10];
-    const double *restrict h_5_A = in[11];
-    const double *restrict h_5_AA = in[12];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i], h_3 = in[7][i], h_3_A = in[8][i], h_3_AA = in[9][i], h_5 = in[10][i], h_5_A =
+            in[11][i], h_5_AA = in[12][i];
         double values[4];
-        second_approximation_detachment(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_3[i], h_3_A[i],
-            h_3_AA[i], h_5[i], h_5_A[i], h_5_AA[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        second_approximation_detachment(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA,
+            values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -93,35 +46,16 @@ static const sf_loop second_approximation_detachment_loops[] = {
 
 static SF_WIDE void second_approximation_folds_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h = in[5];
-    const double *restrict h_A = in[6];
-    const double *restrict h_AA = in[7];
-    const double *restrict h_AAA = in[8];
-    const double *restrict h_3 = in[9];
-    const double *restrict h_3_A = in[10];
-    const double *restrict h_3_AA = in[11];
-    const double *restrict h_3_AAA = in[12];
-    const double *restrict h_5 = in[13];
-    const double *restrict h_5_A = in[14];
-    const double *restrict h_5_AA = in[15];
-    const double *restrict h_5_AAA = in[16];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], m = in[3][i], zeta = in[4][i], h = in[5][i],
+            h_A = in[6][i], h_AA = in[7][i], h_AAA = in[8][i], h_3 = in[9][i], h_3_A = in[10][i], h_3_AA =
+            in[11][i], h_3_AAA = in[12][i], h_5 = in[13][i], h_5_A = in[14][i], h_5_AA = in[15][i], h_5_AAA =
+            in[16][i];
         double values[3];
-        second_approximation_folds(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i], h_3[i],
-            h_3_A[i], h_3_AA[i], h_3_AAA[i], h_5[i], h_5_A[i], h_5_AA[i], h_5_AAA[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
+        second_approximation_folds(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5,
+            h_5_A, h_5_AA, h_5_AAA, values);
+        for (int k = 0; k < 3; k++)
+            out[k][i] = values[k];
     }
 }
 

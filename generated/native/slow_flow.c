@@ -10,12 +10,9 @@
 
 static SF_WIDE void slow_flow_friction_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict mu = in[0];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_friction(mu[i]);
+    SF_EACH(i, n) {
+        const double mu = in[0][i];
+        out[0][i] = slow_flow_friction(mu);
     }
 }
 
@@ -25,14 +22,9 @@ static const sf_loop slow_flow_friction_loops[] = {
 
 static SF_WIDE void slow_flow_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict h = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_R(Omega[i], A[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], h = in[2][i];
+        out[0][i] = slow_flow_R(Omega, A, h);
     }
 }
 
@@ -42,15 +34,9 @@ static const sf_loop slow_flow_R_loops[] = {
 
 static SF_WIDE void slow_flow_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_I(Omega[i], A[i], m[i], zeta[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_I(Omega, A, m, zeta);
     }
 }
 
@@ -60,17 +46,9 @@ static const sf_loop slow_flow_I_loops[] = {
 
 static SF_WIDE void slow_flow_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], m = in[3][i], zeta = in[4][i], h = in[5][i];
+        out[0][i] = slow_flow_F(Omega, A, F_0, m, zeta, h);
     }
 }
 
@@ -80,17 +58,9 @@ static const sf_loop slow_flow_F_loops[] = {
 
 static SF_WIDE void slow_flow_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = slow_flow_F_A(Omega, A, m, zeta, h, h_A);
     }
 }
 
@@ -100,18 +70,10 @@ static const sf_loop slow_flow_F_A_loops[] = {
 
 static SF_WIDE void slow_flow_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F_AA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i];
+        out[0][i] = slow_flow_F_AA(Omega, A, m, zeta, h, h_A, h_AA);
     }
 }
 
@@ -121,16 +83,9 @@ static const sf_loop slow_flow_F_AA_loops[] = {
 
 static SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F_Omega(Omega[i], A[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        out[0][i] = slow_flow_F_Omega(Omega, A, m, zeta, h);
     }
 }
 
@@ -140,17 +95,9 @@ static const sf_loop slow_flow_F_Omega_loops[] = {
 
 static SF_WIDE void slow_flow_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F_AOmega(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = slow_flow_F_AOmega(Omega, A, m, zeta, h, h_A);
     }
 }
 
@@ -160,16 +107,9 @@ static const sf_loop slow_flow_F_AOmega_loops[] = {
 
 static SF_WIDE void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_phase(Omega[i], A[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        out[0][i] = slow_flow_phase(Omega, A, m, zeta, h);
     }
 }
 
@@ -179,13 +119,9 @@ static const sf_loop slow_flow_phase_loops[] = {
 
 static SF_WIDE void slow_flow_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_backbone(A[i], h[i]);
+    SF_EACH(i, n) {
+        const double A = in[0][i], h = in[1][i];
+        out[0][i] = slow_flow_backbone(A, h);
     }
 }
 
@@ -195,15 +131,9 @@ static const sf_loop slow_flow_backbone_loops[] = {
 
 static SF_WIDE void slow_flow_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_limit_envelope(Omega[i], F_0[i], m[i], zeta[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_limit_envelope(Omega, F_0, m, zeta);
     }
 }
 
@@ -213,15 +143,9 @@ static const sf_loop slow_flow_limit_envelope_loops[] = {
 
 static SF_WIDE void slow_flow_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_equivalent_damping(Omega[i], A[i], m[i], zeta[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_equivalent_damping(Omega, A, m, zeta);
     }
 }
 
@@ -231,17 +155,9 @@ static const sf_loop slow_flow_equivalent_damping_loops[] = {
 
 static SF_WIDE void slow_flow_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_transmissibility(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], m = in[3][i], zeta = in[4][i], h = in[5][i];
+        out[0][i] = slow_flow_transmissibility(Omega, A, F_0, m, zeta, h);
     }
 }
 
@@ -251,25 +167,12 @@ static const sf_loop slow_flow_transmissibility_loops[] = {
 
 static SF_WIDE void slow_flow_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
         double values[4];
-        slow_flow_jacobian(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_jacobian(Omega, A, m, zeta, h, h_A, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -279,14 +182,9 @@ static const sf_loop slow_flow_jacobian_loops[] = {
 
 static SF_WIDE void slow_flow_mean_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    const double *restrict h_A = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mean_stiffness(A[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double A = in[0][i], h = in[1][i], h_A = in[2][i];
+        out[0][i] = slow_flow_mean_stiffness(A, h, h_A);
     }
 }
 
@@ -296,15 +194,9 @@ static const sf_loop slow_flow_mean_stiffness_loops[] = {
 
 static SF_WIDE void slow_flow_offset_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_offset_stiffness(Omega[i], A[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], h = in[2][i], h_A = in[3][i];
+        out[0][i] = slow_flow_offset_stiffness(Omega, A, h, h_A);
     }
 }
 
@@ -314,17 +206,9 @@ static const sf_loop slow_flow_offset_stiffness_loops[] = {
 
 static SF_WIDE void slow_flow_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_stability(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = slow_flow_stability(Omega, A, m, zeta, h, h_A);
     }
 }
 
@@ -334,24 +218,12 @@ static const sf_loop slow_flow_stability_loops[] = {
 
 static SF_WIDE void slow_flow_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
         double values[4];
-        slow_flow_response_quartic(A[i], F_0[i], m[i], zeta[i], h[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_response_quartic(A, F_0, m, zeta, h, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -361,24 +233,12 @@ static const sf_loop slow_flow_response_quartic_loops[] = {
 
 static SF_WIDE void slow_flow_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    const double *restrict h_A = in[4];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i], h_A = in[4][i];
         double values[4];
-        slow_flow_fold_quartic(A[i], m[i], zeta[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_fold_quartic(A, m, zeta, h, h_A, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -388,21 +248,12 @@ static const sf_loop slow_flow_fold_quartic_loops[] = {
 
 static SF_WIDE void slow_flow_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i];
         double values[3];
-        slow_flow_peak_cubic(A[i], m[i], zeta[i], h[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
+        slow_flow_peak_cubic(A, m, zeta, h, values);
+        for (int k = 0; k < 3; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -412,23 +263,12 @@ static const sf_loop slow_flow_peak_cubic_loops[] = {
 
 static SF_WIDE void slow_flow_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i];
         double values[4];
-        slow_flow_detachment(A[i], m[i], zeta[i], h[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_detachment(A, m, zeta, h, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -438,15 +278,9 @@ static const sf_loop slow_flow_detachment_loops[] = {
 
 static SF_WIDE void slow_flow_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_F_OmegaOmega(Omega[i], A[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], zeta = in[2][i], h = in[3][i];
+        out[0][i] = slow_flow_F_OmegaOmega(Omega, A, zeta, h);
     }
 }
 
@@ -456,16 +290,9 @@ static const sf_loop slow_flow_F_OmegaOmega_loops[] = {
 
 static SF_WIDE void slow_flow_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_level(Omega[i], A[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        out[0][i] = slow_flow_level(Omega, A, m, zeta, h);
     }
 }
 
@@ -475,21 +302,12 @@ static const sf_loop slow_flow_level_loops[] = {
 
 static SF_WIDE void slow_flow_rest_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict F_0 = in[0];
-    const double *restrict m = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double F_0 = in[0][i], m = in[1][i], h = in[2][i], h_A = in[3][i];
         double values[3];
-        slow_flow_rest(F_0[i], m[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
+        slow_flow_rest(F_0, m, h, h_A, values);
+        for (int k = 0; k < 3; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -499,19 +317,12 @@ static const sf_loop slow_flow_rest_loops[] = {
 
 static SF_WIDE void slow_flow_intercept_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    const double *restrict h_A = in[2];
-    const double *restrict h_AA = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], h = in[1][i], h_A = in[2][i], h_AA = in[3][i];
         double values[2];
-        slow_flow_intercept(A[i], h[i], h_A[i], h_AA[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        slow_flow_intercept(A, h, h_A, h_AA, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -521,25 +332,13 @@ static const sf_loop slow_flow_intercept_loops[] = {
 
 static SF_WIDE void slow_flow_fold_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict k = in[6];
-    const double *restrict k_A = in[7];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i], k =
+            in[6][i], k_A = in[7][i];
         double values[3];
-        slow_flow_fold(A[i], F_0[i], m[i], zeta[i], h[i], h_A[i], k[i], k_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
+        slow_flow_fold(A, F_0, m, zeta, h, h_A, k, k_A, values);
+        for (int k = 0; k < 3; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -549,12 +348,9 @@ static const sf_loop slow_flow_fold_loops[] = {
 
 static SF_WIDE void slow_flow_isola_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict h_A = in[0];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_isola_Omega(h_A[i]);
+    SF_EACH(i, n) {
+        const double h_A = in[0][i];
+        out[0][i] = slow_flow_isola_Omega(h_A);
     }
 }
 
@@ -564,21 +360,12 @@ static const sf_loop slow_flow_isola_Omega_loops[] = {
 
 static SF_WIDE void slow_flow_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    const double *restrict h_A = in[4];
-    const double *restrict h_AA = in[5];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i], h_A = in[4][i], h_AA = in[5][i];
         double values[2];
-        slow_flow_isola(A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        slow_flow_isola(A, m, zeta, h, h_A, h_AA, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -588,27 +375,12 @@ static const sf_loop slow_flow_isola_loops[] = {
 
 static SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict zeta = in[1];
-    const double *restrict h = in[2];
-    const double *restrict h_A = in[3];
-    const double *restrict h_AA = in[4];
-    const double *restrict k = in[5];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    double *restrict out_4 = out[4];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], zeta = in[1][i], h = in[2][i], h_A = in[3][i], h_AA = in[4][i], k = in[5][i];
         double values[5];
-        slow_flow_cusps(A[i], zeta[i], h[i], h_A[i], h_AA[i], k[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
-        out_4[i] = values[4];
+        slow_flow_cusps(A, zeta, h, h_A, h_AA, k, values);
+        for (int k = 0; k < 5; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -618,21 +390,12 @@ static const sf_loop slow_flow_cusps_loops[] = {
 
 static SF_WIDE void slow_flow_cusp_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict zeta = in[1];
-    const double *restrict h_AA = in[2];
-    const double *restrict k = in[3];
-    const double *restrict X = in[4];
-    const double *restrict T = in[5];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], zeta = in[1][i], h_AA = in[2][i], k = in[3][i], X = in[4][i], T = in[5][i];
         double values[2];
-        slow_flow_cusp_R(A[i], zeta[i], h_AA[i], k[i], X[i], T[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        slow_flow_cusp_R(A, zeta, h_AA, k, X, T, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -642,29 +405,13 @@ static const sf_loop slow_flow_cusp_R_loops[] = {
 
 static SF_WIDE void slow_flow_cusp_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h_AA = in[3];
-    const double *restrict h_AAA = in[4];
-    const double *restrict k = in[5];
-    const double *restrict X = in[6];
-    const double *restrict T = in[7];
-    const double *restrict R = in[8];
-    const double *restrict root = in[9];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h_AA = in[3][i], h_AAA = in[4][i], k = in[5][i], X
+            = in[6][i], T = in[7][i], R = in[8][i], root = in[9][i];
         double values[4];
-        slow_flow_cusp(A[i], m[i], zeta[i], h_AA[i], h_AAA[i], k[i], X[i], T[i], R[i], root[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -674,21 +421,12 @@ static const sf_loop slow_flow_cusp_loops[] = {
 
 static SF_WIDE void slow_flow_peak_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], m = in[3][i], zeta = in[4][i], h_A = in[5][i];
         double values[2];
-        slow_flow_peak(Omega[i], A[i], F_0[i], m[i], zeta[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        slow_flow_peak(Omega, A, F_0, m, zeta, h_A, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -698,16 +436,9 @@ static const sf_loop slow_flow_peak_loops[] = {
 
 static SF_WIDE void slow_flow_peak_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h_A = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_peak_Omega_A(Omega[i], A[i], m[i], zeta[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h_A = in[4][i];
+        out[0][i] = slow_flow_peak_Omega_A(Omega, A, m, zeta, h_A);
     }
 }
 
@@ -717,17 +448,9 @@ static const sf_loop slow_flow_peak_Omega_A_loops[] = {
 
 static SF_WIDE void slow_flow_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_Omega_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = slow_flow_Omega_A(Omega, A, m, zeta, h, h_A);
     }
 }
 
@@ -737,18 +460,10 @@ static const sf_loop slow_flow_Omega_A_loops[] = {
 
 static SF_WIDE void slow_flow_level_rise_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_level_rise(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i];
+        out[0][i] = slow_flow_level_rise(Omega, A, m, zeta, h, h_A, h_AA);
     }
 }
 
@@ -758,19 +473,10 @@ static const sf_loop slow_flow_level_rise_loops[] = {
 
 static SF_WIDE void slow_flow_cusp_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    const double *restrict h_AAA = in[7];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_cusp_bend(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i], h_AAA[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i], h_AAA = in[7][i];
+        out[0][i] = slow_flow_cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA);
     }
 }
 
@@ -780,18 +486,10 @@ static const sf_loop slow_flow_cusp_bend_loops[] = {
 
 static SF_WIDE void slow_flow_isola_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_isola_bend(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i];
+        out[0][i] = slow_flow_isola_bend(Omega, A, m, zeta, h, h_A, h_AA);
     }
 }
 
@@ -801,18 +499,10 @@ static const sf_loop slow_flow_isola_bend_loops[] = {
 
 static SF_WIDE void slow_flow_hessian_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_hessian(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i];
+        out[0][i] = slow_flow_hessian(Omega, A, m, zeta, h, h_A, h_AA);
     }
 }
 
@@ -822,14 +512,9 @@ static const sf_loop slow_flow_hessian_loops[] = {
 
 static SF_WIDE void slow_flow_tail_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict m = in[2];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_tail(Omega[i], F_0[i], m[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i], m = in[2][i];
+        out[0][i] = slow_flow_tail(Omega, F_0, m);
     }
 }
 
@@ -839,15 +524,9 @@ static const sf_loop slow_flow_tail_loops[] = {
 
 static SF_WIDE void slow_flow_most_restoring_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_most_restoring(A[i], F_0[i], m[i], zeta[i]);
+    SF_EACH(i, n) {
+        const double A = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_most_restoring(A, F_0, m, zeta);
     }
 }
 

@@ -10,15 +10,9 @@
 
 static SF_WIDE void slow_flow_mu0_zeta0_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_I(Omega[i], A[i], m[i], zeta[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_mu0_zeta0_I(Omega, A, m, zeta);
     }
 }
 
@@ -28,17 +22,9 @@ static const sf_loop slow_flow_mu0_zeta0_I_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict F_0 = in[2];
-    const double *restrict m = in[3];
-    const double *restrict zeta = in[4];
-    const double *restrict h = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_F(Omega[i], A[i], F_0[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], m = in[3][i], zeta = in[4][i], h = in[5][i];
+        out[0][i] = slow_flow_mu0_zeta0_F(Omega, A, F_0, m, zeta, h);
     }
 }
 
@@ -48,17 +34,9 @@ static const sf_loop slow_flow_mu0_zeta0_F_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_F_A(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = slow_flow_mu0_zeta0_F_A(Omega, A, m, zeta, h, h_A);
     }
 }
 
@@ -68,18 +46,10 @@ static const sf_loop slow_flow_mu0_zeta0_F_A_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    const double *restrict h_AA = in[6];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_F_AA(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i], h_AA[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i];
+        out[0][i] = slow_flow_mu0_zeta0_F_AA(Omega, A, m, zeta, h, h_A, h_AA);
     }
 }
 
@@ -89,16 +59,9 @@ static const sf_loop slow_flow_mu0_zeta0_F_AA_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_F_Omega(Omega[i], A[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        out[0][i] = slow_flow_mu0_zeta0_F_Omega(Omega, A, m, zeta, h);
     }
 }
 
@@ -108,17 +71,9 @@ static const sf_loop slow_flow_mu0_zeta0_F_Omega_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_F_AOmega(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = slow_flow_mu0_zeta0_F_AOmega(Omega, A, m, zeta, h, h_A);
     }
 }
 
@@ -128,16 +83,9 @@ static const sf_loop slow_flow_mu0_zeta0_F_AOmega_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_phase(Omega[i], A[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        out[0][i] = slow_flow_mu0_zeta0_phase(Omega, A, m, zeta, h);
     }
 }
 
@@ -147,15 +95,9 @@ static const sf_loop slow_flow_mu0_zeta0_phase_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_limit_envelope(Omega[i], F_0[i], m[i], zeta[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_mu0_zeta0_limit_envelope(Omega, F_0, m, zeta);
     }
 }
 
@@ -165,15 +107,9 @@ static const sf_loop slow_flow_mu0_zeta0_limit_envelope_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_equivalent_damping(Omega[i], A[i], m[i], zeta[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i];
+        out[0][i] = slow_flow_mu0_zeta0_equivalent_damping(Omega, A, m, zeta);
     }
 }
 
@@ -183,17 +119,9 @@ static const sf_loop slow_flow_mu0_zeta0_equivalent_damping_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    const double *restrict h_A = in[5];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_stability(Omega[i], A[i], m[i], zeta[i], h[i], h_A[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = slow_flow_mu0_zeta0_stability(Omega, A, m, zeta, h, h_A);
     }
 }
 
@@ -203,24 +131,12 @@ static const sf_loop slow_flow_mu0_zeta0_stability_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict F_0 = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
         double values[4];
-        slow_flow_mu0_zeta0_response_quartic(A[i], F_0[i], m[i], zeta[i], h[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_mu0_zeta0_response_quartic(A, F_0, m, zeta, h, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -230,24 +146,12 @@ static const sf_loop slow_flow_mu0_zeta0_response_quartic_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    const double *restrict h_A = in[4];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i], h_A = in[4][i];
         double values[4];
-        slow_flow_mu0_zeta0_fold_quartic(A[i], m[i], zeta[i], h[i], h_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_mu0_zeta0_fold_quartic(A, m, zeta, h, h_A, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -257,21 +161,12 @@ static const sf_loop slow_flow_mu0_zeta0_fold_quartic_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i];
         double values[3];
-        slow_flow_mu0_zeta0_peak_cubic(A[i], m[i], zeta[i], h[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
+        slow_flow_mu0_zeta0_peak_cubic(A, m, zeta, h, values);
+        for (int k = 0; k < 3; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -281,19 +176,12 @@ static const sf_loop slow_flow_mu0_zeta0_peak_cubic_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict m = in[1];
-    const double *restrict zeta = in[2];
-    const double *restrict h = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i];
         double values[2];
-        slow_flow_mu0_zeta0_detachment(A[i], m[i], zeta[i], h[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        slow_flow_mu0_zeta0_detachment(A, m, zeta, h, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -303,16 +191,9 @@ static const sf_loop slow_flow_mu0_zeta0_detachment_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict Omega = in[0];
-    const double *restrict A = in[1];
-    const double *restrict m = in[2];
-    const double *restrict zeta = in[3];
-    const double *restrict h = in[4];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_level(Omega[i], A[i], m[i], zeta[i], h[i]);
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        out[0][i] = slow_flow_mu0_zeta0_level(Omega, A, m, zeta, h);
     }
 }
 
@@ -322,12 +203,9 @@ static const sf_loop slow_flow_mu0_zeta0_level_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_undamped_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict h_A = in[0];
-    double *restrict out_0 = out[0];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        out_0[i] = slow_flow_mu0_zeta0_undamped_Omega(h_A[i]);
+    SF_EACH(i, n) {
+        const double h_A = in[0][i];
+        out[0][i] = slow_flow_mu0_zeta0_undamped_Omega(h_A);
     }
 }
 
@@ -337,19 +215,12 @@ static const sf_loop slow_flow_mu0_zeta0_undamped_Omega_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_fold_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict F_0 = in[0];
-    const double *restrict m = in[1];
-    const double *restrict k = in[2];
-    const double *restrict k_A = in[3];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double F_0 = in[0][i], m = in[1][i], k = in[2][i], k_A = in[3][i];
         double values[2];
-        slow_flow_mu0_zeta0_fold(F_0[i], m[i], k[i], k_A[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
+        slow_flow_mu0_zeta0_fold(F_0, m, k, k_A, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
     }
 }
 
@@ -359,24 +230,12 @@ static const sf_loop slow_flow_mu0_zeta0_fold_loops[] = {
 
 static SF_WIDE void slow_flow_mu0_zeta0_undamped_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
-    const double *restrict A = in[0];
-    const double *restrict h = in[1];
-    const double *restrict h_A = in[2];
-    const double *restrict h_AA = in[3];
-    const double *restrict h_AAA = in[4];
-    double *restrict out_0 = out[0];
-    double *restrict out_1 = out[1];
-    double *restrict out_2 = out[2];
-    double *restrict out_3 = out[3];
-    n = SF_WHOLE(n);
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
+    SF_EACH(i, n) {
+        const double A = in[0][i], h = in[1][i], h_A = in[2][i], h_AA = in[3][i], h_AAA = in[4][i];
         double values[4];
-        slow_flow_mu0_zeta0_undamped(A[i], h[i], h_A[i], h_AA[i], h_AAA[i], values);
-        out_0[i] = values[0];
-        out_1[i] = values[1];
-        out_2[i] = values[2];
-        out_3[i] = values[3];
+        slow_flow_mu0_zeta0_undamped(A, h, h_A, h_AA, h_AAA, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
     }
 }
 

@@ -512,9 +512,31 @@ if NATIVE is not None:
         force,
         saddle_node_onset,
         saddle_nodes,
+        h,
+        h_A,
+        h_AA,
+        h_AAA,
+        H,
+        H_A,
+        H_AA,
+        F,
+        F_A,
+        level,
+        phase,
+        jacobian,
+        stability,
+        transmissibility,
+        backbone,
+        limit_envelope,
+        equivalent_damping,
+        response_quartic,
+        fold_quartic,
+        peak_cubic,
+        detachment,
     ) = NATIVE.duffing()
     saddle_node_onset = coefficients_of(saddle_node_onset)
     saddle_nodes = coefficients_of(saddle_nodes)
+    detachment = coefficients_of(detachment)
     hardening = in_tuple(hardening)
 
 

@@ -3196,6 +3196,8 @@ if NATIVE is not None:
         jumps,
         hardening,
         force,
+        limit_envelope,
+        equivalent_damping,
     ) = NATIVE.rod_spring_untruncated()
     breakpoints = in_tuple(breakpoints)
     jumps = in_tuple(jumps)

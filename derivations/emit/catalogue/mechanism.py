@@ -71,8 +71,8 @@ def mechanism_module(results: Results, name: str, flow: Module) -> Module:
             *resultant_kernels(derived),
         ),
         cells=cell_kernels(derived),
-        selections=(*averages.selections, *selections(averages)),
-        compositions=tuple(compositions(flow, mechanism, averages.pair)),
+        selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
+        compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived))),
         flow=flow.name,
         record=record(results, derived, table),
     )
@@ -107,7 +107,10 @@ def is_enclosed(derived: OfMechanism) -> bool:
 
 
 def is_spelled_out(derived: OfMechanism) -> bool:
-    """Whether the average is an algorithm in many steps, of which fewer derivatives save little."""
+    """Whether the average is an algorithm in many steps, of which fewer derivatives save little.
+
+    What calls it is no loop of its own either: that would be as long as the algorithm, for each of twenty functions.
+    """
     return bool(derived.whole.cases)
 
 
@@ -268,7 +271,7 @@ def definitions_of(derived: OfMechanism) -> dict[sp.Symbol, sp.Expr]:
     return {name: name for name in mechanism.parameters}
 
 
-def selections(averages: Averages) -> list[Selection]:
+def selections(averages: Averages, *, compiled: bool) -> list[Selection]:
     """h and H with their derivatives, one by one."""
     slope = ("", "d/dA of ", "d2/dA2 of ", "d3/dA3 of ")
     result = []
@@ -281,7 +284,7 @@ def selections(averages: Averages) -> list[Selection]:
             source = cheapest if order < cheapest.width else averages.whole
             text = slope[order] + what + "." if order else what[0].upper() + what[1:] + "."
             equation = "(20)-(22)" if order == 0 else "(31)" if order == 1 else "from (31)"
-            result.append(Selection(letter + NAMES[order], source, (order,), text, equation))
+            result.append(Selection(letter + NAMES[order], source, (order,), text, equation, compiled))
     return result
 
 
@@ -502,7 +505,9 @@ def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
     ]
 
 
-def compositions(flow: Module, mechanism: Mechanism, average: Kernel | Selection) -> list[Composition]:
+def compositions(
+    flow: Module, mechanism: Mechanism, average: Kernel | Selection, *, compiled: bool
+) -> list[Composition]:
     """The slow flow's functions with the mechanism's h put in; m = 4 mu/pi."""
     by_name = {kernel.name: kernel for kernel in flow.kernels}
     result = []
@@ -513,5 +518,6 @@ def compositions(flow: Module, mechanism: Mechanism, average: Kernel | Selection
         if not set(averages) <= set(AVERAGED[: average.width]):
             raise ArithmeticError(f"{name} needs more derivatives of h than {average.name} gives")
         parameters = mechanism.parameters if averages else ()
-        result.append(Composition(name, (*own, *parameters), inner, average if averages else None, len(parameters)))
+        used = average if averages else None
+        result.append(Composition(name, (*own, *parameters), inner, used, len(parameters), compiled or not averages))
     return result

@@ -23,6 +23,9 @@ enum {
  * as long as the loop itself, and loops are long. */
 #define SF_WHOLE(n) ((n) & ~(ptrdiff_t)(SF_WIDEST - 1))
 
+/* The head of such a loop. */
+#define SF_EACH(i, n) SF_INDEPENDENT for (ptrdiff_t i = 0; i < SF_WHOLE(n); i++)
+
 typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
 typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *regime);
 

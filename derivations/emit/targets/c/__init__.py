@@ -40,16 +40,13 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = templates(Path(__file__).parent)
     result = {"c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles())}
     for module in modules:
-        calls = Calls(
-            f"{module.flow}_friction(mu)", f"{module.flow}_{{}}".format, tuple(f"average[{k}]" for k in range(4))
-        )
         views = [view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels]
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
             kernels=views,
             twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
             selections=[selection_view(selection) for selection in module.selections],
-            compositions=[composition_view(composition, calls) for composition in module.compositions],
+            compositions=[composition_view(composition, calls(module)) for composition in module.compositions],
             includes=includes(module, views),
             regimes=regimes(module),
             numbers=numbers(module),
@@ -63,6 +60,11 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     result["native/records.h"] = records.text(modules, environment)
     result["native/taylor.h"] = taylor.text(modules, environment)
     return result
+
+
+def calls(module: Module) -> Calls:
+    """How a header's compositions call other functions."""
+    return Calls(f"{module.flow}_friction(mu)", f"{module.flow}_{{}}".format, tuple(f"average[{k}]" for k in range(4)))
 
 
 def includes(module: Module, views: Sequence[KernelView]) -> list[str]:

@@ -79,12 +79,11 @@ def most_first(scenes: dict[str, dict[sp.Symbol, sp.Expr]]) -> list[tuple[str, l
 
 
 def compiled(module: Module) -> dict[str, list[str]]:
-    """Names of the compiled kernels in the order in which the extension module gives them, and which need a wrapper."""
-    kernels = [kernel for kernel in module.kernels if kernel.compiled]
-    stacks = [kernel.name for kernel in kernels if kernel.returns == "stack"]
-    singles = [kernel.name for kernel in kernels if kernel.returns == "tuple" and kernel.width == 1]
+    """Names of what is compiled in the order in which the extension module gives them, and which need a wrapper."""
+    stacks = [one.name for one in module.looped if one.returns == "stack"]
+    singles = [one.name for one in module.looped if one.returns == "tuple" and one.width == 1]
     return {
-        "ufuncs": [kernel.name for kernel in kernels],
+        "ufuncs": [one.name for one in module.looped],
         "stacks": stacks,
         "singles": singles,
         "backend": ["NATIVE", *(["coefficients_of"] if stacks else []), *(["in_tuple"] if singles else [])],

@@ -8,15 +8,15 @@ No formula is printed here: the loops call the headers. A generic kernel takes m
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from derivations.emit.form import Kernel, Module
+from derivations.emit.form import Branch, Composition, Kernel, Module, Selection
 from derivations.emit.provenance import tools
+from derivations.emit.targets.c import calls
 from derivations.emit.targets.c.printer import CPrinter
-from derivations.emit.views import templates
+from derivations.emit.views import composition_view, templates
 
 # SF_MOST_OPERANDS in kernels.h
 MOST_OPERANDS = 32
@@ -28,18 +28,16 @@ class Loop:
 
     name: str
     body: tuple[str, ...]
-    inputs: tuple[str, ...]
-
-    @property
-    def used(self) -> tuple[str, ...]:
-        """Arguments that it reads."""
-        text = " ".join(self.body)
-        return tuple(name for name in self.inputs if re.search(rf"\b{name}\[i\]", text))
 
 
 @dataclass(frozen=True)
 class Ufunc:
-    """A ufunc as the template needs it, with a loop for each regime; `guards` are those of all regimes but the last."""
+    """A ufunc as the template needs it, with a loop for each regime.
+
+    guards     -- those of all regimes but the last
+    guarded_by -- the arguments that they read, by their numbers
+    regime     -- the function that chooses; where another ufunc chooses by the same arguments, it is that one's
+    """
 
     name: str
     prefix: str
@@ -48,16 +46,22 @@ class Ufunc:
     outputs: int
     loops: tuple[Loop, ...]
     guards: tuple[str, ...]
-    guard_names: tuple[str, ...]
+    guarded_by: dict[str, int]
+    regime: str = "NULL"
+
+    @property
+    def chooses(self) -> bool:
+        """Whether the function that chooses is printed with it."""
+        return self.regime == f"{self.prefix}_regime"
 
 
 def files(modules: Sequence[Module]) -> dict[str, str]:
     """Every file of this stage."""
     environment = templates(Path(__file__).parent)
     result = {}
-    looped = [module for module in modules if module.loops]
+    looped = [module for module in modules if module.looped]
     for module in looped:
-        ufuncs = [of_kernel(kernel, module) for kernel in module.kernels if kernel.compiled]
+        ufuncs = sharing_choices([of(one, module) for one in module.looped])
         for ufunc in ufuncs:
             if len(ufunc.inputs) + ufunc.outputs > MOST_OPERANDS:
                 raise ArithmeticError(f"{ufunc.prefix} has more than {MOST_OPERANDS} arguments and results")
@@ -67,41 +71,114 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
     return result
 
 
-def call(function: str, plain: Sequence[str], packed: Sequence[str], outputs: int, returns: str) -> tuple[str, ...]:
-    """Statements that call a function of a header for element i and store its outputs."""
-    arguments = [f"{name}[i]" for name in plain]
-    before: list[str] = []
+def sharing_choices(ufuncs: Sequence[Ufunc]) -> list[Ufunc]:
+    """The ufuncs with the function that chooses their regime, one for all that choose alike."""
+    known: dict[object, str] = {}
+    return [
+        replace(
+            ufunc,
+            regime=known.setdefault((ufunc.guards, tuple(ufunc.guarded_by.items())), f"{ufunc.prefix}_regime"),
+        )
+        if ufunc.guards
+        else ufunc
+        for ufunc in ufuncs
+    ]
+
+
+def read(names: Sequence[str], plain: Sequence[str], packed: Sequence[str]) -> list[str]:
+    """Statements that read the arguments of element i, some of them packed as the headers take them."""
+    lines = []
+    if plain:
+        lines.append(f"const double {', '.join(f'{name} = in[{names.index(name)}][i]' for name in plain)};")
     if packed:
-        before.append(f"const double p[] = {{{', '.join(f'{name}[i]' for name in packed)}}};")
-        arguments.append("p")
+        lines.append(f"const double p[] = {{{', '.join(f'in[{names.index(name)}][i]' for name in packed)}}};")
+    return lines
+
+
+def store(call: str, outputs: int, returns: str) -> list[str]:
+    """Statements that call a function of a header, its last argument left open, and store its outputs."""
     if returns == "scalar":
-        return (*before, f"out_0[i] = {function}({', '.join(arguments)});")
-    before.append(f"double values[{outputs}];")
-    stores = [f"out_{k}[i] = values[{k}];" for k in range(outputs)]
-    return (*before, f"{function}({', '.join([*arguments, 'values'])});", *stores)
+        return [f"out[0][i] = {call});"]
+    return [
+        f"double values[{outputs}];",
+        f"{call}, values);",
+        f"for (int k = 0; k < {outputs}; k++)",
+        "    out[k][i] = values[k];",
+    ]
 
 
-def guards_of(kernel: Kernel) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Guards of a kernel's regimes in C, and the arguments that they read."""
+def guards_of(kernel: Kernel, names: Sequence[str]) -> tuple[tuple[str, ...], dict[str, int]]:
+    """Guards of a kernel's regimes in C, and which of the named arguments they read."""
     show = CPrinter().doprint
     texts, symbols = [], set()
     for branch in kernel.branches[:-1]:
         texts.append(" && ".join(f"{show(left)} <= {show(right)}" for left, right in branch.guards))
-        symbols |= set().union(*(side.free_symbols for pair in branch.guards for side in pair))
-    return tuple(texts), tuple(argument.name for argument in kernel.arguments if argument in symbols)
+        symbols |= {side.name for pair in branch.guards for part in pair for side in part.free_symbols}
+    return tuple(texts), {name: number for number, name in enumerate(names) if name in symbols}
 
 
-def of_kernel(kernel: Kernel, module: Module) -> Ufunc:
-    """A kernel as a ufunc."""
-    prefix = f"{module.name}_{kernel.name}"
-    names = tuple(argument.name for argument in kernel.arguments)
+def of(one: Kernel | Selection | Composition, module: Module) -> Ufunc:
+    """Anything that is compiled as a ufunc: its regimes are those of the kernel that it is or calls."""
+    names = tuple(argument.name for argument in one.arguments)
+    if isinstance(one, Kernel):
+        regimes, bodies = one, of_kernel(one, module)
+    elif isinstance(one, Selection):
+        regimes, bodies = one.source, of_selection(one, module)
+    else:
+        regimes, bodies = one.average, of_composition(one, module)
+    prefix = f"{module.name}_{one.name}"
+    branches = regimes.branches if regimes else (Branch("", (), (), ()),)
+    loops = tuple(
+        Loop("_".join([prefix, *filter(None, [branch.name]), "loop"]), tuple(body))
+        for branch, body in zip(branches, bodies, strict=True)
+    )
+    doc = f"{one.doc} Equation {one.equation}. Domain: {one.domain}."
+    guards = guards_of(regimes, names) if regimes else ((), {})
+    return Ufunc(one.name, prefix, doc, names, one.width, loops, *guards)
+
+
+def functions(kernel: Kernel, module: Module) -> list[str]:
+    """What the header calls the kernel's regimes."""
+    return [
+        "_".join([module.name, *([branch.kernel] if branch.kernel else filter(None, [kernel.name, branch.name]))])
+        for branch in kernel.branches
+    ]
+
+
+def of_kernel(kernel: Kernel, module: Module) -> list[list[str]]:
+    """Calls of a kernel, regime by regime."""
+    names = [argument.name for argument in kernel.arguments]
     # the headers take the parameters one by one where a single number comes back
     split = len(names) if kernel.returns == "scalar" else len(names) - kernel.parameters
-    loops = []
-    for branch in kernel.branches:
-        loop = f"{prefix}_{branch.name}" if branch.name else prefix
-        function = f"{module.name}_{branch.kernel}" if branch.kernel else loop
-        body = call(function, names[:split], names[split:], kernel.width, kernel.returns)
-        loops.append(Loop(f"{loop}_loop", body, names))
-    doc = f"{kernel.doc} Equation {kernel.equation}. Domain: {kernel.domain}."
-    return Ufunc(kernel.name, prefix, doc, names, kernel.width, tuple(loops), *guards_of(kernel))
+    passed = ", ".join([*names[:split], *(["p"] if names[split:] else [])])
+    given = read(names, names[:split], names[split:])
+    return [
+        [*given, *store(f"{function}({passed}", kernel.width, kernel.returns)] for function in functions(kernel, module)
+    ]
+
+
+def of_selection(selection: Selection, module: Module) -> list[list[str]]:
+    """Calls of its source, of which the compiler leaves out what is not taken."""
+    names = [argument.name for argument in selection.arguments]
+    split = len(names) - selection.parameters
+    given = [*read(names, names[:split], names[split:]), f"double values[{selection.source.width}];"]
+    taken = [f"out[{k}][i] = values[{number}];" for k, number in enumerate(selection.chosen)]
+    return [
+        [*given, f"{function}({', '.join(names[:split])}, p, values);", *taken]
+        for function in functions(selection.source, module)
+    ]
+
+
+def of_composition(composition: Composition, module: Module) -> list[list[str]]:
+    """Calls of the slow flow's function, within each regime of the average."""
+    names = [argument.name for argument in composition.arguments]
+    split = len(names) - composition.parameters
+    given = read(names, names[:split], names[split:])
+    seen = composition_view(composition, calls(module))
+    last = store(f"{seen['inner']}({', '.join(seen['passed'])}", composition.width, composition.returns)
+    if composition.average is None:
+        return [[*given, *last]]
+    before = f"double average[{composition.average.width}];"
+    return [
+        [*given, before, f"{function}(A, p, average);", *last] for function in functions(composition.average, module)
+    ]
