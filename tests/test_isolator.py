@@ -220,3 +220,35 @@ def test_a_fold_itself_is_one_state_and_not_stable():
 def test_importing_slowflow_imports_neither_sympy_nor_matplotlib_nor_scipy():
     code = "import sys, slowflow; print([m for m in ('sympy', 'matplotlib', 'scipy', 'jinja2') if m in sys.modules])"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
+
+
+def test_amplitudes_at_pairs_are_those_of_each_pair():
+    """Omega and F_0 broadcast; the states come in the order of the points, each with its forcing."""
+    iso = isolator()
+    Omega, F_0 = np.array([0.9, 0.7, 0.9]), np.array([[0.05], [0.01], [0.03]])
+    found = iso.amplitudes(Omega=Omega, F_0=F_0)
+    singles = [iso.amplitudes(Omega=O, F_0=F) for F in F_0.ravel() for O in Omega]
+    for name in ("Omega", "A", "stable", "phi", "transmissibility"):
+        assert np.array_equal(getattr(found, name), np.concatenate([getattr(one, name) for one in singles])), name
+    assert found.F_0.tolist() == [one.F_0 for one in singles for _ in one]
+    assert found.message == singles[3].message and "sticks" in found.message
+    measured = np.concatenate([one.measure().A for one in singles])
+    assert np.array_equal(found.measure().A, measured, equal_nan=True)
+    with pytest.raises(ValueError, match="shapes do not broadcast"):
+        iso.amplitudes(Omega=Omega, F_0=[0.03, 0.04])
+    assert len(iso.amplitudes(Omega=0.9, F_0=[])) == 0
+
+
+def test_the_limit_envelope_broadcasts_over_forcings():
+    iso = isolator()
+    found = iso.limit_envelope(Omega=[0.5, 0.9], F_0=[[0.01], [0.04]])
+    assert found.tolist() == [[0.0, 0.0], [iso.limit_envelope(Omega=O, F_0=0.04) for O in (0.5, 0.9)]]
+
+
+def test_transmissibility_is_the_force_on_the_base_over_the_forcing():
+    """Of a linear mount without friction the textbook's: sqrt(1 + (2 zeta Omega)^2) over the dynamic stiffness."""
+    mount = Duffing(1.0, 0.0, zeta=0.1)
+    states = mount.amplitudes(Omega=[0.5, 1.0, 2.0], F_0=0.3)
+    expected = np.hypot(1, 0.2 * states.Omega) / np.hypot(1 - states.Omega**2, 0.2 * states.Omega)
+    np.testing.assert_allclose(states.transmissibility, expected, rtol=1e-14)
+    np.testing.assert_allclose(states.transmissibility_dB, 20 * np.log10(expected), rtol=1e-13)

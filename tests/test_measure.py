@@ -74,11 +74,11 @@ def test_one_motion_is_measured_for_one_state_only():
     iso = isolator()
     (low, _, high) = iso.amplitudes(Omega=0.9, F_0=0.04)
     A, stable = np.array([low.A, high.A, 1.01 * high.A]), np.array([True, True, False])
-    asked = SteadyStates(np.full(3, 0.9), A, stable, "", iso.model)
-    found = states(iso.equation_of_motion(), asked, 0.04)
+    asked = SteadyStates(np.full(3, 0.9), A, stable, 0.04, "", iso.model)
+    found = states(iso.equation_of_motion(), asked)
     assert found.found.tolist() == [True, True, False] and found.reason[2] == TAKEN
-    asked = SteadyStates(np.full(2, 0.9), 1.01 * A[1:], np.array([True, True]), "", iso.model)
-    found = states(iso.equation_of_motion(), asked, 0.04)
+    asked = SteadyStates(np.full(2, 0.9), 1.01 * A[1:], np.array([True, True]), 0.04, "", iso.model)
+    found = states(iso.equation_of_motion(), asked)
     assert found.found.tolist() == [True, False]
 
 

@@ -186,14 +186,14 @@ class Oscillator(Averaged):
         """The answer with what there is to say beside it, which knows whom it was asked of."""
         found = super()._remarked(found, F_0)
         if isinstance(found, SteadyStates | SaddleNodes):
-            found.__dict__["_asked"] = (self, F_0)
+            found.__dict__["_asked"] = self
         return found
 
-    def measured_states(self, found: SteadyStates, F_0: float, force: str | None) -> Measured:
+    def measured_states(self, found: SteadyStates, force: str | None) -> Measured:
         """See `slowflow.results.SteadyStates.measure`."""
         from slowflow.exact import measure
 
-        return measure.states(self.equation_of_motion(force), found, F_0)
+        return measure.states(self.equation_of_motion(force), found)
 
     def measured_folds(self, found: SaddleNodes, force: str | None) -> MeasuredFolds:
         """See `slowflow.results.SaddleNodes.measure`."""

@@ -18,6 +18,7 @@ import numpy.typing as npt
 
 from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
+from slowflow_kernels import slow_flow
 
 
 class Remark(IntFlag):
@@ -257,7 +258,7 @@ class MeasuredFolds(Table):
 class Measures(Protocol):
     """What an answer was asked of, as far as it can be held against the equation of motion."""
 
-    def measured_states(self, found: SteadyStates, F_0: float, force: str | None) -> Measured:
+    def measured_states(self, found: SteadyStates, force: str | None) -> Measured:
         """See `SteadyStates.measure`."""
         ...
 
@@ -276,6 +277,7 @@ class SteadyStates(Table):
 
     Omega, A -- frequency and amplitude, dimensionless
     stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part
+    F_0      -- the forcing, one number; an array with that of each state where several were asked for
     message  -- remarks in words; empty if there is nothing to say
     """
 
@@ -284,10 +286,11 @@ class SteadyStates(Table):
     Omega: Floats
     A: Floats
     stable: npt.NDArray[np.bool_]
+    F_0: float | Floats
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model = field(repr=False)
-    _asked: tuple[Measures, float] | None = field(default=None, kw_only=True, repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
 
     @cached_property
     def phi(self) -> Floats:
@@ -295,6 +298,18 @@ class SteadyStates(Table):
         h = self._model.averaged(self.A)[0]
         phase = self._model.flow.phase(self.Omega, self.A, self._model.m, self._model.zeta, h)
         return np.asarray(phase) + 0 * self.A
+
+    @cached_property
+    def transmissibility(self) -> Floats:
+        """Fundamental harmonic of the force on the base, from spring, damper and friction, over F_0, of each state."""
+        h = self._model.averaged(self.A)[0]
+        m, zeta = self._model.m, self._model.zeta
+        return np.asarray(slow_flow.transmissibility(self.Omega, self.A, self.F_0, m, zeta, h))
+
+    @property
+    def transmissibility_dB(self) -> Floats:
+        """The same in decibels, 20 log10."""
+        return np.asarray(20.0 * np.log10(self.transmissibility))
 
     @cached_property
     def validity(self) -> Validity:
@@ -311,8 +326,7 @@ class SteadyStates(Table):
         """
         if self._asked is None:
             raise ValueError(NOT_ASKED)
-        oscillator, F_0 = self._asked
-        return oscillator.measured_states(self, F_0, force)
+        return self._asked.measured_states(self, force)
 
 
 @dataclass(frozen=True, eq=False)
@@ -326,9 +340,9 @@ class FrequencyResponse(SteadyStates):
 
     entry: ClassVar[Any] = CurvePoint
 
+    F_0: float
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
-    F_0: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -438,7 +452,7 @@ class SaddleNodes(Table):
     remarks: Remark = field(default=Remark(0), kw_only=True)
     proof: ProvedFolds | None = field(default=None, kw_only=True)
     _model: Model = field(repr=False)
-    _asked: tuple[Measures, float] | None = field(default=None, kw_only=True, repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
 
     @cached_property
     def validity(self) -> Validity:
@@ -453,7 +467,7 @@ class SaddleNodes(Table):
         """
         if self._asked is None:
             raise ValueError(NOT_ASKED)
-        return self._asked[0].measured_folds(self, force)
+        return self._asked.measured_folds(self, force)
 
 
 @dataclass(frozen=True, eq=False)

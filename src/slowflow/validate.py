@@ -48,6 +48,11 @@ def number(
     return result
 
 
+def is_single(value: Any) -> bool:
+    """Whether a value is meant as one number, not as an array of them; not yet whether it is allowed."""
+    return not isinstance(value, (list, tuple)) and getattr(value, "ndim", 0) == 0
+
+
 def _is_number(value: Any) -> bool:
     if isinstance(value, (bool, np.bool_)):
         return False

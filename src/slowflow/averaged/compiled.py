@@ -116,11 +116,11 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     message = _remark(model, F_0)
     if not A.size:
         message = joined(message, words.empty_window(window))
-    return FrequencyResponse(Omega, A, stable, message, model, branch, isola, F_0)
+    return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola)
 
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     status, at, A, stable = _solver().steady_states(model.native, F_0, Omega)
     _check(status, F_0)
-    return SteadyStates(at, A, stable, joined(_remark(model, F_0), words.without_a_state(Omega, at)), model)
+    return SteadyStates(at, A, stable, F_0, joined(_remark(model, F_0), words.without_a_state(Omega, at)), model)

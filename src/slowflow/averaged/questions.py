@@ -7,7 +7,9 @@ for a question, and what is skipped, `plan` decides; `solvers` has the solvers, 
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
+import operator
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -87,17 +89,46 @@ class Averaged:
         if planned.model is None:
             none, flags = np.empty(0), np.empty(0, dtype=bool)
             return FrequencyResponse(
-                none, none, flags, words.sticks(self.model, F_0), self.model, np.empty(0, np.intp), (), F_0
+                none, none, flags, F_0, words.sticks(self.model, F_0), self.model, np.empty(0, np.intp), ()
             )
         return self._centred(solvers.frequency_response(planned.model, F_0, samples, shown))
 
-    def amplitudes(self, *, Omega: Any, F_0: float) -> SteadyStates:
+    def amplitudes(self, *, Omega: Any, F_0: Any) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
 
-        Flat arrays .Omega, .A, .phi, .stable, in the order of Omega, then by rising A. Raises ValueError for Omega <= 0
-        or > 1e40 and for F_0 <= 0. F_0 <= 4 mu/pi gives no state and a message.
+        F_0 may be an array that broadcasts with Omega: then the points are the pairs. Flat arrays .Omega, .A, .phi,
+        .stable, in the order of the points, then by rising A. Raises ValueError for Omega <= 0 or > 1e40, for F_0 <= 0,
+        and for shapes that do not broadcast. F_0 <= 4 mu/pi gives no state and a message.
         """
-        return self._remarked(self.states(Omega=Omega, F_0=F_0), F_0)
+        if validate.is_single(F_0):
+            return self._remarked(self.states(Omega=Omega, F_0=F_0), F_0)
+        points = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
+        shape = validate.common_shape(points)
+        return self._at_points(*(np.broadcast_to(values, shape).ravel() for values in points.values()))
+
+    def _at_points(self, Omega: Floats, F_0: Floats) -> SteadyStates:
+        """`amplitudes` at pairs of a frequency and a forcing: asked once for each forcing, then put in their order."""
+        none = np.empty(0)
+        parts = [SteadyStates(none, none, np.empty(0, bool), none, "", self.model)]
+        point = [np.empty(0, np.intp)]
+        for forcing in np.unique(F_0):
+            here = np.flatnonzero(F_0 == forcing)
+            found = self.amplitudes(Omega=np.unique(Omega[here]), F_0=float(forcing))
+            low, high = (np.searchsorted(found.Omega, Omega[here], side) for side in ("left", "right"))
+            row = np.concatenate([np.arange(*ends) for ends in zip(low, high, strict=True)])
+            forcings = np.full(row.size, forcing)
+            parts.append(
+                dataclasses.replace(
+                    found, Omega=found.Omega[row], A=found.A[row], stable=found.stable[row], F_0=forcings
+                )
+            )
+            point.append(np.repeat(here, high - low))
+        order = np.argsort(np.concatenate(point), kind="stable")
+        whole = (np.concatenate([getattr(part, name) for part in parts]) for name in ("Omega", "A", "stable", "F_0"))
+        at, A, stable, forcings = (column[order] for column in whole)
+        message = words.at_several(part.message for part in parts)
+        beside = functools.reduce(operator.or_, (part.remarks for part in parts))
+        return SteadyStates(at, A, stable, forcings, message, self.model, remarks=beside, _asked=parts[-1]._asked)
 
     def states(self, *, Omega: Any, F_0: float) -> SteadyStates:
         """`amplitudes` without the remarks on averaging: what another approximation starts from."""
@@ -106,7 +137,7 @@ class Averaged:
         planned = self._plan("amplitudes", F_0)
         if planned.model is None:
             none = np.empty(0)
-            return SteadyStates(none, none, np.empty(0, dtype=bool), words.sticks(self.model, F_0), self.model)
+            return SteadyStates(none, none, np.empty(0, dtype=bool), F_0, words.sticks(self.model, F_0), self.model)
         return self._centred(solvers.amplitudes(planned.model, at, F_0))
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
@@ -196,15 +227,14 @@ class Averaged:
         return np.asarray(self.model.flow.backbone(A, h))
 
     @np.errstate(all="ignore")
-    def limit_envelope(self, *, Omega: Any, F_0: float) -> Floats:
-        """A_L at the frequencies Omega > 0 (27), which no response exceeds; inf for zeta = 0, 0 where it sticks."""
-        Omega = validate.positive_array("Omega", Omega)
-        F_0 = validate.number("F_0", F_0, above=0.0)
-        if F_0 <= self.model.m:
-            return np.zeros_like(Omega)
-        if self.zeta == 0:
-            return np.full_like(Omega, np.inf)
-        return np.asarray(self.model.flow.limit_envelope(Omega, F_0, self.model.m, self.zeta))
+    def limit_envelope(self, *, Omega: Any, F_0: Any) -> Floats:
+        """A_L at (Omega, F_0), broadcast (27), which no response exceeds; inf for zeta = 0, 0 where it sticks."""
+        Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
+        shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
+        bounded = np.inf
+        if self.zeta != 0:
+            bounded = self.model.flow.limit_envelope(Omega, F_0, self.model.m, self.zeta)
+        return np.broadcast_to(np.where(F_0 <= self.model.m, 0.0, bounded), shape).copy()
 
     @np.errstate(all="ignore")
     def equivalent_damping(self, *, Omega: Any, A: Any) -> Floats:

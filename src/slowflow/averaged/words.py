@@ -7,12 +7,16 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Iterable
 
 import numpy as np
 
 from slowflow.model import Floats, Model
-from slowflow.results import Remark, SaddleNodeOnset
+from slowflow.results import Remark, SaddleNodeOnset, joined
 from slowflow_kernels.conventions import STATIC_MULTIPLE
+
+#: messages of an answer at several forcings
+SAID = 3
 
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
@@ -55,6 +59,12 @@ def without_a_state(Omega: Floats, found: Floats) -> str:
     """At which of the frequencies asked for there is no state among those found."""
     missing = np.setdiff1d(Omega, found)
     return "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
+
+
+def at_several(messages: Iterable[str]) -> str:
+    """What is said at several forcings: each message once, the first `SAID` of them."""
+    told = list(dict.fromkeys(message for message in messages if message))
+    return joined(*told[:SAID], f"and {len(told) - SAID} remarks more" if len(told) > SAID else "")
 
 
 def empty_window(window: tuple[float, float]) -> str:

@@ -44,11 +44,13 @@ NO_FOLD = f"the exact curve beside it has no fold within a factor of {AROUND:g} 
 TAKEN_FOLD = "it leads to the fold of another one"
 
 
-def states(system: EquationOfMotion, found: SteadyStates, F_0: float) -> Measured:
+def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
     """The motion that each averaged state leads to. Raises ValueError for F_0 <= mu."""
     motions: list[shooting.SteadyState | None] = []
     reasons = [""] * found.A.size
-    for i, (Omega, A, phi) in enumerate(zip(found.Omega.tolist(), found.A.tolist(), found.phi.tolist(), strict=True)):
+    forcing = np.broadcast_to(found.F_0, found.Omega.shape)
+    columns = (column.tolist() for column in (found.Omega, found.A, found.phi, forcing))
+    for i, (Omega, A, phi, F_0) in enumerate(zip(*columns, strict=True)):
         motion = None
         for share in TRIALS if Omega > 0.0 else ():
             motion = shooting.near(system, Omega, F_0, (share * A, phi))
@@ -78,10 +80,11 @@ def _one_each(found: SteadyStates, motions: list[shooting.SteadyState | None], r
         assert motion is not None
         return bool(found.stable[i]) != motion.stable, abs(float(found.A[i]) - motion.A)
 
+    forcing = np.broadcast_to(found.F_0, found.Omega.shape)
     for i, motion in enumerate(motions):
         for j in range(i - 1, -1, -1):
             other = motions[j]
-            if found.Omega[j] != found.Omega[i]:
+            if found.Omega[j] != found.Omega[i] or forcing[j] != forcing[i]:
                 break
             if motion is None or other is None or abs(motion.A - other.A) > SAME * motion.A:
                 continue

@@ -313,16 +313,16 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     if not steps:
         empty = np.empty(0)
         message = joined(found.message, words.empty_window(window))
-        return FrequencyResponse(empty, empty, np.empty(0, bool), message, model, np.empty(0, np.intp), (), F_0)
+        return FrequencyResponse(empty, empty, np.empty(0, bool), F_0, message, model, np.empty(0, np.intp), ())
     return FrequencyResponse(
         np.concatenate(Omega),
         np.concatenate(A),
         np.concatenate(stable),
+        F_0,
         found.message,
         model,
         np.concatenate(branch),
         tuple(closed for _, closed in curves),
-        F_0,
     )
 
 
@@ -353,4 +353,4 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     found = skeleton(model, F_0)
     at, A, stable = states_at(found, Omega)
-    return SteadyStates(at, A, stable, joined(found.message, words.without_a_state(Omega, at)), model)
+    return SteadyStates(at, A, stable, F_0, joined(found.message, words.without_a_state(Omega, at)), model)
