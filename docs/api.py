@@ -22,6 +22,7 @@ PAGE = Path(__file__).with_name("api.md")
 #: the public modules, in the order of the page
 MODULES = (
     "slowflow",
+    "slowflow.physical",
     "slowflow.oscillator",
     "slowflow.averaged.questions",
     "slowflow.results",
@@ -37,7 +38,7 @@ MODULES = (
 HEAD = """# API
 
 Every public name, its signature, and the first lines of its docstring; `help(name)` has the rest. All quantities are
-dimensionless. Written by `python -m docs.api`, and held to the code by a test.
+dimensionless but in `slowflow.physical`. Written by `python -m docs.api`, and held to the code by a test.
 """
 
 

@@ -12,6 +12,7 @@ FLOORS = (
     ("paper",),
     ("__init__",),
     ("isolator",),
+    ("physical",),
     ("oscillator",),
     ("exact", "second"),
     ("averaged",),

@@ -16,6 +16,7 @@ import sympy as sp
 
 from derivations.mechanisms import Mechanism, Parameter
 from derivations.resultants import Elimination
+from derivations.scaling import Scale
 from derivations.slow_flow import SCENES
 from derivations.symbols import h, h_A, h_AA, h_AAA
 
@@ -185,6 +186,7 @@ class Record:
     digits_up_to    -- the largest breakpoint for which averages keep their digits
     truncated       -- whether the force is a Taylor polynomial that stands for another
     untruncated     -- name of the mechanism with that other force; "" where there is none
+    scales          -- what the design's numbers are measured in
     """
 
     mechanism: Mechanism
@@ -194,6 +196,7 @@ class Record:
     digits_up_to: sp.Expr
     truncated: bool
     untruncated: str
+    scales: tuple[Scale, ...]
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ import numpy as np
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
-from slowflow_support.record import Law, Mechanism, Parameter
+from slowflow_support.record import Law, Mechanism, Parameter, Scale
 
 __all__ = [
     "F_A",
@@ -1312,4 +1312,9 @@ MECHANISM = Mechanism(
     reach_reason="the push-rod stands vertical",
     truncated=True,
     load_untruncated=_load_untruncated,
+    scales=(
+        Scale("lam", 1.0, (0.0, 0.0, 0.0)),
+        Scale("k_h", 1.0, (1.0, 0.0, 0.0)),
+        Scale("Delta_h", 1.0, (0.0, 1.0, 0.0)),
+    ),
 )

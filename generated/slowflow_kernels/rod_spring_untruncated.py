@@ -18,7 +18,7 @@ import numpy as np
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime
-from slowflow_support.record import Law, Mechanism, Parameter
+from slowflow_support.record import Law, Mechanism, Parameter, Scale
 
 __all__ = [
     "F_A",
@@ -3237,4 +3237,9 @@ MECHANISM = Mechanism(
     reach_reason="the push-rod stands vertical",
     truncated=False,
     load_untruncated=None,
+    scales=(
+        Scale("lam", 1.0, (0.0, 0.0, 0.0)),
+        Scale("k_h", 1.0, (1.0, 0.0, 0.0)),
+        Scale("Delta_h", 1.0, (0.0, 1.0, 0.0)),
+    ),
 )

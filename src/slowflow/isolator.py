@@ -13,8 +13,10 @@ from slowflow.averaged.many import Designs
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import Model
 from slowflow.oscillator import FORCES, Oscillator
+from slowflow.physical import Physical, Scales, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.scaling import SCALES
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
@@ -75,6 +77,64 @@ class Isolator(Oscillator):
         if which == "truncated":
             return Force.of(ROD_SPRING, (self.alpha, self.beta, self.gamma, self.u_cr))
         return super().restoring_force(which)
+
+    @classmethod
+    def physical(
+        cls,
+        *,
+        m: Any,
+        k_v: Any,
+        k_h: Any,
+        L: Any,
+        preload: Any,
+        n: int = 3,
+        friction: Any = 0.0,
+        c: Any = None,
+        zeta: float | None = None,
+        load: Any = None,
+        force: str = "truncated",
+    ) -> Physical:
+        """An isolator from its data sheet, whose questions and answers are in newtons, metres and hertz.
+
+        m        -- the mass that moves, kg
+        k_v      -- stiffness of the vertical spring, N/m
+        k_h, n   -- stiffness of each of the n horizontal springs, N/m
+        L        -- length of the push-rod, m
+        preload  -- compression of each horizontal spring at the centre, m
+        friction -- dry friction, N
+        c, zeta  -- viscous damping, N s/m, or the damping ratio c/(2 sqrt(k_v m)): one of them, or neither for none
+        load     -- the mass that sits on it, kg, where that is not m
+        force    -- as in `Isolator`
+
+        Numbers are plain ones in these units, or quantities of pint. Without `load` it is taken for granted that the
+        vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
+        would rest off the centre, and move about there without symmetry: it is refused, and its sag told.
+        Raises ValueError for a number outside its domain, and for such a load.
+        """
+        scales = Scales(m=m, k_v=k_v, L=L)
+        known = {"n": n, "k_h": si("k_h", k_h, "newton/meter"), "preload": si("preload", preload, "meter")}
+        of_design = zip(known.items(), ROD_SPRING.design, ROD_SPRING.scales, strict=True)
+        lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)
+        of_mu, of_zeta = DAMPING
+        mu = scales.over("friction", si("friction", friction, "newton"), of_mu, SCALES["mu"])
+        if c is not None and zeta is not None:
+            raise ValueError("c and zeta say the same: give one of them")
+        if c is not None:
+            zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
+        isolator = cls(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=0.0 if zeta is None else zeta, force=force)
+        told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
+        told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
+        found = Physical(isolator, scales, {**told, "load": load, "force": force})
+        if load is not None and si("load", load, "kilogram") != scales.m:
+            sag = found.sag(load)
+            off = isolator.breakpoints and abs(sag) > isolator.breakpoints[0] * scales.L
+            beyond = f", beyond x_cr = {1e3 * isolator.breakpoints[0] * scales.L:.3g} mm" if off else ""
+            raise ValueError(
+                f"load = {load} is not allowed: k_v is preset for m = {m}, and this one would rest "
+                f"{1e3 * abs(sag):.3g} mm {'below' if sag > 0 else 'above'} the centre{beyond}; motions about there "
+                "are not symmetric, which slowflow does not describe. Preset k_v for it: m is the load then"
+            )
+        return found
 
     @classmethod
     def many(  # type: ignore[override]

@@ -1,7 +1,7 @@
 """What a mechanism says of itself, as one record that the derivation fills: `MECHANISM` in each generated module.
 
 In:  what the generated modules state.
-Out: `Parameter`, `Law` and `Mechanism`, all immutable. Everything is dimensionless, in the paper's symbols (3)-(7).
+Out: `Parameter`, `Scale`, `Law` and `Mechanism`, all immutable. All is dimensionless, in the paper's symbols (3)-(7).
 """
 
 from __future__ import annotations
@@ -35,6 +35,18 @@ class Parameter:
     most: float | None = None
 
 
+class Scale(NamedTuple):
+    """What a dimensionless number is measured in, factor k_v^p L^q m^s: times this it is the dimensional quantity (4).
+
+    letter -- the paper's for that quantity
+    powers -- of k_v, L and m
+    """
+
+    letter: str
+    factor: float
+    powers: tuple[float, float, float]
+
+
 class Law(NamedTuple):
     """One piece of a force and its slope: functions of (u, *parameters), for any kind of number that has arithmetic.
 
@@ -66,6 +78,7 @@ class Mechanism:
     reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there
     truncated   -- whether the force is a Taylor polynomial that stands for another
     load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
+    scales      -- what each number of the design is measured in; () where the design has no dimensional quantities
     """
 
     name: str
@@ -86,6 +99,7 @@ class Mechanism:
     reach_reason: str
     truncated: bool
     load_untruncated: Callable[[], Mechanism] | None
+    scales: tuple[Scale, ...] = ()
 
     def __reduce__(self) -> tuple[Any, ...]:
         # compiled functions cannot be pickled: the module that states the record can be imported again

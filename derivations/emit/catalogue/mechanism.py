@@ -31,6 +31,7 @@ from derivations.mechanisms import Mechanism, Parameter
 from derivations.oscillator import Oscillator
 from derivations.restoring import Case, Restoring, average, forms
 from derivations.results import OfMechanism, Results
+from derivations.scaling import of_design
 from derivations.second_approximation import OF_HARMONIC
 from derivations.slow_flow import m
 from derivations.symbols import F_0, A, mu, u, zeta
@@ -463,6 +464,7 @@ def record(results: Results, derived: OfMechanism, pieces: tuple[Law, ...]) -> R
         STEEPEST if is_spelled_out(derived) else sp.oo,
         truncated,
         twins[0] if twins else "",
+        of_design(mechanism),
     )
 
 

@@ -29,6 +29,7 @@ from derivations.emit.views import (
     view,
 )
 from derivations.mechanisms import DAMPING, FORCING, Parameter
+from derivations.scaling import Scale, of_every_oscillator
 from derivations.slow_flow import SCENES
 
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
@@ -40,6 +41,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = templates(Path(__file__).parent)
     environment.filters["constant"] = constant
     environment.filters["parameter"] = parameter
+    environment.filters["scale"] = scale
     result = {}
     for module in modules:
         result[f"slowflow_kernels/{module.name}.py"] = environment.get_template("module.py.jinja").render(
@@ -59,6 +61,9 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         )
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
         damping=DAMPING, forcing=FORCING
+    )
+    result["slowflow_kernels/scaling.py"] = environment.get_template("scaling.py.jinja").render(
+        scales={number.name: scale for number, scale in of_every_oscillator().items()}
     )
     for conventions in CONVENTIONS:
         width = max(len(word.name) for table in conventions.tables for word in table.words)
@@ -121,3 +126,9 @@ def parameter(stated: Parameter) -> str:
     bounds = {bound: getattr(stated, bound) for bound in ("above", "least", "below", "most")}
     limits = [f", {bound}={constant(sp.sympify(limit))}" for bound, limit in bounds.items() if limit is not None]
     return f'"{stated.symbol.name}", "{stated.doc}", "{stated.unit}"' + "".join(limits)
+
+
+def scale(derived: Scale) -> str:
+    """A record's `Scale`."""
+    powers = ", ".join(repr(float(power)) for power in derived.powers)
+    return f'Scale("{derived.letter.name}", {float(derived.factor)!r}, ({powers}))'

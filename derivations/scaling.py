@@ -1,0 +1,63 @@
+"""Step 1 once more, equation (4): what each dimensionless number is measured in, a product of powers of k_v, L and m.
+
+In:  the dimensionless groups, or a mechanism's ratios.
+Out: `Scale`s: a dimensional letter is its dimensionless number times the scale.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from derivations import oscillator as osc
+from derivations.mechanisms import Mechanism
+from derivations.symbols import F_0, Omega, mu, tau, u, zeta
+
+k_v, L = sp.symbols("k_v L", positive=True)
+x = sp.Symbol("x", real=True)
+
+
+@dataclass(frozen=True)
+class Scale:
+    """factor k_v^(power) L^(power) m^(power).
+
+    letter -- the dimensional quantity
+    powers -- of k_v, L and m
+    """
+
+    letter: sp.Symbol
+    factor: sp.Expr
+    powers: tuple[sp.Rational, ...]
+
+
+def scale(group: sp.Expr, letter: sp.Symbol, bases: tuple[sp.Symbol, ...]) -> Scale:
+    """What a group measures its letter in; it has to be the letter over a product of powers."""
+    unit = sp.simplify(letter / group)
+    powers = tuple(sp.simplify(base * sp.diff(unit, base) / unit) for base in bases)
+    factor = sp.simplify(unit / sp.Mul(*(base**power for base, power in zip(bases, powers, strict=True))))
+    if not factor.is_positive or factor.free_symbols or not all(power.is_Rational for power in powers):
+        raise ArithmeticError(f"{group} is not {letter} over a product of powers of {bases}")
+    return Scale(letter, factor, powers)
+
+
+def of_every_oscillator() -> dict[sp.Symbol, Scale]:
+    """Of the numbers that all have: displacement, time, frequency, forcing, friction, damping."""
+    groups = osc.groups(k_v, L)
+    letters = {u: x, tau: osc.t, Omega: osc.omega, F_0: osc.F, mu: osc.F_c, zeta: osc.c}
+    values = {u: x / L, tau: groups[osc.omega_n] * osc.t} | groups
+    natural = {osc.omega_n: groups[osc.omega_n]}
+    bases = (k_v, L, osc.m)
+    return {number: scale(values[number].subs(natural), letter, bases) for number, letter in letters.items()}
+
+
+def of_design(mechanism: Mechanism) -> tuple[Scale, ...]:
+    """Of a design's numbers, in their order; none where these are not the ratios."""
+    if tuple(parameter.symbol for parameter in mechanism.design) != tuple(mechanism.ratios):
+        return ()
+    bases = (mechanism.k_v, mechanism.length, osc.m)
+    found = []
+    for ratio in mechanism.ratios.values():
+        (letter,) = ratio.free_symbols - set(bases)
+        found.append(scale(ratio, letter, bases))
+    return tuple(found)

@@ -1,0 +1,16 @@
+"""What the dimensionless numbers of every oscillator are measured in, by name (4): powers of k_v, L and m.
+
+Written by `make derive`; never edit.
+Input: derivations/oscillator.py, derivations/scaling.py
+"""
+
+from slowflow_support.record import Scale
+
+SCALES = {
+    "u": Scale("x", 1.0, (0.0, 1.0, 0.0)),
+    "tau": Scale("t", 1.0, (-0.5, 0.0, 0.5)),
+    "Omega": Scale("omega", 1.0, (0.5, 0.0, -0.5)),
+    "F_0": Scale("F", 1.0, (1.0, 1.0, 0.0)),
+    "mu": Scale("F_c", 1.0, (1.0, 1.0, 0.0)),
+    "zeta": Scale("c", 2.0, (0.5, 0.0, 0.5)),
+}

@@ -1,0 +1,462 @@
+"""Oscillators in newtons, metres and hertz: in go a dimensionless one, m, k_v and L, out come its answers in SI units.
+
+What each number is measured in is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m,
+m, s; frequencies in Hz), or quantities of pint. Answers are `Quantities`: plain SI numbers again, and printed, or
+`in_units()`, in N, mm, Hz and ms.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.averaged.plan import Plan
+from slowflow.mechanism import Floats
+from slowflow.results import Answer, Remark, SteadyStates, Table
+from slowflow_kernels.scaling import SCALES
+from slowflow_support.record import Parameter, Scale
+
+#: what units there are of each kind, by their size in SI units; the first is SI's, and a turn is what Hz counts
+UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
+    {
+        "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3},
+        "length": {"m": 1.0, "mm": 1e-3, "um": 1e-6},
+        "frequency": {"Hz": 1.0, "rpm": 1 / 60, "rad/s": 1 / math.tau},
+        "time": {"s": 1.0, "ms": 1e-3},
+        "speed": {"m/s": 1.0, "mm/s": 1e-3},
+        "stiffness": {"N/m": 1.0, "N/mm": 1e3},
+        "mass": {"kg": 1.0},
+    }
+)
+#: those in which answers are shown, one of each kind
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "N/m", "kg")
+#: of which kind the numbers of an answer are, and what they are called with a unit
+KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
+    {
+        **{name: (name, "length") for name in ("A", "A_1", "A_max")},
+        "u_cr": ("x_cr", "length"),
+        "u": ("x", "length"),
+        "v": ("v", "speed"),
+        "tau": ("t", "time"),
+        "Omega": ("f", "frequency"),
+        "Omega_cr": ("f_cr", "frequency"),
+        "F_0": ("F", "force"),
+        **{name: (name, "force") for name in ("F_SN", "F_cr", "break_loose", "sticking")},
+        "f_n": ("f_n", "frequency"),
+        "f_0": ("f_0", "frequency"),
+        "jumps": ("jumps", "frequency"),
+        "period": ("period", "time"),
+    }
+)
+#: and which unit is of which kind
+KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
+#: standard gravity, m/s^2
+g = 9.80665
+#: rows of an answer that are printed at most
+SHOWN = 20
+
+
+@dataclass(frozen=True, eq=False)
+class Quantities(Answer):
+    """An answer in physical units; its numbers are read by name, as `.F_SN`, `.f`, `.A`. Print it.
+
+    values -- numbers, words and arrays by name
+    units  -- the unit of each that has one
+    answer -- the same, dimensionless: its `.validity`, `.measure()` and so on
+    entry  -- names of what makes up one entry; an answer with several has a length, and an index or a loop gives one
+    """
+
+    values: Mapping[str, Any]
+    units: Mapping[str, str]
+    answer: Any
+    entry: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for value in self.values.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+        for name in ("values", "units"):
+            self.__dict__[name] = MappingProxyType(dict(getattr(self, name)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry)
+
+    def __getattr__(self, name: str) -> Any:
+        values = self.__dict__.get("values", {})  # not there yet while it is made
+        if name not in values:
+            raise AttributeError(f"{name!r} is no part of this answer: it has {', '.join(values)}")
+        return values[name]
+
+    def __len__(self) -> int:
+        return len(self.values[self._entries()[0]])
+
+    def __getitem__(self, k: int) -> SimpleNamespace:
+        return SimpleNamespace(**{name: self.values[name][k].item() for name in self._entries()})
+
+    def __iter__(self) -> Iterator[SimpleNamespace]:
+        return (self[k] for k in range(len(self)))
+
+    def _entries(self) -> tuple[str, ...]:
+        if not self.entry:
+            raise TypeError("this answer has no entries: it is a single one")
+        return self.entry
+
+    def _content(self) -> dict[str, Any]:
+        return {**self.values, "units": tuple(self.units.items())}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The answer in plain Python: lists for arrays, numbers and words, by name; and `units`, a dictionary."""
+        return {**super().to_dict(), "units": dict(self.units)}
+
+    def in_units(self, *units: str) -> Quantities:
+        """The same in other units, as in_units("kN", "rpm"); those of a kind that is not given are N, mm, Hz, ms.
+
+        Raises ValueError for a unit that is none of `UNITS`.
+        """
+        wanted = {}
+        for unit in (*USUAL, *units):
+            validate.choice("unit", unit, tuple(KIND_OF))
+            wanted[KIND_OF[unit]] = unit
+        values, found = dict(self.values), {}
+        for name, unit in self.units.items():
+            kind = KIND_OF[unit]
+            found[name] = wanted[kind]
+            values[name] = _times(values[name], UNITS[kind][unit] / UNITS[kind][wanted[kind]])
+        for name, value in values.items():
+            if isinstance(value, Quantities):
+                values[name] = value.in_units(*units)
+        return Quantities(values, found, self.answer, self.entry)
+
+    def __str__(self) -> str:
+        return "\n".join(_lines(self.in_units()))
+
+
+def _times(value: Any, size: float) -> Any:
+    return None if value is None else value * size
+
+
+def _lines(shown: Quantities) -> Iterator[str]:
+    """A table of the entries, or what an answer with one holds; then what is said beside."""
+    heads = {name: f"{name}/{shown.units[name]}" if name in shown.units else name for name in shown.entry}
+    if shown.entry:
+        rows = [list(heads.values())]
+        rows += [[_text(value) for value in vars(one).values()] for one in itertools.islice(shown, SHOWN)]
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        yield from ("  ".join(text.rjust(width) for text, width in zip(row, widths, strict=True)) for row in rows)
+        if len(shown) > SHOWN:
+            yield f"and {len(shown) - SHOWN} more"
+    for name, value in shown.values.items():
+        if isinstance(value, Quantities):
+            yield from (f"{name}:", *(f"  {line}" for line in _lines(value)))
+        elif isinstance(value, (int, float, str)) and not isinstance(value, Remark) and value != "":
+            yield f"{name:12}{_text(value)} {shown.units.get(name, '')}".rstrip()
+
+
+def _text(value: Any) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+# ---- what a user gives
+
+
+def si(name: str, value: Any, unit: str) -> Any:
+    """A number or array in SI units: a plain one as it is, a quantity of pint converted to `unit`."""
+    if not (hasattr(value, "magnitude") and hasattr(value, "to")):
+        return value
+    try:
+        return value.to(unit).magnitude
+    except TypeError:  # what pint raises for another dimension
+        raise ValueError(f"{name} = {value} is not allowed: {name} must be measured in {unit}") from None
+
+
+def turns(name: str, value: Any) -> Any:
+    """A frequency in turns per second: a plain number is in Hz.
+
+    A quantity of pint has to say whether it counts turns or radians, which pint takes for the same: 1/s does not.
+    """
+    if not (hasattr(value, "magnitude") and hasattr(value, "to")):
+        return value
+    if "hertz" in str(value.units):
+        return si(name, value, "hertz")
+    if "radian" not in str(value.to_base_units().units):
+        raise ValueError(f"{name} = {value} is not allowed: {name} must be in Hz, rpm, or rad/s")
+    return si(name, value, "radian/second") / math.tau
+
+
+class Scales:
+    """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
+
+    Raises ValueError for one that is not > 0.
+    """
+
+    def __init__(self, *, m: Any, k_v: Any, L: Any) -> None:
+        self.m = validate.number("m", si("m", m, "kilogram"), above=0.0)
+        self.k_v = validate.number("k_v", si("k_v", k_v, "newton/meter"), above=0.0)
+        self.L = validate.number("L", si("L", L, "meter"), above=0.0)
+        length, rate = self.of(SCALES["u"]), self.of(SCALES["Omega"])
+        self.sizes = {
+            "force": self.of(SCALES["F_0"]),
+            "length": length,
+            "frequency": rate / math.tau,
+            "time": self.of(SCALES["tau"]),
+            "speed": length * rate,
+        }
+
+    def of(self, scale: Scale) -> float:
+        """What one of these numbers is measured in."""
+        powers = zip((self.k_v, self.L, self.m), scale.powers, strict=True)
+        return float(scale.factor * math.prod(base**power for base, power in powers))
+
+    def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> float:
+        """A given number over what it is measured in. Raises ValueError, in its terms, outside the domain."""
+        size = self.of(scale)
+        bounds = {b: getattr(domain, b) for b in ("above", "least", "below", "most") if getattr(domain, b) is not None}
+        allowed = {bound: limit * size for bound, limit in bounds.items()}
+        return validate.number(name, value, **allowed) / size
+
+    def quantities(self, answer: Answer) -> Quantities:
+        """An answer to a dimensionless question in SI units, and those that it holds."""
+        fields = dataclasses.fields(answer)  # type: ignore[arg-type]
+        found = {field.name: getattr(answer, field.name) for field in fields if field.repr}
+        entry = tuple(answer.entry._fields) if isinstance(answer, Table) else ()
+        if isinstance(answer, SteadyStates):
+            entry += ("transmissibility_dB", "F_0") if np.ndim(answer.F_0) else ("transmissibility_dB",)
+        return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
+
+    def named(self, found: Mapping[str, Any], answer: Any, entry: tuple[str, ...] = ()) -> Quantities:
+        """Dimensionless numbers by name, as `KINDS` has them, in SI units."""
+        values: dict[str, Any] = {}
+        units = {}
+        for name, value in found.items():
+            shown, kind = KINDS.get(name, (name, ""))
+            values[shown] = self.quantities(value) if isinstance(value, Answer) else value
+            if kind:
+                values[shown] = _times(value, self.sizes[kind])
+                units[shown] = next(iter(UNITS[kind]))
+        return Quantities(values, units, answer, tuple(KINDS.get(name, (name, ""))[0] for name in entry))
+
+
+class Physical:
+    """An oscillator whose questions take forces in N, frequencies f in Hz and lengths in m, and are answered in these.
+
+    oscillator -- the dimensionless one, which is asked
+    scales     -- what its numbers are measured in
+    given      -- what it was made from, for `replace`
+
+    Arguments may be quantities of pint too. What is asked, and what is raised, is the oscillator's.
+    """
+
+    def __init__(self, oscillator: Any, scales: Scales, given: Mapping[str, Any]) -> None:
+        self.oscillator = oscillator
+        self.scales = scales
+        self.given = given
+
+    def __repr__(self) -> str:
+        told = ", ".join(f"{name}={value!r}" for name, value in self.given.items())
+        return f"{type(self.oscillator).__name__}.physical({told})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Physical) and (self.oscillator, self.given) == (other.oscillator, other.given)
+
+    def __hash__(self) -> int:
+        return hash((self.oscillator, *self.given.values()))
+
+    def replace(self, **changes: Any) -> Physical:
+        """Another one with some of the numbers changed that this one was made from, by name."""
+        kept = dict(self.given)
+        for one, other in (("c", "zeta"), ("zeta", "c")):  # they say the same
+            if one in changes:
+                kept.pop(other, None)
+        found: Physical = type(self.oscillator).physical(**{**kept, **changes})
+        return found
+
+    def at_rest(self) -> Quantities:
+        """What a data sheet says: natural frequencies, stiffness, stroke, loads, friction.
+
+        f_n         -- natural frequency of the mass on the vertical spring alone
+        f_0, k_0    -- of small motions about the centre; no f_0 where the stiffness k_0 there is negative
+        x_cr        -- the stroke, at which the springs leave; None where they never touch
+        preset      -- by how much k_v is compressed to hold the mass at the centre, m g/k_v
+        lightest, heaviest -- masses that would rest at -x_cr and x_cr, k_v being preset for m
+        break_loose -- the constant force that friction holds
+        sticking    -- the force amplitude up to which averaging has the mass at rest (27)
+        """
+        oscillator, m, k_v = self.oscillator, self.scales.m, self.scales.k_v
+        (stiffness,) = oscillator.stiffness([0.0]).tolist()
+        u_cr = oscillator.breakpoints[0] if oscillator.breakpoints else None
+        found = self.scales.named(
+            {
+                "f_n": 1.0,
+                "f_0": math.sqrt(stiffness) if stiffness > 0 else None,
+                "u_cr": u_cr,
+                "break_loose": oscillator.mu,
+                "sticking": oscillator.sticking_forcing,
+            },
+            oscillator,
+        )
+        beyond = None if u_cr is None else k_v * found.x_cr / g
+        values = {
+            **found.values,
+            "k_0": k_v * stiffness,
+            "preset": m * g / k_v,
+            "lightest": None if beyond is None else m - beyond,
+            "heaviest": None if beyond is None else m + beyond,
+        }
+        units = {**found.units, "k_0": "N/m", "preset": "m", "lightest": "kg", "heaviest": "kg"}
+        return Quantities(values, units, oscillator)
+
+    def sag(self, load: Any) -> float:
+        """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""
+        # here, not above: `import slowflow` does without SciPy
+        from scipy.optimize import brentq
+
+        load = validate.number("load", si("load", load, "kilogram"), above=0.0)
+        weight = (load - self.scales.m) * g / self.scales.sizes["force"]
+        force = self.oscillator.restoring_force("untruncated")
+        far = abs(weight) + 1.0 + (force.breakpoints[-1] if force.breakpoints else 0.0)
+        u = float(brentq(lambda u: math.copysign(force.value(abs(u)), u) - weight, -far, far))
+        return u * self.scales.sizes["length"]
+
+    # ---- the questions
+
+    def force(self, x: Any) -> Floats:
+        """The restoring force in N at displacements in m, without the weight that k_v is preset for."""
+        return np.asarray(self.oscillator.force(self._length("x", x)) * self.scales.sizes["force"])
+
+    def stiffness(self, x: Any) -> Floats:
+        """Its slope in N/m."""
+        return np.asarray(self.oscillator.stiffness(self._length("x", x)) * self.scales.k_v)
+
+    def saddle_node_onset(self) -> Quantities:
+        """The lowest force amplitude that has a fold: .F_SN .f .A, see `Averaged.saddle_node_onset`."""
+        return self.scales.quantities(self.oscillator.saddle_node_onset())
+
+    def detachment(self) -> Quantities:
+        """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
+        return self.scales.quantities(self.oscillator.detachment())
+
+    def saddle_nodes(self, F: Any) -> Quantities:
+        """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
+        return self.scales.quantities(self.oscillator.saddle_nodes(self._force("F", F)))
+
+    def peak(self, F: Any) -> Quantities:
+        """The highest peak: .A .f, see `Averaged.peak`."""
+        return self.scales.quantities(self.oscillator.peak(self._force("F", F)))
+
+    def amplitudes(self, *, f: Any, F: Any) -> Quantities:
+        """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`."""
+        Omega, F_0 = self._frequency("f", f), self._force("F", F)
+        return self.scales.quantities(self.oscillator.amplitudes(Omega=Omega, F_0=F_0))
+
+    def frequency_response(self, F: Any, *, f: Any = None, samples: int = 1000) -> Quantities:
+        """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
+        found = self.oscillator.frequency_response(self._force("F", F), samples=samples, **self._window(f))
+        return self.scales.quantities(found)
+
+    def fold_locus(self, *, samples: int = 1000, A_max: Any = None) -> Quantities:
+        """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
+        return self.scales.quantities(self.oscillator.fold_locus(samples=samples, A_max=self._most(A_max)))
+
+    def cusps(self, *, A_max: Any = None) -> Quantities:
+        """Where two folds come into being or meet: .F .f .A .minimum, see `Averaged.cusps`."""
+        return self.scales.quantities(self.oscillator.cusps(A_max=self._most(A_max)))
+
+    def isola_points(self, *, A_max: Any = None) -> Quantities:
+        """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
+        return self.scales.quantities(self.oscillator.isola_points(A_max=self._most(A_max)))
+
+    def backbone(self, A: Any) -> Floats:
+        """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
+        return np.asarray(self.oscillator.backbone(self._length("A", A)) * self.scales.sizes["frequency"])
+
+    def limit_envelope(self, *, f: Any, F: Any) -> Floats:
+        """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
+        A = self.oscillator.limit_envelope(Omega=self._frequency("f", f), F_0=self._force("F", F))
+        return np.asarray(A * self.scales.sizes["length"])
+
+    def certify(self, F: Any, *, f: Any = None) -> Quantities:
+        """What is proved at a force amplitude, of the dimensionless numbers as they are: see `Averaged.certify`."""
+        Omega = None if f is None else self._frequency("f", f)
+        return self.scales.quantities(self.oscillator.certify(self._force("F", F), Omega=Omega))
+
+    def explain(self, question: str, F: Any) -> Plan:
+        """What runs for a question and what is skipped, see `Averaged.explain`."""
+        found: Plan = self.oscillator.explain(question, self._force("F", F))
+        return found
+
+    @property
+    def second_approximation(self) -> Physical:
+        """The same questions, those that it answers, with the higher harmonics of force and friction."""
+        return Physical(self.oscillator.second_approximation, self.scales, self.given)
+
+    def steady_state(self, *, f: Any, F: Any, A: Any = None, samples: int = 400) -> Quantities:
+        """One periodic motion of the equation of motion: .A .stops .stable .period, and .t .x .v over one period.
+
+        See `Oscillator.steady_state`, which `.answer` is from.
+        """
+        at = {"Omega": self._frequency("f", f), "F_0": self._force("F", F), "A": self._most(A)}
+        found = self.oscillator.steady_state(**at)
+        tau, u, v = found.series(samples)
+        said = {name: getattr(found, name) for name in ("Omega", "F_0", "A", "stops", "stable", "period")}
+        return self.scales.named({**said, "tau": tau, "u": u, "v": v}, found)
+
+    def exact_response(self, F: Any, *, f: Any = None, step: float = 0.02) -> Quantities:
+        """The curve of the equation of motion: .f .A .stable .stops, and .folds; see `Oscillator.exact_response`."""
+        found = self.oscillator.exact_response(self._force("F", F), step=step, **self._window(f))
+        entry = ("Omega", "A", "stable", "stops")
+        columns = ("Omega", "A", "kind", "corner")
+        folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}
+        said = {name: getattr(found, name) for name in (*entry, "F_0", "closed", "message")}
+        curve = self.scales.named(said, found, entry)
+        values = {**curve.values, "folds": self.scales.named(folds, found.folds, columns)}
+        return Quantities(values, curve.units, found, curve.entry)
+
+    def sweep(self, *, f: Any, F: Any) -> Quantities:
+        """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.
+
+        See `Oscillator.sweep`.
+        """
+        found = self.oscillator.sweep(Omega=self._frequency("f", f), F_0=self._force("F", F))
+        entry = ("Omega", "A", "stops", "settled")
+        said = {name: getattr(found, name) for name in (*entry, "F_0")}
+        jumps = np.array(found.jumps).reshape(-1, 2)
+        return self.scales.named({**said, "jumps": jumps}, found, entry)
+
+    # ---- arguments
+
+    def _force(self, name: str, value: Any) -> Any:
+        return self._over(name, si(name, value, "newton"), "force")
+
+    def _length(self, name: str, value: Any) -> Any:
+        return self._over(name, si(name, value, "meter"), "length")
+
+    def _most(self, A: Any) -> Any:
+        return None if A is None else self._length("A", A)
+
+    def _frequency(self, name: str, value: Any) -> Any:
+        return self._over(name, turns(name, value), "frequency")
+
+    def _window(self, f: Any) -> dict[str, Any]:
+        """Of frequencies, as the oscillator takes it; nothing where it has its own."""
+        if f is None:
+            return {}
+        try:
+            low, high = f
+        except (TypeError, ValueError):
+            raise ValueError(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
+        return {"Omega": (self._frequency("f[0]", low), self._frequency("f[1]", high))}
+
+    def _over(self, name: str, value: Any, kind: str) -> Any:
+        """A number as one, or an array, over what is measured in."""
+        size = self.scales.sizes[kind]
+        if validate.is_single(value):
+            return validate.number(name, value) / size
+        return validate.finite_array(name, value) / size

@@ -1,0 +1,255 @@
+"""Isolators in newtons, metres and hertz: against (1), (2) in SI units, the paper's (4), and a mount's data sheet."""
+
+from __future__ import annotations
+
+import copy
+import math
+import pickle
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from slowflow import Duffing, Isolator
+from slowflow.physical import UNITS, Scales
+from slowflow_kernels.scaling import SCALES
+
+#: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
+MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+HERE = Path(__file__).parent
+
+
+@pytest.fixture(scope="module")
+def mount():
+    return Isolator.physical(**MOUNT)
+
+
+def test_the_mount_jumps_detaches_and_transmits_as_worked_out_by_hand(mount):
+    onset, detachment, folds = mount.saddle_node_onset(), mount.detachment(), mount.saddle_nodes(F=5)
+    assert (round(onset.F_SN, 2), round(onset.f, 2), round(detachment.F_cr, 2)) == (2.67, 2.11, 4.07)
+    assert [(fold.kind, round(fold.f, 2)) for fold in folds] == [("jump-up", 2.18), ("jump-down", 2.27)]
+    (state,) = mount.amplitudes(f=5, F=5)
+    assert round(state.transmissibility_dB, 1) == -12.8
+
+
+def test_the_readme_says_the_same_of_it():
+    text = (HERE.parent / "README.md").read_text(encoding="utf-8")
+    (lines,) = re.findall(r"mount = Isolator\.physical.*?```", text, re.DOTALL)
+    for number in ("2.67 N", "2.11 Hz", "4.07 N", "2.18", "2.27 Hz", "-12.8 dB"):
+        assert number in lines, number
+
+
+def test_scales_are_the_papers_groups():
+    """(4), typed."""
+    m, k_v, L = 7.0, 300.0, 0.11
+    scales = Scales(m=m, k_v=k_v, L=L)
+    expected = {
+        "u": L,
+        "tau": math.sqrt(m / k_v),
+        "Omega": math.sqrt(k_v / m),
+        "F_0": k_v * L,
+        "mu": k_v * L,
+        "zeta": 2 * math.sqrt(k_v * m),
+    }
+    assert {name: scales.of(scale) for name, scale in SCALES.items()} == pytest.approx(expected, rel=1e-15)
+
+
+def test_a_motion_is_that_of_the_dimensional_equation():
+    """(1) with the force (2), in SI units, by SciPy: nothing dimensionless."""
+    m, k_v, k_h, n, L, preload, F_c, c, F, f = 12.0, 2500.0, 1700.0, 3, 0.080, 0.009, 0.4, 60.0, 40.0, 2.0
+    mount = Isolator.physical(m=m, k_v=k_v, k_h=k_h, n=n, L=L, preload=preload, friction=F_c, c=c, force="untruncated")
+
+    def rates(t, state):
+        x, v = state
+        height = math.sqrt(L**2 - x**2)
+        pushing = max(preload - (L - height), 0.0)
+        force = k_v * x - n * k_h * pushing * x / height
+        return v, (F * math.cos(math.tau * f * t) - c * v - F_c * np.sign(v) - force) / m
+
+    periods = 20
+    t = np.linspace(periods - 1, periods, 400, endpoint=False) / f
+    x = solve_ivp(rates, (0, periods / f), (0.0, 0.0), t_eval=t, rtol=1e-8, atol=1e-10).y[0]
+    motion = mount.steady_state(f=f, F=F)
+    assert abs(x).max() > mount.at_rest().x_cr  # the springs leave
+    np.testing.assert_allclose(motion.x, x, atol=2e-6 * motion.A)
+    assert motion.t[-1] == pytest.approx(t[-1] - t[0]) and motion.period == pytest.approx(1 / f)
+
+
+def test_every_question_in_physical_units_is_the_dimensionless_one(mount):
+    iso, size = mount.oscillator, mount.scales.sizes
+    F, L, f = (size[kind] for kind in ("force", "length", "frequency"))
+    F_0 = 5 / F
+    pairs = [
+        (mount.saddle_node_onset(), iso.saddle_node_onset()),
+        (mount.detachment(), iso.detachment()),
+        (mount.saddle_nodes(5), iso.saddle_nodes(F_0)),
+        (mount.peak(5), iso.peak(F_0)),
+        (mount.amplitudes(f=[1.0, 2.2], F=5), iso.amplitudes(Omega=np.array([1.0, 2.2]) / f, F_0=F_0)),
+        (mount.frequency_response(5, f=(1, 3)), iso.frequency_response(F_0, Omega=(1 / f, 3 / f))),
+        (mount.fold_locus(samples=20), iso.fold_locus(samples=20)),
+        (mount.cusps(), iso.cusps()),
+        (mount.isola_points(), iso.isola_points()),
+        (mount.second_approximation.saddle_nodes(5), iso.second_approximation.saddle_nodes(F_0)),
+    ]
+    named = {"Omega": ("f", f), "Omega_cr": ("f_cr", f), "u_cr": ("x_cr", L), "A": ("A", L), "F_0": ("F", F)}
+    named |= {"F_SN": ("F_SN", F), "F_cr": ("F_cr", F)}
+    for twin, answer in pairs:
+        assert twin.answer == answer
+        for name, (shown, scale) in named.items():
+            if hasattr(answer, name):
+                np.testing.assert_allclose(getattr(twin, shown), getattr(answer, name) * scale, rtol=1e-15)
+    assert mount.explain("peak", 5).F_0 == F_0
+    assert mount.backbone(0.01) == iso.backbone(0.01 / L) * f
+    assert mount.limit_envelope(f=2, F=5) == iso.limit_envelope(Omega=2 / f, F_0=F_0) * L
+    assert mount.force([0.01]) == iso.force([0.01 / L]) * F
+    assert mount.stiffness([0.01]) == iso.stiffness([0.01 / L]) * mount.scales.k_v
+
+
+def test_exact_answers_are_physical_too(mount):
+    f, L = mount.scales.sizes["frequency"], mount.scales.sizes["length"]
+    curve = mount.exact_response(5, f=(2.1, 2.3))
+    assert [round(fold.f, 2) for fold in curve.folds] == [2.18, 2.27]
+    assert np.array_equal(curve.A, curve.answer.A * L) and len(curve) == len(curve.f)
+    sweep = mount.sweep(f=[2.1, 2.2, 2.3], F=5)
+    assert sweep.jumps == pytest.approx(np.array([[2.2, 2.3]])) and sweep.units["jumps"] == "Hz"
+    assert np.array_equal(sweep.f, sweep.answer.Omega * f)
+
+
+def test_a_certificate_holds_its_parts_in_units(mount):
+    found = mount.certify(5, f=2.2)
+    low, high = found.saddle_nodes.f[0]
+    assert low <= mount.saddle_nodes(5).f[0] <= high
+    assert found.saddle_nodes.units["f"] == "Hz" and found.amplitudes.units["A"] == "m"
+    assert found.in_units("mm").amplitudes.A[0, 0] == pytest.approx(1e3 * found.amplitudes.A[0, 0])
+
+
+def test_at_rest_a_mount_has_what_its_data_sheet_says(mount):
+    rest = mount.at_rest()
+    stiffness = 2500 - 3 * 1700 * 0.009 / 0.080  # what the preload takes off
+    assert rest.k_0 == pytest.approx(stiffness)
+    assert rest.f_n == pytest.approx(math.sqrt(2500 / 12) / math.tau)
+    assert rest.f_0 == pytest.approx(math.sqrt(stiffness / 12) / math.tau)
+    assert rest.x_cr == pytest.approx(math.sqrt(0.080**2 - 0.071**2))
+    assert rest.preset == pytest.approx(12 * 9.80665 / 2500)
+    assert (rest.lightest, rest.heaviest) == pytest.approx([12 - 2500 * rest.x_cr / 9.80665, 24 - rest.lightest])
+    assert (rest.break_loose, rest.sticking) == pytest.approx((0.4, 1.6 / math.pi))
+    with pytest.warns(UserWarning, match="negative stiffness"):
+        assert mount.replace(preload=0.05).at_rest().f_0 is None
+    assert mount.replace(preload=0).at_rest().x_cr is None
+
+
+def test_a_load_off_the_centre_is_refused_with_its_sag(mount):
+    """The issue of a mount without preset: 12 kg more than it is preset for sag by 47 mm, beyond the stroke."""
+    assert mount.replace(load=12.0) == mount.replace(load=12)
+    with pytest.raises(ValueError, match=r"load = 24 .* 47.1 mm below the centre, beyond x_cr = 36.9 mm"):
+        mount.replace(load=24)
+    with pytest.raises(ValueError, match="above the centre; motions"):
+        mount.replace(load=11)
+    x = mount.sag(14)  # of the force as the geometry gives it
+    height = math.sqrt(0.080**2 - x**2)
+    assert 2500 * x - 5100 * (height - 0.071) * x / height == pytest.approx(2 * 9.80665)
+    assert mount.sag(10) == pytest.approx(-x)
+
+
+def test_viscous_damping_is_a_coefficient_or_a_ratio(mount):
+    c = 0.02 * 2 * math.sqrt(2500 * 12)
+    assert mount.replace(c=c).oscillator.zeta == pytest.approx(0.02)
+    assert Isolator.physical(**{**MOUNT, "zeta": None}).oscillator.zeta == 0
+    with pytest.raises(ValueError, match="c and zeta say the same"):
+        Isolator.physical(**MOUNT, c=c)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"m": 0}, "m = 0 is not allowed: m must be a finite real number > 0"),
+        ({"L": "80 mm"}, "L = '80 mm' is not allowed"),
+        ({"k_h": -1}, "k_h = -1 is not allowed: k_h must be a finite real number > 0"),
+        ({"preload": 0.09}, "preload = 0.09 is not allowed: preload must be a finite real number >= 0 and < 0.08"),
+        ({"friction": -0.4}, "friction = -0.4 is not allowed"),
+        ({"c": -1.0}, "c = -1.0 is not allowed"),
+        ({"load": -1.0}, "load = -1.0 is not allowed"),
+    ],
+)
+def test_what_is_not_allowed_is_refused_in_the_given_terms(mount, change, said):
+    with pytest.raises(ValueError) as refused:
+        mount.replace(**change)
+    assert str(refused.value).startswith(said)
+
+
+def test_a_window_is_a_pair(mount):
+    with pytest.raises(ValueError, match="f must be a pair"):
+        mount.frequency_response(5, f=3)
+
+
+def test_units_are_those_that_were_asked_for(mount):
+    folds = mount.saddle_nodes(5)
+    assert folds.units == {"f": "Hz", "A": "m", "F": "N"}
+    other = folds.in_units("rpm", "um")
+    assert other.units == {"f": "rpm", "A": "um", "F": "N"}
+    np.testing.assert_allclose(other.f, 60 * folds.f)
+    np.testing.assert_allclose(other.A, 1e6 * folds.A)
+    np.testing.assert_allclose(folds.in_units("rad/s").f, math.tau * folds.f)
+    assert other.in_units("m", "Hz").f == pytest.approx(folds.f)
+    for kind, units in UNITS.items():
+        assert next(iter(units.values())) == 1.0, kind
+    with pytest.raises(ValueError, match="unit = 'furlong' is not allowed"):
+        folds.in_units("furlong")
+
+
+def test_an_answer_in_units_is_printed_with_them(mount):
+    text = str(mount.saddle_nodes(5))
+    assert text.splitlines()[0].split() == ["f/Hz", "A/mm", "kind", "corner"] and "jump-up" in text
+    assert re.search(r"F_SN +2\.671 N\n", str(mount.saddle_node_onset()))
+    assert "and 986 more" in str(mount.frequency_response(5))
+    assert "sticks" in str(mount.peak(0.1))
+
+
+def test_quantities_are_copied_compared_and_read_by_entry(mount):
+    folds = mount.saddle_nodes(5)
+    for other in (copy.copy(folds), copy.deepcopy(folds), pickle.loads(pickle.dumps(folds))):
+        assert other == folds and hash(other) == hash(folds) and not other.f.flags.writeable
+    assert folds != mount.saddle_nodes(4.5)
+    assert [fold.kind for fold in folds] == ["jump-up", "jump-down"] and folds[-1].f == folds.f[1]
+    assert folds.to_dict()["units"]["A"] == "m" and folds.to_dict()["A"] == folds.A.tolist()
+    assert pickle.loads(pickle.dumps(mount)) == mount == copy.deepcopy(mount) and hash(mount) == hash(copy.copy(mount))
+    with pytest.raises(AttributeError, match="'Omega' is no part of this answer: it has f, A"):
+        _ = folds.Omega
+    with pytest.raises(TypeError, match="no entries"):
+        len(mount.peak(5))
+    assert eval(repr(mount), {"Isolator": Isolator}) == mount
+
+
+def test_quantities_of_pint_are_taken(mount):
+    pint = pytest.importorskip("pint")
+    u = pint.UnitRegistry()
+    given = {
+        "m": u.Quantity(12000, "gram"),
+        "k_v": u.Quantity(2.5, "N/mm"),
+        "k_h": u.Quantity(1.7, "kN/m"),
+        "L": u.Quantity(80, "mm"),
+        "preload": u.Quantity(9, "mm"),
+        "friction": u.Quantity(400, "mN"),
+    }
+    other = Isolator.physical(**given, zeta=0.02)
+    assert other.saddle_nodes(u.Quantity(5, "N")).f == pytest.approx(mount.saddle_nodes(5).f)
+    expected = mount.amplitudes(f=5, F=5).A
+    for f in (u.Quantity(5, "Hz"), u.Quantity(300, "rpm"), u.Quantity(10 * math.pi, "rad/s"), u.Quantity(5, "turn/s")):
+        assert other.amplitudes(f=f, F=5).A == pytest.approx(expected), f
+    with pytest.raises(ValueError, match="f must be in Hz, rpm, or rad/s"):
+        other.amplitudes(f=u.Quantity(5, "1/s"), F=5)
+    with pytest.raises(ValueError, match="F = 5 kilogram is not allowed: F must be measured in newton"):
+        other.peak(u.Quantity(5, "kg"))
+
+
+def test_a_linear_oscillator_can_be_physical_too():
+    """Any dimensionless oscillator with its scales."""
+    from slowflow.physical import Physical
+
+    scales = Scales(m=2.0, k_v=800.0, L=0.1)
+    mount = Physical(Duffing(1.0, 0.0, zeta=0.1), scales, {})
+    peak = mount.peak(3.0)
+    assert peak.A == pytest.approx(3 / 800 / (2 * 0.1 * math.sqrt(1 - 0.01)))
+    assert peak.f == pytest.approx(math.sqrt(400 * (1 - 0.02)) / math.tau)
