@@ -53,7 +53,7 @@ class Damped:
     cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
     cusps_scaled -- F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b: a, b, and the discriminant a^2 - b
     cusp_X    -- Omega^2 by t
-    cusp_scaled -- as `cusp` in numbers without scale: F_A/2, its slope along A, and the forcing if it is 0
+    cusp_scaled -- as `cusp` in numbers without scale: F_A/2 less A F_AA/2, its slope along A, and the forcing if it is 0
     peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
     peak_Omega_A -- dOmega/dA along F_Omega = 0
     """
@@ -313,19 +313,26 @@ def _scaled(
         for value, power in ((cusps[0], 1), (cusps[1], 2), (cusps[4], 2))
     )
     _vanishes(half**2 - constant - discriminant, "the discriminant without scale")
-    half_F_A, _, along, level = (value.subs(by_scale) for value in cusp)
+    _, less, along, level = (value.subs(by_scale) for value in cusp)
+    # on a cell that is wide in A, t and kappa vary by little: what they stand in is put beside the rest over A h_AA
+    rest = sp.expand(less.coeff(_w)) * _w
+    scaled_half_F_A = A * unit**2 * (sp.expand((less - rest) / (A * unit**2)) + rest / (A * unit**2))
+    _vanishes(scaled_half_F_A - less, "F_A without scale")
     factors = sp.Mul.make_args(sp.factor(along))
     bracket = next((factor for factor in factors if factor.is_Add and factor.has(_w)), sp.Integer(1))
     # w once only
-    of_bracket = sp.collect(sp.expand(bracket / _w), A * unit)
-    scaled_along = of_bracket * sp.Mul(*(factor for factor in factors if factor != bracket)) * _w
+    of_bracket = sp.expand(bracket / _w)
+    leading = sp.expand(of_bracket.coeff(h_AA) / A**2)
+    rest = sp.expand((of_bracket - A * unit * leading) / A)
+    scaled_bracket = leading + rest / unit
+    scaled_along = A * unit * scaled_bracket * sp.Mul(*(factor for factor in factors if factor != bracket)) * _w
     _vanishes(scaled_along - along, "the slope of F_A without scale")
     return (
         ((_half_e, half),),
         (_half_e, constant, _half_e**2 - constant),
         _square_of(flow).subs(by_scale),
         ((_w, sp.sqrt(X_)), (sum_, kappa + t)),
-        (half_F_A, scaled_along, level),
+        (scaled_half_F_A, scaled_along, level),
     )
 
 

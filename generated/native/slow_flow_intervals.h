@@ -286,23 +286,40 @@ static inline sf_interval slow_flow_intervals_cusp_X(sf_interval A, sf_interval 
     return sfi_sub(sfi_mul(sfi_mul(A, h_AA), t), h_A);
 }
 
-/* Where F_AA = 0 (`cusps_scaled`; root = a + t, rho = A h_AAA/h_AA): F_A/2, its slope, F_0 if it is 0.
+/* Where F_AA = 0 (`cusps_scaled`): F_A/2, in the form that t and kappa leave narrowest.
    Equation from (33). Domain: A > 0, X > 0, h_AA other than 0. */
-static inline void slow_flow_intervals_cusp_scaled(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval rho, sf_interval X, sf_interval t, sf_interval root, sf_interval *out)
+static inline sf_interval slow_flow_intervals_cusp_scaled(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval X, sf_interval t)
+{
+    const sf_interval w = sfi_sqrt(X);
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval A3 = sfi_mul(A, A2);
+    const sf_interval t0 = sfi_square(h_AA);
+    return sfi_mul(sfi_mul(A3, t0), sfi_add(sfi_sub(sfi_sub(sfi_mul(kappa, t), kappa), t),
+        sfi_div(sfi_times(2.0, sfi_mul(sfi_mul(m, w), zeta)), sfi_mul(A3, t0))));
+}
+
+/* F_0 if the F_A/2 of `cusp_scaled` is 0.
+   Equation from (33). Domain: A > 0, X > 0, h_AA other than 0. */
+static inline sf_interval slow_flow_intervals_cusp_scaled_level(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval X, sf_interval t)
 {
     const sf_interval w = sfi_sqrt(X);
     const sf_interval sum = sfi_add(kappa, t);
-    const sf_interval t0 = sfi_mul(m, zeta);
-    const sf_interval t1 = sfi_times(2.0, sfi_mul(t0, w));
-    const sf_interval t2 = sfi_times(4.0, sfi_mul(A, sfi_square(zeta)));
-    const sf_interval t3 = sfi_mul(sfi_square(h_AA), sum);
     const sf_interval A2 = sfi_square(A);
-    const sf_interval A3 = sfi_mul(A, A2);
     const sf_interval A4 = sfi_square(A2);
-    out[0] = sfi_add(sfi_add(sfi_mul(sfi_mul(A3, t), t3), sfi_mul(X, t2)), t1);
-    out[1] = sfi_neg(sfi_div(sfi_times(0.5, sfi_mul(sfi_mul(h_AA, sfi_add(sfi_mul(rho, sum), sfi_times(3.0, t))),
-        sfi_add(sfi_add(sfi_mul(sfi_mul(A2, h_AA), sfi_add(sum, t)), sfi_div(t0, w)), t2))), root));
-    out[2] = sfi_sqrt(sfi_add(sfi_add(sfi_mul(A, t1), sfi_mul(sfi_mul(A4, kappa), t3)), sfi_square(m)));
+    return sfi_sqrt(sfi_add(sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(sfi_mul(A, m), w), zeta)),
+        sfi_mul(sfi_mul(sfi_mul(A4, sfi_square(h_AA)), kappa), sum)), sfi_square(m)));
+}
+
+/* Slope along A of the F_A/2 of `cusp_scaled`, root = a + t, rho = A h_AAA/h_AA.
+   Equation from (33). Domain: A > 0, X > 0, h_AA other than 0. */
+static inline sf_interval slow_flow_intervals_cusp_scaled_slope(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval kappa, sf_interval rho, sf_interval X, sf_interval t, sf_interval root)
+{
+    const sf_interval w = sfi_sqrt(X);
+    const sf_interval sum = sfi_add(kappa, t);
+    const sf_interval t0 = sfi_inverse(A);
+    return sfi_neg(sfi_div(sfi_times(0.5, sfi_mul(sfi_mul(sfi_mul(sfi_square(A), sfi_square(h_AA)),
+        sfi_add(sfi_mul(rho, sum), sfi_times(3.0, t))), sfi_add(sfi_add(sum, t), sfi_div(sfi_mul(t0,
+        sfi_add(sfi_div(sfi_mul(sfi_mul(m, t0), zeta), w), sfi_times(4.0, sfi_square(zeta)))), h_AA)))), root));
 }
 
 #endif

@@ -399,6 +399,7 @@ def damped_kernels(along: Damped) -> list[Kernel]:
 
 def cell_kernels(along: Damped) -> tuple[Kernel, ...]:
     """Cusps in numbers without scale: on a cell of amplitudes they hold less beside the values than `cusps`, `cusp`."""
+    half_F_A, slope, level = along.cusp_scaled
     return (
         plain(
             "cusps_scaled",
@@ -412,9 +413,27 @@ def cell_kernels(along: Damped) -> tuple[Kernel, ...]:
         plain("cusp_X", (A, h_A, h_AA, t), along.cusp_X, "Omega^2 by t (`cusps_scaled`).", "from (33)", "A > 0"),
         plain(
             "cusp_scaled",
+            (A, m, zeta, h_AA, kappa, X_, t),
+            half_F_A,
+            "Where F_AA = 0 (`cusps_scaled`): F_A/2, in the form that t and kappa leave narrowest.",
+            "from (33)",
+            "A > 0, X > 0, h_AA other than 0",
+            lets=along.cusp_scaled_lets,
+        ),
+        plain(
+            "cusp_scaled_level",
+            (A, m, zeta, h_AA, kappa, X_, t),
+            level,
+            "F_0 if the F_A/2 of `cusp_scaled` is 0.",
+            "from (33)",
+            "A > 0, X > 0, h_AA other than 0",
+            lets=along.cusp_scaled_lets,
+        ),
+        plain(
+            "cusp_scaled_slope",
             (A, m, zeta, h_AA, kappa, rho, X_, t, scaled_root),
-            along.cusp_scaled,
-            "Where F_AA = 0 (`cusps_scaled`; root = a + t, rho = A h_AAA/h_AA): F_A/2, its slope, F_0 if it is 0.",
+            slope,
+            "Slope along A of the F_A/2 of `cusp_scaled`, root = a + t, rho = A h_AAA/h_AA.",
             "from (33)",
             "A > 0, X > 0, h_AA other than 0",
             lets=along.cusp_scaled_lets,

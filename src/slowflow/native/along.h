@@ -59,20 +59,22 @@ typedef struct {
 
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST. most: of SF_CUSP, where only the lowest minimum of
  * the level is wanted, a forcing above which cusps may be left out: each minimum found lowers it; NULL for all cusps.
- * highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted */
+ * highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted. channels: of
+ * SF_CUSP and SF_PEAK at a sample, those that are wanted, 1 and 2 */
 typedef struct {
     sf_question question;
     const sf_model *model;
     double F_0;
     double least;
     double *most;
-    int highest;
+    int highest, channels;
     sf_terms terms; /* the same as m, zeta, F_0 and least */
 } sf_asked;
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
     asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL, asked.highest = 0;
+    asked.channels = 3;
     asked.least = question == SF_FOLD_AT ? sqrt(F_0 - model->m) * sqrt(F_0 + model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
@@ -152,7 +154,7 @@ static inline double sf_quadratic_root(double a, double b, double root, int larg
 }
 
 /* Channel 0 is the larger root Omega^2 of F_AA. */
-static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_answer *out) {
+static inline void sf_ask_cusp(const sf_model *model, int channels, const sf_sample *at, sf_answer *out) {
     double q[5];
     int i;
     slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->k, q);
@@ -160,7 +162,7 @@ static inline void sf_ask_cusp(const sf_model *model, const sf_sample *at, sf_an
         const double root = sqrt(q[4]), X = sf_quadratic_root(q[2], q[3], root, i == 0);
         const double T = sf_quadratic_root(q[0], q[1], root, i == 0);
         double R[2], cusp[4];
-        if (!(X > 0))
+        if (!(X > 0 && channels & 1 << i))
             continue;
         slow_flow_cusp_R(at->A, model->zeta, at->h_AA, at->k, X, T, R);
         slow_flow_cusp(at->A, model->m, model->zeta, at->h_AA, at->h_AAA, at->k, X, T, R[0], i == 0 ? root : -root,
@@ -193,15 +195,19 @@ static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_an
 }
 
 /* Channel 1 is the minimum over Omega; without friction it is the only one. */
-static inline void sf_ask_peak(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
+static inline void sf_ask_peak(const sf_model *model, double F_0, int channels, const sf_sample *at, sf_answer *out) {
+    sf_quartic cubic;
     double w[2];
     int i, n;
     if (!(at->A > 0 && model->zeta > 0))
         return;
-    n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
+    n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
     for (i = 0; i < n; i++) {
         const int channel = i + 2 - n;
         double peak[2];
+        if (!(channels & 1 << channel))
+            continue;
+        w[i] = sf_polish_cubic(&cubic, w[i]);
         slow_flow_peak(w[i], at->A, F_0, model->m, model->zeta, at->h_A, peak);
         out->exists[channel] = 1;
         out->Omega[channel] = w[i];
@@ -247,7 +253,7 @@ static inline void sf_ask(const sf_asked *asked, const sf_sample *at, sf_answer 
         sf_ask_isola(model, at, out);
         break;
     case SF_CUSP:
-        sf_ask_cusp(model, at, out);
+        sf_ask_cusp(model, asked->channels, at, out);
         break;
     case SF_TURN:
         sf_ask_turn(model, at, out);
@@ -256,7 +262,7 @@ static inline void sf_ask(const sf_asked *asked, const sf_sample *at, sf_answer 
         sf_ask_undamped(at, out);
         break;
     case SF_PEAK:
-        sf_ask_peak(model, asked->F_0, at, out);
+        sf_ask_peak(model, asked->F_0, asked->channels, at, out);
         break;
     case SF_REST:
         sf_ask_rest(model, asked->F_0, at, out);
@@ -326,12 +332,26 @@ static inline void sf_range_isola(const sf_terms *terms, const sf_cell *cell, sf
     sf_range_simple(isola[0], isola[1], out->where, out);
 }
 
-/* The same as of numbers; both forms hold the root. */
+/* The larger root of x^2 + 2 a x + b, b <= 0, for numbers taken exactly. */
+static inline sf_interval sf_larger_root_at(double a, double b) {
+    const sf_interval root = sfi_sqrt(sfi_sub(sfi_square(sfi_point(a)), sfi_point(b)));
+    return a > 0 ? sfi_div(sfi_point(-b), sfi_add(sfi_point(a), root)) : sfi_sub(root, sfi_point(a));
+}
+
+/* The same on a cell, from both forms; as it falls with b, and for b <= 0 with a, corners hold it too. */
+static inline sf_interval sf_larger_root_range(sf_interval a, sf_interval b, sf_interval root) {
+    sf_interval x = sfi_sub(root, a);
+    if (a.lo >= 0)
+        x = sfi_both(x, sfi_neg(sfi_div(b, sfi_add(a, root))));
+    if (b.lo <= 0)
+        x.hi = sfi_least(x.hi, sf_larger_root_at(a.lo, b.lo).hi);
+    if (b.hi <= 0)
+        x.lo = sfi_most(x.lo, sf_larger_root_at(a.hi, b.hi).lo);
+    return x;
+}
+
 static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, sf_interval root, int larger) {
-    const sf_interval direct = larger ? sfi_sub(root, a) : sfi_sub(sfi_neg(a), root);
-    if (larger ? a.lo >= 0 : a.hi <= 0)
-        return sfi_both(direct, larger ? sfi_neg(sfi_div(b, sfi_add(a, root))) : sfi_div(b, sfi_sub(root, a)));
-    return direct;
+    return larger ? sf_larger_root_range(a, b, root) : sfi_neg(sf_larger_root_range(sfi_neg(a), b, root));
 }
 
 /* Of a cusp on a cell, nowhere at first: where its Omega^2 is real and positive, F_A/2 with its slope, the forcing, and
@@ -364,53 +384,69 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
     out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3], out->X = X;
 }
 
-/* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. */
-static inline void sf_cusp_scaled_on(const sf_cell *cell, sf_interval rho, sf_interval kappa, sf_interval m,
-                                     sf_interval zeta, int larger, sf_cusp_range *out) {
-    const int larger_t = larger == (cell->h_AA.lo > 0);
-    sf_interval q[3], root, X, t, cusp[3];
+static inline int sf_is_too_high(const sf_asked *asked, sf_interval level) {
+    return asked->most != NULL && level.lo > *asked->most;
+}
+
+/* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. What settles most cells comes
+ * first. */
+static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_cell *cell, sf_interval rho, sf_interval kappa,
+                                        int open, sf_range out[2]) {
+    const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
+    sf_interval q[3], root;
+    int i;
     slow_flow_intervals_cusps_scaled(cell->A, zeta, cell->h_A, cell->h_AA, kappa, q);
     if (q[2].hi < 0)
         return;
     root = sfi_sqrt(q[2]);
-    t = sf_quadratic_root_range(q[0], q[1], root, larger_t);
-    X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
-    if (!(X.lo > 0)) { /* near Omega = 0 that cancels */
-        sf_interval by_X[5];
-        slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, by_X);
-        X = sfi_both(X, sf_quadratic_root_range(by_X[2], by_X[3], sfi_sqrt(by_X[4]), larger));
+    for (i = 0; i < 2; i++) {
+        const int larger_t = (i == 0) == (cell->h_AA.lo > 0);
+        sf_interval X, t, y;
+        sf_where where;
+        if (!(open & 1 << i))
+            continue;
+        t = sf_quadratic_root_range(q[0], q[1], root, larger_t);
+        X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
+        if (!(X.lo > 0)) { /* near Omega = 0 that cancels */
+            sf_interval by_X[5];
+            slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, by_X);
+            X = sfi_both(X, sf_quadratic_root_range(by_X[2], by_X[3], sfi_sqrt(by_X[4]), i == 0));
+        }
+        where = sf_where_both(q[2], X);
+        if (where == SF_NOWHERE)
+            continue;
+        X.lo = sfi_most(X.lo, 0);
+        y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
+        if (sfi_has_sign(y) ||
+            sf_is_too_high(asked, slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t)))
+            continue;
+        sf_range_simple(y,
+                        slow_flow_intervals_cusp_scaled_slope(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t,
+                                                              larger_t ? root : sfi_neg(root)),
+                        where, &out[i]);
     }
-    out->where = sf_where_both(q[2], X);
-    if (out->where == SF_NOWHERE)
-        return;
-    X.lo = sfi_most(X.lo, 0);
-    slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t, larger_t ? root : sfi_neg(root),
-                                    cusp);
-    out->y = cusp[0], out->dy = cusp[1], out->level = cusp[2], out->X = X;
 }
 
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
  * other one. */
 static inline void sf_range_cusp(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
-    const sf_interval m = sfi_point(asked->model->m), zeta = sfi_point(asked->model->zeta);
     const int alike = (cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0);
-    sf_interval rho = {0, 0}, kappa = {0, 0};
-    int i, scaled;
+    sf_interval rho, kappa;
+    int i;
     out[0].where = out[1].where = SF_NOWHERE;
     if (alike)
         return;
-    scaled = sf_scaled(cell, &rho, &kappa);
+    if (sf_scaled(cell, &rho, &kappa)) {
+        sf_range_cusp_scaled(asked, cell, rho, kappa, open, out);
+        return;
+    }
     for (i = 0; i < 2; i++) {
         sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
         if (!(open & 1 << i))
             continue;
-        if (scaled)
-            sf_cusp_scaled_on(cell, rho, kappa, m, zeta, i == 0, &cusp);
-        else
-            sf_cusp_on(cell, m, zeta, i == 0, &cusp);
-        if (cusp.where == SF_NOWHERE || (asked->most != NULL && cusp.level.lo > *asked->most))
-            continue;
-        sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
+        sf_cusp_on(cell, asked->terms.m, asked->terms.zeta, i == 0, &cusp);
+        if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) && !sf_is_too_high(asked, cusp.level))
+            sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
     }
 }
 

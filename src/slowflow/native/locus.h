@@ -387,7 +387,7 @@ static double sf_extremum_level(const sf_model *model, const sf_zero *zero, cons
     if (zero->question != SF_CUSP)
         return sf_level(model, at, zero->Omega);
     memset(&answer, 0, sizeof answer);
-    sf_ask_cusp(model, at, &answer);
+    sf_ask_cusp(model, 1 << zero->channel, at, &answer);
     /* by what the record's excitation differs from a force */
     return answer.level[zero->channel] *
            (sf_level(model, at, zero->Omega) / slow_flow_level(zero->Omega, at->A, model->m, model->zeta, at->h));

@@ -389,24 +389,31 @@ SF_ALWAYS int sf_fold_roots(double A, double h, double h_A, double m, double zet
     return n;
 }
 
-SF_ALWAYS int sf_peak_roots(double A, double h, double m, double zeta, double Omega[2]) {
-    sf_quartic s;
+/* The roots of sf_peak_roots as far as double finds them, and the cubic by which sf_polish_cubic settles each. */
+SF_ALWAYS int sf_unpolished_peak_roots(sf_quartic *s, double A, double h, double m, double zeta, double Omega[2]) {
     double w1, w2;
     Omega[0] = Omega[1] = NAN;
     if (!(A > 0 && m >= 0 && zeta >= 0 && A + fabs(h) + m + zeta < HUGE_VAL))
         return -1;
-    s.kind = SF_RESPONSE;
-    s.A = A, s.h = h, s.h_A = 0, s.m = m, s.zeta = zeta, s.F_0 = 0;
-    sf_derivative_coefficients(&s);
-    if (!sf_critical_points(&s, &w1, &w2))
+    s->kind = SF_RESPONSE;
+    s->A = A, s->h = h, s->h_A = 0, s->m = m, s->zeta = zeta, s->F_0 = 0;
+    sf_derivative_coefficients(s);
+    if (!sf_critical_points(s, &w1, &w2))
         return 0;
     if (w1 == 0) {
-        Omega[0] = sf_polish_cubic(&s, w2);
+        Omega[0] = w2;
         return 1;
     }
-    Omega[0] = sf_polish_cubic(&s, w1);
-    Omega[1] = sf_polish_cubic(&s, w2);
+    Omega[0] = w1, Omega[1] = w2;
     return 2;
+}
+
+SF_ALWAYS int sf_peak_roots(double A, double h, double m, double zeta, double Omega[2]) {
+    sf_quartic s;
+    int i, n = sf_unpolished_peak_roots(&s, A, h, m, zeta, Omega);
+    for (i = 0; i < n; i++)
+        Omega[i] = sf_polish_cubic(&s, Omega[i]);
+    return n;
 }
 
 #endif

@@ -12,9 +12,12 @@
 
 #include "zeros.h"
 
+/* of a cell in which cusps are looked for: the ratio of its ends up to which it is worth a look before it is cut */
+#define SF_WIDEST_CELL 4
+
 typedef struct {
     sf_asked asked;
-    double base; /* where the piece begins */
+    double base, end; /* where the piece begins and ends */
     sf_zeros *found;
 } sf_search;
 
@@ -50,8 +53,10 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     const int rising = sf_is_negative(a, c, edge);
     sf_probe lo = *a, hi = *b, probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? *a : *b;
     double last = b->at.A - a->at.A;
+    sf_search one = *search;
     sf_zero zero;
     int i;
+    one.asked.channels = 1 << c;
     if (!probe.answer.exists[c])
         probe = a->answer.exists[c] ? *a : *b;
     for (i = 0; i < 400; i++) {
@@ -66,7 +71,7 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
                 break;
         }
         last = moved;
-        sf_probe_at(search, next, &probe);
+        sf_probe_at(&one, next, &probe);
         if (sf_is_negative(&probe, c, edge) == rising)
             lo = probe;
         else
@@ -112,6 +117,11 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
     return last;
 }
 
+/* Whether a cell is cut without a look: all of a piece, and orders of magnitude, are seldom settled where cusps are. */
+static int sf_is_too_wide(const sf_search *search, double low, double high) {
+    return search->asked.question == SF_CUSP && high > SF_WIDEST_CELL * low && (low > 0 || high == search->end);
+}
+
 static void sf_search_between(const sf_search *search, const sf_probe *a, const sf_probe *b, int open) {
     const double A = sf_amid(search->base, a->at.A, b->at.A);
     const int last = !(A > a->at.A && A < b->at.A) || b->at.A - a->at.A <= SF_NARROW * b->at.A;
@@ -123,13 +133,15 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
         search->found->status = SF_UNRESOLVED;
     if (search->found->status != SF_OK)
         return;
-    sf_make_cell(&a->at, &b->at, &a->known, &b->known, &cell);
-    sf_find_range(&search->asked, &cell, open, range);
-    for (c = 0; c < 2; c++)
-        if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
-            open &= ~(1 << c);
-    if (open == 0)
-        return;
+    if (last || !sf_is_too_wide(search, a->at.A, b->at.A)) {
+        sf_make_cell(&a->at, &b->at, &a->known, &b->known, &cell);
+        sf_find_range(&search->asked, &cell, open, range);
+        for (c = 0; c < 2; c++)
+            if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
+                open &= ~(1 << c);
+        if (open == 0)
+            return;
+    }
     sf_probe_at(search, A, &middle);
     sf_know(&middle.at, &middle.known);
     if (search->asked.highest) {
@@ -145,7 +157,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
 /* All zeros of a question's channels on a piece, added to those found; a zero at its last amplitude counts, one at A = 0
  * does not. */
 static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zeros *found) {
-    const sf_search search = {*asked, piece->first.A, found};
+    const sf_search search = {*asked, piece->first.A, piece->last.A, found};
     sf_probe low, high;
     low.at = piece->first, high.at = piece->last;
     sf_ask(asked, &low.at, &low.answer);
