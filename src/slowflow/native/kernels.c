@@ -100,22 +100,40 @@ static int turns_invalid(const sf_kernel *kernel, char **operands, ptrdiff_t n, 
     return 0;
 }
 
-void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+/* One element: a vector of it for each operand. */
+static void run_one(const sf_kernel *kernel, char **operands)
 {
-    const sf_kernel *kernel = data;
-    const ptrdiff_t n = dimensions[0];
     const int inputs = kernel->inputs, all = inputs + kernel->outputs;
-    const int invalid_before = fetestexcept(FE_INVALID);
+    double vectors[SF_MOST_OPERANDS][SF_WIDEST];
+    const double *in[SF_MOST_OPERANDS];
+    double *out[SF_MOST_OPERANDS] = {NULL};
+    unsigned char regime = 0;
+    for (int j = 0; j < inputs; j++) {
+        for (int i = 0; i < SF_WIDEST; i++)
+            vectors[j][i] = *(const double *)operands[j];
+        in[j] = vectors[j];
+    }
+    for (int j = inputs; j < all; j++)
+        out[j - inputs] = vectors[j];
+    if (kernel->choose != NULL)
+        kernel->choose(1, in, &regime);
+    kernel->loops[regime](SF_WIDEST, in, out);
+    for (int j = inputs; j < all; j++)
+        *(double *)operands[j] = vectors[j][0];
+}
+
+/* Any number of elements, block by block. */
+static void run_blocks(const sf_kernel *kernel, char **operands, ptrdiff_t n, const ptrdiff_t *steps)
+{
+    const int inputs = kernel->inputs, all = inputs + kernel->outputs;
     row rows[SF_MOST_OPERANDS];
     const double *in[SF_MOST_OPERANDS];
     double *out[SF_MOST_OPERANDS];
     unsigned char regime[SF_BLOCK];
     char in_place[SF_MOST_OPERANDS];
 
-    if (n <= 0)
-        return;
     for (int j = 0; j < all; j++)
-        in_place[j] = steps[j] == (ptrdiff_t)sizeof(double) || (n == 1 && j >= inputs);
+        in_place[j] = steps[j] == (ptrdiff_t)sizeof(double);
     for (int j = inputs; j < all; j++)
         for (int k = 0; k < inputs; k++)
             if (in_place[j] && overlap(operands[j], steps[j], operands[k], steps[k], n))
@@ -155,6 +173,19 @@ void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps
                 for (ptrdiff_t i = 0; i < size; i++)
                     *(double *)(operands[j] + (start + i) * steps[j]) = rows[j][i];
     }
+}
+
+void sf_run(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)
+{
+    const sf_kernel *kernel = data;
+    const ptrdiff_t n = dimensions[0];
+    const int invalid_before = fetestexcept(FE_INVALID);
+    if (n <= 0)
+        return;
+    if (n == 1)
+        run_one(kernel, operands);
+    else
+        run_blocks(kernel, operands, n, steps);
     /* A comparison with NaN sets the flag that NumPy warns of, although nothing invalid was computed. An input that an
        output has overwritten counts as it is now; at worst a warning is missing there. */
     if (!invalid_before && fetestexcept(FE_INVALID) && !turns_invalid(kernel, operands, n, steps))
