@@ -27,6 +27,7 @@ from slowflow.mechanism import EquationOfMotion, Force
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
 from slowflow.second import SecondApproximation
+from slowflow_kernels import slow_flow
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks/results/validity.json"
@@ -63,7 +64,8 @@ def isolator(ratio: float, zeta: float, delta_h: float, F_0: float) -> Isolator:
 def forcing(ratio: float, zeta: float, delta_h: float, A: float) -> tuple[float, float]:
     """(F_0, Omega) that hold the amplitude A on the backbone: F_0 = I of (23)."""
     Omega = float(isolator(0.0, zeta, delta_h, 1.0).backbone(A))
-    return 2 * zeta * A * Omega / (1 - 4 * ratio / math.pi), Omega
+    # I is the viscous part and the friction, which is proportional to F_0 here
+    return float(slow_flow.I(Omega, A, 0.0, zeta) / (1 - slow_flow.friction(ratio))), Omega
 
 
 def window(averaged: Isolator, Omega: float) -> tuple[float, float]:

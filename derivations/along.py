@@ -36,7 +36,7 @@ kappa, rho, t, scaled_root = sp.symbols("kappa rho t root", real=True)
 
 _w, _bracket, _bracket_A = sp.symbols("w bracket bracket_A", real=True)
 _product = sp.Symbol("product", nonnegative=True)
-_c, _X = sp.symbols("c X", real=True)
+_c, _X, _p = sp.symbols("c X p", real=True)
 _half_e = sp.Symbol("half_e", real=True)
 _excess, _least, _share, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
 
@@ -99,14 +99,19 @@ class Along:
 
     level -- (24): the forcing for which (Omega, A) is a steady state, in R and I
     rest  -- F at Omega = 0 by its two halves h - c and h + c, and the slope of both
+    least -- the size of h at Omega = 0, and the least size of k at a fold
     intercept -- k = h - A h_A, where R meets A = 0 along its tangent, and its slope
+    F_Omega_reduced -- F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega
     damped, undamped -- of its own: one of them
     """
 
     level: sp.Expr
     rest_lets: tuple[Let, ...]
     rest: tuple[sp.Expr, ...]
+    least: sp.Expr
     intercept: tuple[sp.Expr, ...]
+    F_Omega_reduced_lets: tuple[Let, ...]
+    F_Omega_reduced: tuple[sp.Expr, ...]
     damped: Damped | None
     undamped: Undamped | None
 
@@ -124,18 +129,36 @@ def along(flow: SlowFlow) -> Along:
     product = sp.factor(h**2 - at_rest)
     halves = (h - _c, h + _c)
     _vanishes(sp.Mul(*halves).expand().subs(_c**2, product) - at_rest, "the halves of F at Omega = 0")
+    # factor by factor: the product may be too large for a double
+    friction = flow.I.subs(Omega, 0)
+    least = sp.sqrt(F_0 - friction) * sp.sqrt(F_0 + friction)
+    _vanishes(least**2 - product, "h^2 at Omega = 0")
     slopes = {slope(half) for half in halves}
     if len(slopes) != 1:
         raise ArithmeticError(f"the halves of F at Omega = 0 have different slopes: {slopes}")
+    reduced_lets, reduced = _F_Omega_reduced(flow)
     has_zeta = zeta in flow.I.free_symbols
     return Along(
         level=level,
         rest_lets=((_product, product), (_c, sp.sqrt(_product))),
         rest=(*halves, slopes.pop()),
+        least=least,
         intercept=tuple(map(sp.expand, (of_tangent := _intercept(flow.R), slope(of_tangent)))),
+        F_Omega_reduced_lets=reduced_lets,
+        F_Omega_reduced=reduced,
         damped=_damped(flow) if has_zeta else None,
         undamped=None if has_zeta else _undamped(flow),
     )
+
+
+def _F_Omega_reduced(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """Omega (A Omega^2 + p) + q, or the bracket where q vanishes."""
+    q_value, p_value, _, leading = flow.peak_cubic
+    bracket = leading * Omega**2 + _p
+    value = bracket if q_value == 0 else Omega * bracket + q_value
+    whole = value.subs(_p, p_value) * (Omega if q_value == 0 else 1)
+    _vanishes(whole - flow.F_Omega.subs({R: flow.R, I: flow.I}) / (4 * A), "F_Omega/(4 A)")
+    return ((_p, p_value),), (value, sp.expand(sp.diff(value, Omega)))
 
 
 def _damped(flow: SlowFlow) -> Damped:

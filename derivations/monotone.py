@@ -1,6 +1,6 @@
 """Beside (20)-(22): h_AAA is monotone in A on each piece of the force, so its values at two amplitudes bound it.
 
-In:  `Oscillator`: the force piece by piece, its coefficients and breakpoints in the design numbers; their domains.
+In:  `Dimensionless`: the force piece by piece, its coefficients and breakpoints in the design numbers; their domains.
 Out: `prove_monotone`: nothing where it is proved, ArithmeticError where it is not.
 
 Where A exceeds the first j breakpoints, the force is its next piece f all along, plus, below each breakpoint b that A
@@ -25,14 +25,14 @@ from collections.abc import Iterator
 import sympy as sp
 
 from derivations.mechanisms import Parameter
-from derivations.oscillator import Oscillator
+from derivations.oscillator import Dimensionless
 from derivations.symbols import u
 
 _w, _v = sp.symbols("w v", positive=True)
 _y = sp.Symbol("y", nonnegative=True)
 
 
-def prove_monotone(oscillator: Oscillator) -> None:
+def prove_monotone(oscillator: Dimensionless) -> None:
     """That h_AAA is monotone on each piece for every design, and h_A or h_AA infinite above each breakpoint."""
     values = _on_positive_numbers(oscillator)
     breakpoints = oscillator.mechanism.breakpoints
@@ -55,7 +55,7 @@ def prove_monotone(oscillator: Oscillator) -> None:
             )
 
 
-def _on_positive_numbers(oscillator: Oscillator) -> dict[sp.Symbol, sp.Expr]:
+def _on_positive_numbers(oscillator: Dimensionless) -> dict[sp.Symbol, sp.Expr]:
     """Coefficients and breakpoints in numbers that take all positive values, where the design's domains allow that."""
     domain = {parameter.symbol: _by_positive(parameter) for parameter in oscillator.mechanism.design}
     defined = {name: sp.simplify(sp.sympify(value).subs(domain)) for name, value in oscillator.definitions.items()}

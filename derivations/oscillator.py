@@ -1,9 +1,9 @@
 """Step 1, equations (1)-(7): the equation of motion made dimensionless, the force's Taylor polynomial, its breakpoints.
 
 In:  a `Mechanism`.
-Out: `Oscillator`: the dimensionless equation of motion, the exact pieces of the force, the pieces to average in named
-     coefficients (polynomials, unless the force is not to be truncated), and those coefficients and breakpoints in the
-     mechanism's dimensionless ratios.
+Out: `Dimensionless`: the equation of motion without dimensions, the exact pieces of the force, the pieces to average
+     in named coefficients (polynomials, unless the force is not to be truncated), and those coefficients and
+     breakpoints in the mechanism's dimensionless ratios.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ u_dot, u_ddot, sign_u_dot, cos_forcing = sp.symbols("u_dot u_ddot sign_u_dot cos
 
 
 @dataclass(frozen=True)
-class Oscillator:
+class Dimensionless:
     """Dimensionless oscillator u'' + 2 zeta u' + u + mu sign(u') + F_k(u) = F_0 cos(Omega tau).
 
     mechanism   -- where it comes from
@@ -174,7 +174,7 @@ def check_continuous(mechanism: Mechanism) -> None:
             raise ArithmeticError(f"{mechanism.name}: the force jumps where a piece ends")
 
 
-def oscillator(mechanism: Mechanism) -> Oscillator:
+def oscillator(mechanism: Mechanism) -> Dimensionless:
     """All of step 1 for one mechanism."""
     exact = tuple(dimensionless_force(mechanism, piece.force) for piece in mechanism.pieces)
     ends = tuple(piece_end(mechanism, piece.until) for piece in mechanism.pieces[:-1])
@@ -210,4 +210,4 @@ def oscillator(mechanism: Mechanism) -> Oscillator:
             piece += sp.expand(polynomials[-1] - piece).subs(u, mechanism.breakpoints[number - 1])
         polynomials.append(piece)
     definitions |= dict(zip(mechanism.breakpoints, ends, strict=True))
-    return Oscillator(mechanism, dimensionless_groups(mechanism), exact, ends, tuple(polynomials), definitions)
+    return Dimensionless(mechanism, dimensionless_groups(mechanism), exact, ends, tuple(polynomials), definitions)

@@ -20,7 +20,7 @@ from derivations.harmonics import Harmonics, harmonics
 from derivations.mechanisms import Mechanism, all_mechanisms
 from derivations.monotone import prove_monotone
 from derivations.motion import Motion, Smoothed, motion, smoothed
-from derivations.oscillator import Oscillator, oscillator
+from derivations.oscillator import Dimensionless, oscillator
 from derivations.restoring import Restoring, restoring
 from derivations.resultants import Elimination
 from derivations.second_approximation import SecondApproximation, second_approximation
@@ -40,7 +40,7 @@ class OfMechanism:
     saddle_nodes      -- Res_Omega(F, F_A); likewise
     """
 
-    oscillator: Oscillator
+    oscillator: Dimensionless
     whole: Restoring
     beside_vertical: Restoring
     saddle_node_onset: Elimination | None

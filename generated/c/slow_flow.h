@@ -543,4 +543,13 @@ static inline double slow_flow_most_restoring(double A, double F_0, double m, do
     return F_0 + c * fastest;
 }
 
+/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+   Equation from (24), (30). Domain: F_0 >= m.
+   Operations: 5 structured, 5 common subexpressions, 5 power chains
+ */
+static inline double slow_flow_least_restoring(double F_0, double m)
+{
+    return sqrt(F_0 - m) * sqrt(F_0 + m);
+}
+
 #endif

@@ -534,6 +534,18 @@ static const sf_loop slow_flow_most_restoring_loops[] = {
     slow_flow_most_restoring_loop,
 };
 
+static SF_WIDE void slow_flow_least_restoring_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double F_0 = in[0][i], m = in[1][i];
+        out[0][i] = slow_flow_least_restoring(F_0, m);
+    }
+}
+
+static const sf_loop slow_flow_least_restoring_loops[] = {
+    slow_flow_least_restoring_loop,
+};
+
 static const sf_kernel kernels[] = {
     {"friction",
      "Dry friction's share of I. Equation (23). Domain: mu >= 0.",
@@ -675,6 +687,10 @@ static const sf_kernel kernels[] = {
      "The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega. Equation from (23). "
      "Domain: A > 0, F_0 >= m, zeta > 0.",
      4, 1, 1, NULL, slow_flow_most_restoring_loops},
+    {"least_restoring",
+     "The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold. Equation from (24), (30). Domain: F_0 >= "
+     "m.",
+     2, 1, 1, NULL, slow_flow_least_restoring_loops},
 };
 
 const sf_module sf_module_slow_flow = {"slow_flow", kernels, sizeof kernels / sizeof kernels[0]};

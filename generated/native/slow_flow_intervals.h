@@ -79,6 +79,14 @@ static inline sf_interval slow_flow_intervals_F_AOmega(sf_interval Omega, sf_int
         sfi_add(h_A, t0))), sfi_mul(t2, sfi_square(zeta))));
 }
 
+/* Frequency on the backbone.
+   Equation (26). Domain: A > 0, h <= 0. */
+static inline sf_interval slow_flow_intervals_backbone(sf_interval A, sf_interval h)
+{
+    const sf_interval square = sfi_neg(sfi_div(h, A));
+    return sfi_sqrt(square);
+}
+
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0. */
 static inline void slow_flow_intervals_fold_quartic(sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval *out)
@@ -139,6 +147,13 @@ static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_i
         sfi_mul(t3, t6)), sfi_div(sfi_add(F_0, sfi_mul(m, t2)), excess))), sfi_square(k)), h_A), sfi_div(sfi_mul(t4,
         t7), sfi_square(A)));
     out[2] = sfi_div(sfi_times(0.5, sfi_mul(lag, t5)), zeta);
+}
+
+/* Omega at an isola point.
+   Equation from (30), (34). Domain: h_A >= 0. */
+static inline sf_interval slow_flow_intervals_isola_Omega(sf_interval h_A)
+{
+    return sfi_sqrt(h_A);
 }
 
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
@@ -265,6 +280,23 @@ static inline sf_interval slow_flow_intervals_most_restoring(sf_interval A, sf_i
     const sf_interval c = sfi_neg(sfi_div(sfi_times(0.5, sfi_add(sfi_neg(F_0), m)), zeta));
     const sf_interval fastest = sfi_div(c, A);
     return sfi_add(F_0, sfi_mul(c, fastest));
+}
+
+/* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+   Equation from (24), (30). Domain: F_0 >= m. */
+static inline sf_interval slow_flow_intervals_least_restoring(sf_interval F_0, sf_interval m)
+{
+    return sfi_mul(sfi_sqrt(sfi_sub(F_0, m)), sfi_sqrt(sfi_add(F_0, m)));
+}
+
+/* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+   Equation (34). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
+{
+    const sf_interval p = sfi_add(sfi_times(2.0, sfi_mul(A, sfi_square(zeta))), h);
+    const sf_interval t0 = sfi_mul(A, sfi_square(Omega));
+    out[0] = sfi_add(sfi_mul(Omega, sfi_add(p, t0)), sfi_mul(m, zeta));
+    out[1] = sfi_add(p, sfi_times(3.0, t0));
 }
 
 /* F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.

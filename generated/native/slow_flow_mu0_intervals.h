@@ -23,4 +23,15 @@ static inline void slow_flow_mu0_intervals_isola(sf_interval A, sf_interval m, s
     out[1] = bracket_A;
 }
 
+/* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+   Equation (34). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_mu0_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
+{
+    (void)(m);
+    const sf_interval t0 = sfi_times(2.0, A);
+    const sf_interval p = sfi_add(h, sfi_mul(t0, sfi_square(zeta)));
+    out[0] = sfi_add(sfi_mul(A, sfi_square(Omega)), p);
+    out[1] = sfi_mul(Omega, t0);
+}
+
 #endif

@@ -11,6 +11,13 @@
 
 #include "interval.h"
 
+/* Omega of the folds.
+   Equation from (30). Domain: h_A <= 0. */
+static inline sf_interval slow_flow_zeta0_intervals_undamped_Omega(sf_interval h_A)
+{
+    return sfi_sqrt(sfi_neg(h_A));
+}
+
 /* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
    Equation from (24), (30). Domain: F_0 > m. */
 static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m, sf_interval k, sf_interval k_A, sf_interval *out)
@@ -19,6 +26,16 @@ static inline void slow_flow_zeta0_intervals_fold(sf_interval F_0, sf_interval m
     const sf_interval least = sfi_sqrt(excess);
     out[0] = sfi_mul(sfi_sub(k, least), sfi_add(k, least));
     out[1] = sfi_times(2.0, sfi_mul(k, k_A));
+}
+
+/* F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+   Equation (34). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_zeta0_intervals_F_Omega_reduced(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval *out)
+{
+    (void)(m);
+    (void)(zeta);
+    out[0] = sfi_add(sfi_mul(A, sfi_square(Omega)), h);
+    out[1] = sfi_times(2.0, sfi_mul(A, Omega));
 }
 
 #endif

@@ -45,6 +45,7 @@ __all__ = [
     "isola_Omega",
     "isola_bend",
     "jacobian",
+    "least_restoring",
     "level",
     "level_rise",
     "limit_envelope",
@@ -671,6 +672,16 @@ def most_restoring(A, F_0, m, zeta):
     return F_0 + c * fastest
 
 
+def least_restoring(F_0, m):
+    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+
+    Equation from (24), (30). Domain: F_0 >= m.
+    Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    """
+    F_0, m = floats(F_0, m)
+    return np.sqrt(F_0 - m) * np.sqrt(F_0 + m)
+
+
 if NATIVE is not None:
     (
         friction,
@@ -713,5 +724,6 @@ if NATIVE is not None:
         hessian,
         tail,
         most_restoring,
+        least_restoring,
     ) = NATIVE.slow_flow()
     detachment = coefficients_of(detachment)

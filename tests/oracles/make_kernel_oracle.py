@@ -439,6 +439,7 @@ SLOPES: dict[str, tuple[str, Function]] = {
     "isola_bend": ("Omega A m zeta h h_A h_AA", lambda *x: [partials([(2, 0)], *x)[0] * hessian(*x)]),
     "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [hessian(*x)]),
     "most_restoring": ("A F_0 m zeta", lambda *x: [most_restoring(*x)]),
+    "least_restoring": ("F_0 m", lambda *x: [mp.sqrt(mp.mpf(x[0]) ** 2 - mp.mpf(x[1]) ** 2)]),
     "tail": ("Omega F_0 m", lambda *x: [tail(*x)]),
 }
 LOCI: dict[str, tuple[str, Function, int]] = {

@@ -27,7 +27,6 @@ from derivations.along import (
     scaled_root,
     t,
 )
-from derivations.bounds import Bounds
 from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
 from derivations.offset import mean_stiffness, offset_stiffness
 from derivations.resultants import Elimination
@@ -56,9 +55,10 @@ SEARCHED = {
 #: beside these, what proofs at run time ask
 PROVED = {
     "": (
-        *("friction", "R", "F", "F_Omega", "F_OmegaOmega", "F_AOmega", "level", "most_restoring"),
-        *("level_rise", "cusp_bend", "isola_bend"),
+        *("friction", "R", "F", "F_Omega", "F_OmegaOmega", "F_AOmega", "level", "backbone", "least_restoring"),
+        *("most_restoring", "isola_Omega", "level_rise", "cusp_bend", "isola_bend"),
     ),
+    "zeta0": ("undamped_Omega",),
 }
 
 
@@ -90,7 +90,7 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     if kernel.name not in borrowed
                 ),
                 borrowed=borrowed,
-                cells=() if scene else cell_kernels(results.along[scene].damped),
+                cells=cell_kernels(results.along[scene], scene),
                 constants={"SCENE": told(results.flows[scene], scene)},
             )
         )
@@ -109,7 +109,7 @@ def told(flow: SlowFlow, scene: str) -> str:
 def kernels_of(results: Results, scene: str) -> list[Kernel]:
     """All of them, in one scene."""
     flow = results.flows[scene]
-    general = [] if scene else [*slope_kernels(flow, results.slopes), bound_kernel(results.bounds)]
+    general = [] if scene else [*slope_kernels(flow, results.slopes), *bound_kernels(results)]
     return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.along[scene]), *general]
 
 
@@ -318,17 +318,27 @@ def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
     ]
 
 
-def bound_kernel(bounds: Bounds) -> Kernel:
-    """What bounds the amplitudes."""
-    return plain(
-        "most_restoring",
-        (A, F_0, m, zeta),
-        bounds.restoring,
-        "The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.",
-        "from (23)",
-        "A > 0, F_0 >= m, zeta > 0",
-        lets=bounds.restoring_lets,
-    )
+def bound_kernels(results: Results) -> list[Kernel]:
+    """What bounds h, and with it the amplitudes."""
+    return [
+        plain(
+            "most_restoring",
+            (A, F_0, m, zeta),
+            results.bounds.restoring,
+            "The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.",
+            "from (23)",
+            "A > 0, F_0 >= m, zeta > 0",
+            lets=results.bounds.restoring_lets,
+        ),
+        plain(
+            "least_restoring",
+            (F_0, m),
+            results.along[""].least,
+            "The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.",
+            "from (24), (30)",
+            "F_0 >= m",
+        ),
+    ]
 
 
 def damped_kernels(along: Damped) -> list[Kernel]:
@@ -397,7 +407,22 @@ def damped_kernels(along: Damped) -> list[Kernel]:
     ]
 
 
-def cell_kernels(along: Damped) -> tuple[Kernel, ...]:
+def cell_kernels(along: Along, scene: str) -> tuple[Kernel, ...]:
+    """What only intervals are asked for: F_Omega without what is common, where one damping vanishes another form."""
+    if len(SCENES[scene]) > 1:
+        return ()
+    reduced = plain(
+        "F_Omega_reduced",
+        (Omega, A, m, zeta, h),
+        along.F_Omega_reduced,
+        "F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.",
+        "(34)",
+        lets=along.F_Omega_reduced_lets,
+    )
+    return (reduced,) if scene else (reduced, *cusp_cells(along.damped))
+
+
+def cusp_cells(along: Damped) -> tuple[Kernel, ...]:
     """Cusps in numbers without scale: on a cell of amplitudes they hold less beside the values than `cusps`, `cusp`."""
     half_F_A, slope, level = along.cusp_scaled
     return (

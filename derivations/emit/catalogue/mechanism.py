@@ -28,7 +28,7 @@ from derivations.emit.form import (
     plain,
 )
 from derivations.mechanisms import Mechanism, Parameter
-from derivations.oscillator import Oscillator
+from derivations.oscillator import Dimensionless
 from derivations.restoring import Case, Restoring, average, forms
 from derivations.results import OfMechanism, Results
 from derivations.scaling import of_design
@@ -426,7 +426,7 @@ def hardening(whole: Restoring) -> tuple[sp.Expr, ...]:
     return (*(term for term in terms if term != 0), *(-jump for jump in whole.jumps if jump != 0))
 
 
-def described(dimensionless: Oscillator) -> tuple[Parameter, ...]:
+def described(dimensionless: Dimensionless) -> tuple[Parameter, ...]:
     """The parameters of the kernels, each with one line and the unit of the dimensional quantity."""
     mechanism = dimensionless.mechanism
     given = {parameter.symbol: parameter for parameter in mechanism.design}

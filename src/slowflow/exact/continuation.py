@@ -32,7 +32,7 @@ SMALLEST_STEP = 1e-9
 STRAIGHT = 0.98  # cosine of the largest angle between neighbouring tangents
 LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve is taken to go on for ever
 NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
-SAME = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
+COINCIDE = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
 LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 MOST_POINTS = 20_000
@@ -450,7 +450,7 @@ class _Path:
                     sense = last.tangent[-1]
                 border, after = self._border(last, new), [new]
                 leaving = new.tangent[-1]
-                if (new.z[-1] - border.z[-1]) * leaving < 0 and abs(new.z[-1] - border.z[-1]) > SAME:
+                if (new.z[-1] - border.z[-1]) * leaving < 0 and abs(new.z[-1] - border.z[-1]) > COINCIDE:
                     fold = self._fold_behind(new)
                     if fold is not None:
                         after, leaving = [fold, new], -leaving
@@ -595,7 +595,7 @@ def _highest(F_0: float, points: tuple[_Point, ...]) -> _Point:
 
 def _is_same(fold: _Point, other: _Point) -> bool:
     """Whether two folds agree within the accuracy of a fold."""
-    return abs(float(fold.z[-1] - other.z[-1])) < SAME and abs(fold.A - other.A) < SAME
+    return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
 
 
 def _fold_between(before: _Point, point: _Point, after: _Point) -> Fold:

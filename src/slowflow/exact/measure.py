@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
 
 #: motions nearer to each other than this, relative in amplitude, are one
-SAME = 1e-8
+MATCHES = 1e-8
 
 #: shares of the averaged amplitude from which Newton's iteration starts until it finds a motion
 TRIALS = (1.0, 0.98, 1.02)
@@ -86,7 +86,7 @@ def _one_each(found: SteadyStates, motions: list[shooting.SteadyState | None], r
             other = motions[j]
             if found.Omega[j] != found.Omega[i] or forcing[j] != forcing[i]:
                 break
-            if motion is None or other is None or abs(motion.A - other.A) > SAME * motion.A:
+            if motion is None or other is None or abs(motion.A - other.A) > MATCHES * motion.A:
                 continue
             loser = max(i, j, key=distance)
             motions[loser], reasons[loser] = None, TAKEN
@@ -101,7 +101,7 @@ def folds(averaged: Averaged, system: EquationOfMotion, found: SaddleNodes) -> M
     for Omega, A in zip(found.Omega.tolist(), found.A.tolist(), strict=True):
         fold = _fold(averaged, system, found.F_0, Omega, A)
         taken = fold is not None and any(
-            abs(other.Omega / fold.Omega - 1.0) + abs(other.A / fold.A - 1.0) < SAME for other in exact if other
+            abs(other.Omega / fold.Omega - 1.0) + abs(other.A / fold.A - 1.0) < MATCHES for other in exact if other
         )
         reasons.append(TAKEN_FOLD if taken else "" if fold is not None else NO_FOLD)
         exact.append(None if taken else fold)

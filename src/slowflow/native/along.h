@@ -75,7 +75,7 @@ static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, 
     sf_asked asked;
     asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL, asked.highest = 0;
     asked.channels = 3;
-    asked.least = question == SF_FOLD_AT ? sqrt(F_0 - model->m) * sqrt(F_0 + model->m) : 0;
+    asked.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
     return asked;
@@ -478,19 +478,17 @@ static inline int sf_critical_at(double A, double p, double q, double *w1, doubl
     return sf_critical_points(&s, w1, w2);
 }
 
-/* p: on the cell; next to A = 0, where p vanishes too, p/A is that of the slopes of h. */
-static inline void sf_critical_of(const sf_model *model, const sf_cell *cell, sf_interval p, double q,
-                                  sf_critical_box *out) {
+/* Next to A = 0, where p vanishes too, p is asked over A: that of the slopes of h. */
+static inline void sf_critical_of(const sf_cell *cell, sf_interval p, double q, sf_critical_box *out) {
     const sf_interval A = cell->A;
     double low[2], high[2];
     out->where = SF_NOWHERE;
     out->w1 = out->w2 = sfi_point(0);
     if (A.lo == 0) {
-        const double square = -cell->h_A.lo - 2 * model->zeta * model->zeta;
-        /* p >= -square A: with friction there is none for small A */
-        if (square > 0 && sf_critical_at(A.hi, -square * (1 + SF_DOUBT) * A.hi, q, &low[0], &low[1])) {
+        /* with friction there is none for small A */
+        if (p.lo < 0 && sf_critical_at(A.hi, p.lo * (1 + SF_DOUBT) * A.hi, q, &low[0], &low[1])) {
             out->where = SF_PARTLY;
-            out->w1 = out->w2 = sfi_of(0, sqrt(square) * (1 + SF_DOUBT));
+            out->w1 = out->w2 = sfi_of(0, sqrt(-p.lo) * (1 + SF_DOUBT));
         }
         return;
     }
@@ -505,18 +503,21 @@ static inline void sf_critical_of(const sf_model *model, const sf_cell *cell, sf
 
 static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    const sf_interval one = sfi_point(1);
+    const int next_to_0 = cell->A.lo == 0;
     sf_interval quartic[4];
     sf_critical_box box;
     int i;
-    slow_flow_intervals_fold_quartic(cell->A, m, zeta, cell->h, cell->h_A, quartic);
-    sf_critical_of(model, cell, sfi_of(0.5 * quartic[2].lo, 0.5 * quartic[2].hi), 0.25 * quartic[1].lo, &box);
+    slow_flow_intervals_fold_quartic(next_to_0 ? one : cell->A, m, zeta, next_to_0 ? cell->h_A : cell->h, cell->h_A,
+                                     quartic);
+    sf_critical_of(cell, sfi_of(0.5 * quartic[2].lo, 0.5 * quartic[2].hi), 0.25 * quartic[1].lo, &box);
     for (i = 0; i < 2; i++) {
         const sf_interval w = i == 0 ? box.w1 : box.w2;
         out[i].where = i == 0 && model->m == 0 ? SF_NOWHERE : box.where;
         if (out[i].where == SF_NOWHERE || !(open & 1 << i))
             continue;
-        if (cell->A.lo == 0) { /* F_A over A, where h/A is a slope of h */
-            const sf_interval per_A = sfi_div(m, cell->A), one = sfi_point(1);
+        if (next_to_0) { /* F_A over A, where h/A is a slope of h */
+            const sf_interval per_A = sfi_div(m, cell->A);
             sf_range_simple(slow_flow_intervals_F_A(w, one, per_A, zeta, cell->h_A, cell->h_A),
                             sfi_of(-HUGE_VAL, HUGE_VAL), box.where, &out[i]);
             continue;
@@ -530,11 +531,13 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int
 /* The critical values rise with A where Omega^2 > h_A, and fall where it is less. */
 static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    const sf_interval one = sfi_point(1);
+    const int next_to_0 = cell->A.lo == 0;
     sf_interval cubic[3], peak[2];
     sf_critical_box box;
     int i;
-    slow_flow_intervals_peak_cubic(cell->A, m, zeta, cell->h, cubic);
-    sf_critical_of(model, cell, cubic[1], model->zeta * model->m, &box);
+    slow_flow_intervals_peak_cubic(next_to_0 ? one : cell->A, m, zeta, next_to_0 ? cell->h_A : cell->h, cubic);
+    sf_critical_of(cell, cubic[1], cubic[0].lo, &box);
     for (i = 0; i < 2; i++) {
         const sf_interval w = i == 0 ? box.w1 : box.w2;
         out[i].where = model->zeta == 0 || (i == 0 && model->m == 0) ? SF_NOWHERE : box.where;

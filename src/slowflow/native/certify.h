@@ -86,7 +86,7 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
     const sf_at_amplitude q = sf_at_cell(SF_ROOTS_OF_F, terms, cell);
     sf_interval fold[3], Omega;
     if (terms->zeta.hi == 0)
-        return sfi_sqrt(sfi_neg(cell->h_A));
+        return slow_flow_zeta0_intervals_undamped_Omega(cell->h_A);
     slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, sf_k_of_fold(terms, cell),
                              cell->k_A, fold);
     Omega = sf_narrow_root(&q, fold[2]);
@@ -284,7 +284,8 @@ static void sf_enter(sf_candidates *list, sf_interval level, sf_interval Omega, 
 static void sf_isola_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
     (void)open;
     sf_range_isola(&proving->terms, cell, &out[0]);
-    if (out[0].where != SF_NOWHERE && sf_level_on(&proving->terms, sfi_sqrt(cell->h_A), cell).lo > proving->terms.F_0.hi)
+    if (out[0].where != SF_NOWHERE &&
+        sf_level_on(&proving->terms, slow_flow_intervals_isola_Omega(cell->h_A), cell).lo > proving->terms.F_0.hi)
         out[0].where = SF_NOWHERE;
 }
 
@@ -304,7 +305,7 @@ static void sf_cusps_on(const sf_proving *proving, const sf_cell *cell, int open
 }
 
 static void sf_enter_isola(const sf_terms *terms, const sf_cell *on, sf_candidates *list) {
-    const sf_interval Omega = sfi_sqrt(on->h_A);
+    const sf_interval Omega = slow_flow_intervals_isola_Omega(on->h_A);
     const sf_interval bend =
         slow_flow_intervals_isola_bend(Omega, on->A, terms->m, terms->zeta, on->h, on->h_A, on->h_AA);
     sf_enter(list, sf_level_on(terms, Omega, on), Omega, on->A, SF_ISOLA_KIND, sf_sign_of(bend));
@@ -329,7 +330,7 @@ static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k
     int i;
     sf_breakpoint_on(given, k, &on);
     if (on.h.lo < 0 && J <= 0) {
-        const sf_interval Omega = sfi_sqrt(sfi_neg(sfi_div(on.h, b)));
+        const sf_interval Omega = slow_flow_intervals_backbone(b, on.h);
         sf_enter(list, sf_level_on(terms, Omega, &on), Omega, b, SF_CORNER_KIND, on.h.hi < 0 ? -J : 0);
     }
     q = sf_at_cell(SF_ROOTS_OF_F_A, terms, &on);

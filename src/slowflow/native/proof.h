@@ -43,7 +43,7 @@ typedef struct {
 static inline sf_terms sf_terms_of(const sf_given *given, sf_interval F_0) {
     sf_terms terms;
     terms.m = given->m, terms.zeta = given->zeta, terms.F_0 = F_0;
-    terms.least = sfi_sqrt(sfi_mul(sfi_sub(F_0, given->m), sfi_add(F_0, given->m)));
+    terms.least = slow_flow_intervals_least_restoring(F_0, given->m);
     return terms;
 }
 

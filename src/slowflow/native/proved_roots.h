@@ -35,26 +35,23 @@ static void sf_value_on(const sf_at_amplitude *q, sf_interval w, sf_interval *y,
     } else if (q->of == SF_ROOTS_OF_F_A) {
         *y = slow_flow_intervals_F_A(w, q->A, q->m, q->zeta, q->h, q->h_A);
         *dy = slow_flow_intervals_F_AOmega(w, q->A, q->m, q->zeta, q->h, q->h_A);
-    } else { /* over 4 A, and over Omega where that is a factor */
-        const int factor = q->m.hi == 0 || q->zeta.hi == 0;
-        const sf_interval square = sfi_mul(q->A, sfi_square(w));
-        sf_interval cubic[3];
-        slow_flow_intervals_peak_cubic(q->A, q->m, q->zeta, q->h, cubic);
-        *y = sfi_add(square, cubic[1]);
-        *dy = factor ? sfi_times(2, sfi_mul(q->A, w)) : sfi_add(sfi_times(3, square), cubic[1]);
-        if (!factor)
-            *y = sfi_add(sfi_mul(w, *y), cubic[0]);
+    } else {
+        sf_interval reduced[2];
+        if (q->m.hi == 0)
+            slow_flow_mu0_intervals_F_Omega_reduced(w, q->A, q->m, q->zeta, q->h, reduced);
+        else if (q->zeta.hi == 0)
+            slow_flow_zeta0_intervals_F_Omega_reduced(w, q->A, q->m, q->zeta, q->h, reduced);
+        else
+            slow_flow_intervals_F_Omega_reduced(w, q->A, q->m, q->zeta, q->h, reduced);
+        *y = reduced[0], *dy = reduced[1];
     }
 }
 
-/* R exceeds F_0, or is positive with R + A h_A, beyond this frequency: there is no root. */
+/* Beyond this frequency there is no root: R exceeds F_0 there, or is positive with Omega^2 + h_A. */
 static double sf_highest_root(const sf_at_amplitude *q) {
-    double most = sfi_most(-q->h.lo, 0);
-    if (q->of == SF_ROOTS_OF_F)
-        most = sfi_up(q->F_0.hi + most);
-    if (q->of == SF_ROOTS_OF_F_A)
-        most = sfi_most(most, sfi_neg(sfi_mul(q->A, q->h_A)).hi);
-    return sfi_sqrt(sfi_div(sfi_point(most), q->A)).hi;
+    const sf_interval level = q->of == SF_ROOTS_OF_F ? q->F_0 : sfi_point(0);
+    const double highest = slow_flow_intervals_backbone(q->A, sfi_sub(q->h, level)).hi;
+    return q->of == SF_ROOTS_OF_F_A ? sfi_most(highest, slow_flow_zeta0_intervals_undamped_Omega(q->h_A).hi) : highest;
 }
 
 static void sf_add_root(sf_roots *out, sf_interval w, int doubtful) {

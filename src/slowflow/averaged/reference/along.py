@@ -119,7 +119,7 @@ class Stiffness(Asked):
         return [_range(cells, THROUGHOUT, *first), _range(cells, THROUGHOUT, cells.h_A, cells.h_AA)]
 
 
-class Fold(Asked):
+class FoldAt(Asked):
     """At a forcing. With viscous damping the channel ends at Omega = 0, where |k| is the least."""
 
     channels = 1
@@ -127,7 +127,7 @@ class Fold(Asked):
     def __init__(self, model: Model, F_0: float) -> None:
         super().__init__(model)
         self.F_0 = F_0
-        self.least = float(np.sqrt(F_0 - model.m) * np.sqrt(F_0 + model.m))
+        self.least = float(slow_flow.least_restoring(F_0, model.m))
 
     def ask(self, at: Samples) -> list[Channel]:
         model, flow, F_0 = self.model, self.model.flow, self.F_0
@@ -253,25 +253,30 @@ class Cusp(Asked):
         return ranges
 
 
-def _critical_of(model: Model, cells: Cells, p: Interval, q: float) -> tuple[Any, Interval, Interval]:
+def _over_A(cells: Cells) -> tuple[Interval, Interval]:
+    """A and h, or, next to A = 0, where functions of them vanish, 1 and h/A, which is a slope of h."""
+    origin = cells.A.lo == 0
+    return Interval.point(1.0).where(origin, cells.A), cells.h_A.where(origin, cells.h)
+
+
+def _critical_of(cells: Cells, p: Interval, q: float) -> tuple[Any, Interval, Interval]:
     """Positive roots w1 < w2 of A w^3 + p w + q: where they exist, and what holds them.
 
     As A and p rise w1 rises and w2 falls, so the corners of the box (A, p) hold them. Next to A = 0, where p vanishes
-    too, p/A is that of the slopes of h; with friction there is no root for small A.
+    too, p is asked over A; with friction there is no root for small A.
     """
     A, n = cells.A, cells.A.lo.size
-    square = -cells.h_A.lo - 2 * model.zeta * model.zeta
     origin = A.lo == 0
     inner = np.where(origin, A.hi, A.lo)
-    steepest = np.where(origin, -np.maximum(square, 0.0) * (1 + DOUBT) * A.hi, p.lo)
+    steepest = np.where(origin, np.minimum(p.lo, 0.0) * (1 + DOUBT) * A.hi, p.lo)
     exist, first, second = critical_points(np.concatenate((inner, A.hi)), np.concatenate((steepest, p.hi)), q)
     low, high = exist[:n], exist[n:]
     where = np.where(low, np.where(high, THROUGHOUT, PARTLY), NOWHERE)
     # where only the lower corner has them they meet in between, or at 0
     w1 = Interval.of(first[:n] * (1 - DOUBT), np.where(high, first[n:], second[:n] if q > 0 else 0.0) * (1 + DOUBT))
     w2 = Interval.of(np.where(high, second[n:], first[:n]) * (1 - DOUBT), second[:n] * (1 + DOUBT))
-    where = np.where(origin, np.where((square > 0) & low, PARTLY, NOWHERE), where)
-    next_to_0 = Interval.of(np.zeros(n), np.sqrt(np.maximum(square, 0.0)) * (1 + DOUBT))
+    where = np.where(origin, np.where((p.lo < 0) & low, PARTLY, NOWHERE), where)
+    next_to_0 = Interval.of(np.zeros(n), np.sqrt(np.maximum(-p.lo, 0.0)) * (1 + DOUBT))
     return where, next_to_0.where(origin, w1), next_to_0.where(origin, w2)
 
 
@@ -291,12 +296,11 @@ class Turn(Asked):
 
     def range(self, cells: Cells) -> list[Range]:
         model = self.model
-        _, q, p, _ = slow_flow_intervals.fold_quartic(cells.A, self.m, self.zeta, cells.h, cells.h_A)
-        where, *critical = _critical_of(model, cells, 0.5 * p, 0.25 * float(q.lo[0]))
+        A, h = _over_A(cells)
+        _, q, p, _ = slow_flow_intervals.fold_quartic(A, self.m, self.zeta, h, cells.h_A)
+        where, *critical = _critical_of(cells, 0.5 * p, 0.25 * float(q.lo[0]))
         origin, ranges = cells.A.lo == 0, []
-        # next to A = 0 F_A over A, where h/A is a slope of h
-        A = Interval.point(1.0).where(origin, cells.A)
-        m, h = (self.m / cells.A).where(origin, self.m), cells.h_A.where(origin, cells.h)
+        m = (self.m / cells.A).where(origin, self.m)
         for channel, w in enumerate(critical):
             y = 0.5 * slow_flow_intervals.F_A(w, A, m, self.zeta, h, cells.h_A)
             dy = 0.5 * slow_flow_intervals.F_AA(w, A, m, self.zeta, h, cells.h_A, cells.h_AA)
@@ -351,8 +355,9 @@ class Peak(Asked):
         model = self.model
         if model.zeta == 0:
             return [_range(cells, NOWHERE, _unknown(cells), _unknown(cells))] * 2
-        _, p, _ = slow_flow_intervals.peak_cubic(cells.A, self.m, self.zeta, cells.h)
-        where, *critical = _critical_of(model, cells, p, model.zeta * model.m)
+        A, h = _over_A(cells)
+        q, p, _ = slow_flow_intervals.peak_cubic(A, self.m, self.zeta, h)
+        where, *critical = _critical_of(cells, p, float(q.lo[0]))
         ranges = []
         for channel, w in enumerate(critical):
             y, dy = slow_flow_intervals.peak(w, cells.A, Interval.point(self.F_0), self.m, self.zeta, cells.h_A)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference.along import Fold
+from slowflow.averaged.reference.along import FoldAt
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import samples_at, stretches_up_to
 from slowflow.averaged.reference.intervals import Bools
@@ -25,7 +25,7 @@ from slowflow_kernels.conventions import NEAR_END
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     A_max, remark = amplitude_bound(model, F_0)
-    (found,) = find_zeros(model, [Fold(model, F_0)], stretches_up_to(model, A_max))
+    (found,) = find_zeros(model, [FoldAt(model, F_0)], stretches_up_to(model, A_max))
     with np.errstate(all="ignore"):
         A, Omega = found.A, _settled(model, F_0, found.A, found.Omega)
         h, h_A, h_AA, _ = model.averaged(A)
@@ -81,7 +81,7 @@ def _is_stable_below(model: Model, F_0: float, b: float, Omega: Floats) -> Bools
     state is less by F_AOmega F/F_Omega; without viscous damping F = y and F_A = 0.
     """
     m, zeta, at = model.m, model.zeta, samples_at(model, b)
-    (fold,) = Fold(model, F_0).ask(at)
+    (fold,) = FoldAt(model, F_0).ask(at)
     (h,), (h_A,), (k,) = at.h, at.h_A, at.k
     R = slow_flow.R(Omega, b, h)
     F, F_A = (2 * R, 2 * (2 * R - k) / b) if zeta > 0 else (np.ones_like(R), np.zeros_like(R))
