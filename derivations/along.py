@@ -53,7 +53,7 @@ class Damped:
     cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
     cusps_scaled -- F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b: a, b, and the discriminant a^2 - b
     cusp_X    -- Omega^2 by t
-    cusp_scaled -- as `cusp` in numbers without scale: F_A/2 less A F_AA/2, its slope along A, and the forcing if it is 0
+    cusp_scaled -- as `cusp` in numbers without scale: F_A/2 less A F_AA/2, its slope along A, the forcing if it is 0
     peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
     peak_Omega_A -- dOmega/dA along F_Omega = 0
     """

@@ -4,18 +4,26 @@ Written by `make derive`; never edit.
 Input: derivations/slow_flow.py
 """
 
+from functools import cache
+
 
 def flow_of(mu, zeta):
     """The module of the scene, loaded when it is first wanted: most oscillators need one."""
-    if mu == 0 and zeta == 0:
+    return _without(mu == 0, zeta == 0)
+
+
+@cache
+def _without(no_mu, no_zeta):
+    """The module by which terms vanish."""
+    if no_mu and no_zeta:
         from slowflow_kernels import slow_flow_mu0_zeta0
 
         return slow_flow_mu0_zeta0
-    if mu == 0:
+    if no_mu:
         from slowflow_kernels import slow_flow_mu0
 
         return slow_flow_mu0
-    if zeta == 0:
+    if no_zeta:
         from slowflow_kernels import slow_flow_zeta0
 
         return slow_flow_zeta0

@@ -99,7 +99,7 @@ class Oscillator(Averaged):
         """
         found = super().saddle_node_onset()
         load = self.model.mechanism.load_untruncated
-        if Remark.OF_TRUNCATION not in found.remarks or load is None:
+        if load is None or not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
             return found
         values = dict(zip((domain.name for domain in self.model.mechanism.design), self.design, strict=True))
         other = Averaged(Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta})).saddle_node_onset()
@@ -185,7 +185,7 @@ class Oscillator(Averaged):
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it, which knows whom it was asked of."""
         found = super()._remarked(found, F_0)
-        if isinstance(found, SteadyStates | SaddleNodes):
+        if isinstance(found, (SteadyStates, SaddleNodes)):
             found.__dict__["_asked"] = self
         return found
 

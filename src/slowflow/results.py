@@ -83,6 +83,13 @@ def _same(one: Any, two: Any) -> bool:
     return bool(one == two)
 
 
+class Single(Answer):
+    """An answer in plain numbers and words, which has no array to protect."""
+
+    def __post_init__(self) -> None:
+        pass
+
+
 class Table(Answer):
     """An answer with several entries: arrays of one length, `entry` naming those that make up one of them."""
 
@@ -523,7 +530,7 @@ class SecondFolds(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodeOnset(Answer):
+class SaddleNodeOnset(Single):
     """The lowest forcing that has a fold; None and a message where there is none.
 
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
@@ -591,7 +598,7 @@ class IsolaPoints(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class Peak(Answer):
+class Peak(Single):
     """The highest peak of the response at one forcing, isolas included; None and a message where there is none."""
 
     A: float | None
@@ -602,7 +609,7 @@ class Peak(Answer):
 
 
 @dataclass(frozen=True, eq=False)
-class Detachment(Answer):
+class Detachment(Single):
     """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr."""
 
     F_cr: float | None

@@ -56,7 +56,7 @@ def is_single(value: Any) -> bool:
 def _is_number(value: Any) -> bool:
     if isinstance(value, (bool, np.bool_)):
         return False
-    if isinstance(value, (float, Real, np.floating, np.integer)):
+    if isinstance(value, (float, int, Real, np.floating, np.integer)):
         return True
     return isinstance(value, np.ndarray) and value.ndim == 0 and value.dtype.kind in "fiu"
 
@@ -72,6 +72,8 @@ def _range(above: float, least: float, below: float, most: float) -> str:
 
 def within(domain: Parameter, value: Any) -> float:
     """A finite real number in a parameter's domain, as a float."""
+    if type(value) is float and domain.holds(value):
+        return value
     return number(
         domain.name,
         value,

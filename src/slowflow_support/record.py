@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any, NamedTuple
 
 #: a generated function of numbers or arrays that broadcast
@@ -33,6 +34,16 @@ class Parameter:
     least: float | None = None
     below: float | None = None
     most: float | None = None
+
+    def holds(self, value: float) -> bool:
+        """Whether a number is one of those allowed."""
+        return (
+            isfinite(value)
+            and (self.above is None or value > self.above)
+            and (self.least is None or value >= self.least)
+            and (self.below is None or value < self.below)
+            and (self.most is None or value <= self.most)
+        )
 
 
 class Scale(NamedTuple):

@@ -34,8 +34,14 @@ def _solver() -> ModuleType:
     return backend.SOLVER
 
 
+#: the words for its kinds
+ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
+
+
 def _check(status: int, F_0: float | None = None) -> None:
     """Raise what the NumPy path raises where there is no answer."""
+    if status == Status.OK:
+        return
     if status == Status.NO_MEMORY:
         raise MemoryError
     at = "" if F_0 is None else f" at F_0 = {F_0:.17g}"
@@ -62,14 +68,13 @@ def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     status, F_SN, Omega, A, kind, at_rest = _solver().onset(model.native)
     _check(status)
-    if status == Status.UNBOUNDED:
+    if status == Status.OK:
+        found = SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], "")
+    elif status == Status.UNBOUNDED:
         return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m))
-    return words.with_folds_at_rest(
-        SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
-        if status == Status.NONE
-        else SaddleNodeOnset(F_SN, Omega, A, OnsetKind(kind).name.lower(), ""),
-        at_rest,
-    )
+    else:
+        found = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
+    return words.with_folds_at_rest(found, at_rest)
 
 
 def detachment(model: Model) -> Detachment:

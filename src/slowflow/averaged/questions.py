@@ -296,9 +296,10 @@ class Averaged:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""
         if F_0 <= self.model.m:
             return found
-        beside = remarks.of_one(self.model, F_0, *_states(found)) | found.remarks
-        if not beside:
+        beside = remarks.of_one(self.model, F_0, *_states(found))
+        if not (beside or found.remarks):
             return found
+        beside |= found.remarks
         said = remarks.in_words(beside, self.model, F_0)
         return dataclasses.replace(found, message=joined(found.message, *said), remarks=beside)
 

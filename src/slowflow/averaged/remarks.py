@@ -75,21 +75,21 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) ->
     """The same for one oscillator; A is an array along one axis, or a number, and nothing is computed that is known."""
     many = isinstance(A, np.ndarray)
     highest = A if not many else A.max() if A.size else math.nan
-    codes = NOTHING
+    said = []  # few have any, and to add up flags takes longer than to look for them
     if model.negative_stiffness:
-        codes |= Remark.NEGATIVE_STIFFNESS
+        said.append(Remark.NEGATIVE_STIFFNESS)
     if validity.is_near_sticking(model.mu, F_0):
-        codes |= Remark.NEAR_STICKING
+        said.append(Remark.NEAR_STICKING)
     if highest > model.reach:
-        codes |= Remark.BEYOND_REACH
+        said.append(Remark.BEYOND_REACH)
     if highest > 0 and not stays_centred(model):
         if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
-            codes |= Remark.LEAVES_CENTRE
+            said.append(Remark.LEAVES_CENTRE)
     if model.mechanism.truncated and (corner.any() if many and corner is not False else corner):
-        codes |= Remark.OF_TRUNCATION
+        said.append(Remark.OF_TRUNCATION)
     if model.breakpoints and model.breakpoints[-1] > model.mechanism.digits_up_to:
-        codes |= Remark.DIGITS_LOST
-    return codes
+        said.append(Remark.DIGITS_LOST)
+    return Remark(sum(said)) if said else NOTHING
 
 
 def _too_near(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Any:
