@@ -26,6 +26,7 @@ MODULES = (
     "slowflow.oscillator",
     "slowflow.averaged.questions",
     "slowflow.results",
+    "slowflow.answer",
     "slowflow.measured.validity",
     "slowflow.averaged.many",
     "slowflow_kernels.conventions",
@@ -98,7 +99,14 @@ def text() -> str:
     for path in MODULES:
         module = import_module(path)
         lines += [f"## {path}", "", summary(module), ""]
-        for name, value in public(module):
+        own = [
+            (name, value)
+            for name, value in public(module)
+            if value.__module__ == path or value.__module__ not in MODULES
+        ]
+        others = [name for name, value in public(module) if (name, value) not in own]
+        lines += [f"Also here: {', '.join(f'`{name}`' for name in others)}.", ""] if others else []
+        for name, value in own:
             lines += [f"### {name}", "", *heading(name, value)]
             listed = [f"- `{called}`: {said}" for called, said in members(value)] if inspect.isclass(value) else []
             lines += [*listed, ""] if listed else []

@@ -66,6 +66,23 @@ def test_a_phase_nobody_reads_is_not_computed():
     assert states.phi.shape == states.A.shape and "phi" in states.__dict__
 
 
+def test_questions_about_all_forcings_are_explained():
+    whole, linear, undamped = isolator(), isolator(delta_h=0), isolator(zeta=0)
+    assert "explicit in A" in str(whole.explain("saddle_node_onset"))
+    assert not runs(linear.explain("saddle_node_onset"))["folds"]
+    assert linear.explain("saddle_node_onset").model is None and linear.saddle_node_onset().F_SN is None
+    assert "4 mu/pi" in str(undamped.explain("saddle_node_onset"))
+    assert "lowest forcing" in undamped.saddle_node_onset().message
+    assert not runs(linear.explain("detachment"))["detachment"] and linear.detachment().F_cr is None
+    assert "A = u_cr only" in str(whole.explain("detachment"))
+    assert runs(whole.explain("fold_locus"))["fold locus"]
+    assert not runs(whole.explain("cusps"))["fold locus"] and not runs(whole.explain("isola_points"))["fold locus"]
+    with pytest.raises(ValueError, match=r"F_0 = 0\.04 is not allowed: cusps is about all forcings"):
+        whole.explain("cusps", 0.04)
+    with pytest.raises(ValueError, match="F_0 = None is not allowed"):
+        whole.explain("peak")
+
+
 def test_an_unknown_question_is_named():
     with pytest.raises(ValueError, match="question = 'isolas' is not allowed"):
         isolator().explain("isolas", 0.04)

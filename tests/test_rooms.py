@@ -18,6 +18,7 @@ FLOORS = (
     ("averaged",),
     ("results",),
     ("measured",),
+    ("answer",),
     ("model",),
     ("validate",),
     ("mechanism", "backend"),

@@ -1,10 +1,42 @@
 """slowflow: response curves, folds and critical forcings of vibration isolators, from derived and generated equations.
 
-In:  an oscillator's parameters. Out: `Isolator`, `Duffing`, `Oscillator` of any derived mechanism, and their answers.
+In:  an oscillator's parameters. Out: `Isolator`, `Duffing`, `Oscillator` of any derived mechanism, and their answers:
+     the classes of `slowflow.results`, in units `Quantities`.
 """
 
 from slowflow.isolator import Duffing, Isolator
 from slowflow.oscillator import Oscillator
+from slowflow.physical import Physical, Quantities
+from slowflow.results import (
+    Certificate,
+    Cusps,
+    Detachment,
+    FoldLocus,
+    FrequencyResponse,
+    IsolaPoints,
+    Peak,
+    Remark,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+)
 
-__all__ = ["Duffing", "Isolator", "Oscillator"]
+__all__ = [
+    "Certificate",
+    "Cusps",
+    "Detachment",
+    "Duffing",
+    "FoldLocus",
+    "FrequencyResponse",
+    "IsolaPoints",
+    "Isolator",
+    "Oscillator",
+    "Peak",
+    "Physical",
+    "Quantities",
+    "Remark",
+    "SaddleNodeOnset",
+    "SaddleNodes",
+    "SteadyStates",
+]
 __version__ = "0.1.0"

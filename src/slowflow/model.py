@@ -119,6 +119,13 @@ class Model:
         """Largest |u| of the mechanism, inf if it has none."""
         return self.mechanism.reach
 
+    def given(self) -> dict[str, Any]:
+        """Name of the mechanism, and the numbers that make the oscillator: its design, else the force's parameters."""
+        of_force = zip((one.name for one in self.mechanism.parameters), self.parameters, strict=True)
+        of_design = zip((one.name for one in self.mechanism.design), self.design, strict=False)
+        numbers = dict(of_design) or dict(of_force)
+        return {"mechanism": self.mechanism.name, **numbers, "mu": self.mu, "zeta": self.zeta}
+
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
         h, h_A, h_AA, h_AAA = self.mechanism.averaged(A, *self.parameters)

@@ -18,9 +18,10 @@ from typing import Any
 import numpy as np
 
 from slowflow import validate
+from slowflow.answer import PLAIN, Answer, Table, plain
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
-from slowflow.results import Answer, Remark, SteadyStates, Table
+from slowflow.results import Remark, SteadyStates
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.record import Parameter, Scale
 
@@ -108,6 +109,24 @@ class Quantities(Answer):
         if not self.entry:
             raise TypeError("this answer has no entries: it is a single one")
         return self.entry
+
+    def columns(self) -> dict[str, Any]:
+        """As of the dimensionless answer, in SI units."""
+        if not self.entry:
+            return super().columns()
+        return {name: self.values[name] for name in self.entry}
+
+    def about(self) -> dict[str, Any]:
+        """What holds for all rows, and the dimensionless parameters."""
+        beside = self.answer.about() if isinstance(self.answer, Answer) else {}
+        said = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
+        return {**beside, **(said if self.entry else {})}
+
+    def _numbers(self) -> set[str]:
+        return set(self.units)
+
+    def _units(self) -> Mapping[str, str]:
+        return self.units
 
     def _content(self) -> dict[str, Any]:
         return {**self.values, "units": tuple(self.units.items())}
@@ -387,9 +406,9 @@ class Physical:
         Omega = None if f is None else self._frequency("f", f)
         return self.scales.quantities(self.oscillator.certify(self._force("F", F), Omega=Omega))
 
-    def explain(self, question: str, F: Any) -> Plan:
+    def explain(self, question: str, F: Any = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
-        found: Plan = self.oscillator.explain(question, self._force("F", F))
+        found: Plan = self.oscillator.explain(question, None if F is None else self._force("F", F))
         return found
 
     @property

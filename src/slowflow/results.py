@@ -6,7 +6,6 @@ length, and an index or a loop gives one entry as a named tuple: `for fold in is
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import IntFlag
@@ -16,6 +15,7 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.answer import Answer, Single, Table, frozen
 from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
@@ -40,70 +40,6 @@ class Remark(IntFlag):
     DIGITS_LOST = 64
     #: two folds are so near to each other, or to none, that doubles do not tell how many there are: `certify` may
     UNDECIDED = 128
-
-
-class Answer:
-    """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand."""
-
-    def __post_init__(self) -> None:
-        for value in self.__dict__.values():
-            if isinstance(value, np.ndarray):
-                value.flags.writeable = False
-
-    def _content(self) -> dict[str, Any]:
-        """What was found and asked, by name; the slow flow behind it left out."""
-        names = (entry.name for entry in dataclasses.fields(self) if entry.repr)  # type: ignore[arg-type]
-        return {name: getattr(self, name) for name in names}
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Answer) or type(self) is not type(other):
-            return NotImplemented
-        return all(
-            _same(one, two) for one, two in zip(self._content().values(), other._content().values(), strict=True)
-        )
-
-    def __hash__(self) -> int:
-        content = (value.tobytes() if isinstance(value, np.ndarray) else value for value in self._content().values())
-        return hash((type(self), *content))
-
-    def to_dict(self) -> dict[str, Any]:
-        """The answer in plain Python: lists for arrays, numbers and words, by name."""
-        return {name: _plain(value) for name, value in self._content().items()}
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, Answer):
-        return value.to_dict()
-    return value.tolist() if isinstance(value, np.ndarray) else value
-
-
-def _same(one: Any, two: Any) -> bool:
-    if isinstance(one, np.ndarray):
-        return np.array_equal(one, two, equal_nan=one.dtype.kind == "f")
-    return bool(one == two)
-
-
-class Single(Answer):
-    """An answer in plain numbers and words, which has no array to protect."""
-
-    def __post_init__(self) -> None:
-        pass
-
-
-class Table(Answer):
-    """An answer with several entries: arrays of one length, `entry` naming those that make up one of them."""
-
-    entry: ClassVar[Any]
-
-    def __len__(self) -> int:
-        return int(getattr(self, self.entry._fields[0]).size)
-
-    def __getitem__(self, k: int) -> Any:
-        return self.entry(*(getattr(self, name)[k].item() for name in self.entry._fields))
-
-    def __iter__(self) -> Iterator[Any]:
-        columns = (getattr(self, name).tolist() for name in self.entry._fields)
-        return (self.entry(*values) for values in zip(*columns, strict=True))
 
 
 class State(NamedTuple):
@@ -289,6 +225,7 @@ class SteadyStates(Table):
     """
 
     entry: ClassVar[Any] = State
+    beside: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
 
     Omega: Floats
     A: Floats
@@ -304,14 +241,14 @@ class SteadyStates(Table):
         """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed when first asked for."""
         h = self._model.averaged(self.A)[0]
         phase = self._model.flow.phase(self.Omega, self.A, self._model.m, self._model.zeta, h)
-        return np.asarray(phase) + 0 * self.A
+        return frozen(np.asarray(phase) + 0 * self.A)
 
     @cached_property
     def transmissibility(self) -> Floats:
         """Fundamental harmonic of the force on the base, from spring, damper and friction, over F_0, of each state."""
         h = self._model.averaged(self.A)[0]
         m, zeta = self._model.m, self._model.zeta
-        return np.asarray(slow_flow.transmissibility(self.Omega, self.A, self.F_0, m, zeta, h))
+        return frozen(slow_flow.transmissibility(self.Omega, self.A, self.F_0, m, zeta, h))
 
     @property
     def transmissibility_dB(self) -> Floats:

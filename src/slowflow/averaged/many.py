@@ -21,6 +21,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend, validate
+from slowflow.answer import Answer, frozen, optional
 from slowflow.averaged import remarks
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Mechanism
@@ -32,8 +33,8 @@ Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
 
 
-@dataclass(frozen=True)
-class Batch:
+@dataclass(frozen=True, eq=False)
+class Batch(Answer):
     """What all answers to a batch share: `remarks`, computed when first asked for."""
 
     if TYPE_CHECKING:  # each has it as its last column
@@ -45,14 +46,47 @@ class Batch:
         """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
         raise NotImplementedError
 
+    def columns(self) -> dict[str, Any]:
+        """A row for each design, in the order of the flattened arrays: its numbers, then the answer's.
+
+        What has several places becomes a column for each, as Omega_0.
+        """
+        shape = self.status.shape
+        given = {**self._designs.values, **({} if np.isnan(self._F_0).all() else {"F_0": np.asarray(self._F_0)})}
+        found = {name: np.broadcast_to(value, shape).ravel() for name, value in given.items()}
+        for name, value in self._content().items():
+            several = value.ndim > len(shape)
+            places = np.moveaxis(value, -1, 0) if several else [value]
+            found |= {f"{name}_{k}" if several else name: place.ravel() for k, place in enumerate(places)}
+        return found
+
+    def to_xarray(self) -> Any:
+        """A Dataset along the designs' own dimensions, "design_0" and so on, with their numbers as coordinates.
+
+        Several places of an answer are a dimension more. Raises ImportError without xarray.
+        """
+        xarray = optional("xarray", "to_xarray")
+        shape = self.status.shape
+        designs = tuple(f"design_{k}" for k in range(len(shape)))
+        given = {name: (designs, np.broadcast_to(value, shape)) for name, value in self._designs.values.items()}
+        found = {
+            name: ((*designs, "place") if value.ndim > len(shape) else designs, value)
+            for name, value in self._content().items()
+        }
+        return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})
+
+    def about(self) -> dict[str, Any]:
+        """The mechanism, and the shape of the designs."""
+        return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape}
+
     @cached_property
     def remarks(self) -> remarks.Codes:
         """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
         asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
-        return np.where(asked, self._designs.remarks(self._F_0, *self._found()), np.uint8(0))
+        return frozen(np.where(asked, self._designs.remarks(self._F_0, *self._found()), np.uint8(0)))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Detachments(Batch):
     """The lowest forcing that reaches u_cr, its frequency, and u_cr, for each design (34)."""
 
@@ -65,7 +99,7 @@ class Detachments(Batch):
         return self.Omega_cr[..., np.newaxis], self.u_cr[..., np.newaxis], False
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Onsets(Batch):
     """The lowest forcing that has a fold, for each design (33).
 
@@ -83,7 +117,7 @@ class Onsets(Batch):
     @cached_property
     def remarks(self) -> remarks.Codes:
         """As of all batches, and `Remark.FOLDS_AT_REST`."""
-        return np.asarray(super().remarks | np.where(self.at_rest, np.uint8(Remark.FOLDS_AT_REST), np.uint8(0)))
+        return frozen(super().remarks | np.where(self.at_rest, np.uint8(Remark.FOLDS_AT_REST), np.uint8(0)))
 
     @cached_property
     def untruncated(self) -> Floats:
@@ -91,7 +125,7 @@ class Onsets(Batch):
 
         NaN there too if it has none. Computed when first asked for.
         """
-        return self._designs.untruncated_onset((self.remarks & Remark.OF_TRUNCATION) != 0)
+        return frozen(self._designs.untruncated_onset((self.remarks & Remark.OF_TRUNCATION) != 0))
 
     def _found(self) -> tuple[Any, Any, Any]:
         return (
@@ -101,7 +135,7 @@ class Onsets(Batch):
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Folds(Batch):
     """The folds at one forcing, for each design; Omega, A and kind have one more axis, with `places` places.
 
@@ -122,13 +156,13 @@ class Folds(Batch):
     @cached_property
     def remarks(self) -> remarks.Codes:
         """As of all batches, and `Remark.UNDECIDED`."""
-        return np.asarray(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
+        return frozen(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
 
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega, self.A, self.kind >= FoldKind.JUMP_UP_AT_CORNER
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Peaks(Batch):
     """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega."""
 
@@ -151,9 +185,18 @@ class Designs:
 
     def __init__(self, mechanism: Mechanism, values: dict[str, Any]) -> None:
         names = check_names(mechanism, values)
-        self._mechanism = mechanism
-        self._values = {name: validate.real_array(name, values[name]) for name in names}
-        self.shape = validate.common_shape(self._values)
+        self.mechanism = mechanism
+        self.values = {name: validate.real_array(name, values[name]) for name in names}
+        self.shape = validate.common_shape(self.values)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Designs) or (self.mechanism, *self.values) != (other.mechanism, *other.values):
+            return NotImplemented if not isinstance(other, Designs) else False
+        pairs = zip(self.values.values(), other.values.values(), strict=True)
+        return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
+
+    def __hash__(self) -> int:
+        return hash((self.mechanism, *(value.tobytes() for value in self.values.values())))
 
     def detachment(self, *, workers: int = 1) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; `Status.NONE` for a mechanism without breakpoints."""
@@ -175,25 +218,25 @@ class Designs:
     def untruncated_onset(self, wanted: npt.NDArray[np.bool_]) -> Floats:
         """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
         F_SN = np.full(self.shape, np.nan)
-        load = self._mechanism.load_untruncated
+        load = self.mechanism.load_untruncated
         if load is not None and wanted.any():
-            chosen = {name: np.broadcast_to(value, self.shape)[wanted] for name, value in self._values.items()}
+            chosen = {name: np.broadcast_to(value, self.shape)[wanted] for name, value in self.values.items()}
             F_SN[wanted] = Designs(load(), chosen).saddle_node_onset().F_SN
         return F_SN
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
         """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""
-        *design, mu, _ = (np.asarray(value, dtype=float) for value in self._values.values())
+        *design, mu, _ = (np.asarray(value, dtype=float) for value in self.values.values())
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            parameters = tuple(np.asarray(value) for value in self._mechanism.coefficients(*design))
-            return remarks.of_designs(self._mechanism, parameters, mu, F_0, Omega, A, corner)
+            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*design))
+            return remarks.of_designs(self.mechanism, parameters, mu, F_0, Omega, A, corner)
 
     def _ask(self, question: Question, workers: int, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
         threads = _threads(workers)
-        values = dict(self._values) if F_0 is None else {**self._values, "F_0": validate.real_array("F_0", F_0)}
+        values = dict(self.values) if F_0 is None else {**self.values, "F_0": validate.real_array("F_0", F_0)}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
-        record = backend.record_of(self._mechanism.name)
+        record = backend.record_of(self.mechanism.name)
         if backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             # what the solvers do not take as it is, long doubles
@@ -225,7 +268,7 @@ class Designs:
         asked = () if F_0 is None else (F_0,)
         blank = one(None, *asked, places)[:-1]
         try:
-            oscillator = Averaged(Model.of(self._mechanism, dict(zip(self._values, given, strict=True))))
+            oscillator = Averaged(Model.of(self.mechanism, dict(zip(self.values, given, strict=True))))
             if F_0 is not None and not (validate.number("F_0", F_0, above=0.0) > oscillator.sticking_forcing):
                 return (*blank, Status.STICKS)
             return one(oscillator, *asked, places)

@@ -14,6 +14,8 @@ from slowflow.results import Remark, SaddleNodeOnset
 
 #: questions at one forcing
 QUESTIONS = ("frequency_response", "amplitudes", "saddle_nodes", "peak")
+#: questions about all forcings
+OF_ALL = ("saddle_node_onset", "detachment", "fold_locus", "cusps", "isola_points")
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class Plan:
     """
 
     question: str
-    F_0: float
+    F_0: float | None
     model: Model | None
     folds: bool
     steps: tuple[Step, ...]
@@ -61,7 +63,8 @@ class Plan:
         return self.model is None
 
     def __str__(self) -> str:
-        return "\n".join([f"{self.question} at F_0 = {self.F_0:g}", *(f"  {step}" for step in self.steps)])
+        where = "" if self.F_0 is None else f" at F_0 = {self.F_0:g}"
+        return "\n".join([f"{self.question}{where}", *(f"  {step}" for step in self.steps)])
 
 
 def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> Plan:
@@ -98,3 +101,32 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     else:
         folds = Step("folds", True, "level crossings of the fold locus, and corners")
     return Plan(question, F_0, whole, folds.runs, (force, flow, folds))
+
+
+LOCUS = {
+    "saddle_node_onset": Step("fold locus", False, "cusps, isola points and breakpoints are explicit in A: the lowest"),
+    "fold_locus": Step("fold locus", True, "for each A the frequencies at which F_A = 0, and the forcing there"),
+    "cusps": Step("fold locus", False, "cusps are explicit in A"),
+    "isola_points": Step("fold locus", False, "isola points are explicit in A"),
+}
+
+
+def needs_no_solver(question: str, whole: Model) -> bool:
+    """Whether it is known beforehand that there is no onset, or no detachment."""
+    return whole.linear if question == "saddle_node_onset" else question == "detachment" and not whole.breakpoints
+
+
+def plan_of_all(question: str, whole: Model) -> Plan:
+    """The plan for one of `OF_ALL`, which are about every forcing."""
+    flow = Step("slow flow", True, whole.flow.SCENE)
+    if needs_no_solver(question, whole):
+        why = words.NO_DETACHMENT if question == "detachment" else "a linear oscillator has none"
+        name = "detachment" if question == "detachment" else "folds"
+        return Plan(question, None, None, False, (Step(name, False, why),))
+    if question == "detachment":
+        return Plan(question, None, whole, False, (Step("force", True, "its first piece, at A = u_cr only"), flow))
+    force = Step("force", True, "all its pieces" if whole.breakpoints else "one piece: no angles, no corner")
+    if question == "saddle_node_onset" and whole.zeta == 0:
+        search = Step("fold locus", False, "zeta = 0: folds at one forcing tell whether they come down to 4 mu/pi")
+        return Plan(question, None, whole, True, (force, flow, search))
+    return Plan(question, None, whole, True, (force, flow, LOCUS[question]))

@@ -257,21 +257,32 @@ class Averaged:
         margin = self.model.flow.stability(Omega, A, self.model.m, self.zeta, h, h_A)
         return _in_range("the left side of (30)", margin)
 
-    def explain(self, question: str, F_0: float) -> plan.Plan:
-        """What runs for "frequency_response", "amplitudes", "saddle_nodes" or "peak" at F_0, what is skipped, and why.
+    def explain(self, question: str, F_0: float | None = None) -> plan.Plan:
+        """What runs for a question, what is skipped, and why. Print it; the question itself follows this plan.
 
-        Print it. The question itself follows this plan. Raises ValueError for another question or F_0 <= 0.
+        "frequency_response", "amplitudes", "saddle_nodes" and "peak" need an F_0; "saddle_node_onset", "detachment",
+        "fold_locus", "cusps" and "isola_points" are about all forcings and take none. Raises ValueError for another
+        question, F_0 <= 0, and one that is missing or not needed.
         """
+        if question in plan.OF_ALL:
+            if F_0 is not None:
+                raise ValueError(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
+            return plan.plan_of_all(question, self.model)
         if question not in plan.QUESTIONS:
-            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(plan.QUESTIONS)}")
+            known = ", ".join((*plan.QUESTIONS, *plan.OF_ALL))
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {known}")
         return self._plan(question, validate.number("F_0", F_0, above=0.0))
 
     @cached_property
     def _onset(self) -> SaddleNodeOnset:
+        if plan.needs_no_solver("saddle_node_onset", self.model):
+            return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
         return solvers.onset(self.model)
 
     @cached_property
     def _detachment(self) -> Detachment:
+        if plan.needs_no_solver("detachment", self.model):
+            return Detachment(None, None, None, words.NO_DETACHMENT)
         return solvers.detachment(self.model)
 
     def _plan(self, question: str, F_0: float) -> plan.Plan:

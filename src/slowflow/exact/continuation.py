@@ -13,13 +13,14 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.answer import Table
 from slowflow.exact.compiled import TRACED, TaylorIntegrator, default_integrator
 from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
@@ -53,8 +54,17 @@ class Fold:
     corner: bool
 
 
-@dataclass(frozen=True)
-class Response:
+class ResponsePoint(NamedTuple):
+    """A point of a `Response`."""
+
+    Omega: float
+    A: float
+    stable: bool
+    stops: int
+
+
+@dataclass(frozen=True, eq=False)
+class Response(Table):
     """Exact response curve at one F_0; arrays run along the curve.
 
     Omega, A     -- frequency, largest |u|
@@ -67,6 +77,8 @@ class Response:
     message      -- curves that do not hang together with this one, as far as averaging knows; empty if there is none
     """
 
+    entry: ClassVar[Any] = ResponsePoint
+
     F_0: float
     Omega: Array
     A: Array
@@ -76,7 +88,7 @@ class Response:
     folds: tuple[Fold, ...]
     borders: tuple[tuple[float, float], ...]
     closed: bool
-    states: tuple[_Point, ...]
+    states: tuple[_Point, ...] = field(repr=False)
     message: str = ""
 
     def steady_state(self, index: int) -> SteadyState:

@@ -11,11 +11,12 @@ from __future__ import annotations
 import functools
 import math
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.answer import Answer
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator
 from slowflow.exact.cycle import Cycle, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
@@ -33,8 +34,8 @@ class NotSettled(ArithmeticError):
     """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
 
 
-@dataclass(frozen=True)
-class SteadyState:
+@dataclass(frozen=True, eq=False)
+class SteadyState(Answer):
     """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
 
     A            -- largest |u|, good to about 1e-13 whatever its size
@@ -90,6 +91,14 @@ class SteadyState:
         theta = self.Omega * self.period * np.arange(samples) / samples
         u, v = self._at(theta)
         return theta / self.Omega, u, v
+
+    def columns(self, samples: int = 400) -> dict[str, Array]:
+        """tau, u and v, as `series` gives them: what `to_pandas` and `to_xarray` have."""
+        return dict(zip(("tau", "u", "v"), self.series(samples), strict=True))
+
+    def about(self) -> dict[str, Any]:
+        """Frequency, forcing, amplitude, stops, stability."""
+        return {name: getattr(self, name) for name in ("Omega", "F_0", "A", "stops", "stable", "symmetric", "period")}
 
     def harmonics(self, most: int = 7) -> NDArray[np.complex128]:
         """c_0 ... c_most of u = Re sum c_k exp(i k Omega' tau), Omega' = 2 pi/period; by a Gauss rule on each phase."""

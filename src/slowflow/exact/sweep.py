@@ -9,10 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.answer import Table
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
@@ -24,8 +26,18 @@ Array = NDArray[np.float64]
 JUMP = 0.1  # relative change of amplitude between neighbouring frequencies, from which on a jump is looked for
 
 
-@dataclass(frozen=True)
-class Sweep:
+class SweepPoint(NamedTuple):
+    """One frequency of a `Sweep`."""
+
+    Omega: float
+    A: float
+    stops: int
+    turns: int
+    settled: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep(Table):
     """What a stepped sweep shows; arrays in the order of the frequencies.
 
     Omega   -- the frequencies
@@ -35,6 +47,8 @@ class Sweep:
     settled -- whether it was, within the turns that are followed at most
     jumps   -- pairs (Omega before, Omega after) between which the motion left its branch
     """
+
+    entry: ClassVar[Any] = SweepPoint
 
     F_0: float
     Omega: Array

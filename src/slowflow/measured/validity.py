@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from slowflow.answer import Answer
 from slowflow.measured import table as measured
 from slowflow.model import Floats, Model
 
@@ -36,8 +37,8 @@ CORNER = (
 )
 
 
-@dataclass(frozen=True)
-class Validity:
+@dataclass(frozen=True, eq=False)
+class Validity(Answer):
     """What is known of the error of averaged states; arrays with one entry for each state.
 
     ratio      -- mu/F_0

@@ -1,0 +1,174 @@
+"""What all answers share: in go dataclasses of numbers, words and arrays, out come records that do not change.
+
+They equal each other by content, can be copied and pickled, and give themselves as plain Python, as pandas' or as
+xarray's tables. The two packages are optional: `pip install 'slowflow[tables]'`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+from collections.abc import Iterator, Mapping
+from typing import Any, ClassVar
+
+import numpy as np
+import numpy.typing as npt
+
+#: what a table has in one place
+PLAIN = (bool, int, float, str)
+
+
+class Answer:
+    """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand."""
+
+    def __post_init__(self) -> None:
+        for value in self.__dict__.values():
+            _freeze(value)
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # copied arrays can be written to
+        self.__dict__.update(state)
+        Answer.__post_init__(self)
+
+    def _content(self) -> dict[str, Any]:
+        """What was found and asked, by name; the slow flow behind it left out."""
+        names = (entry.name for entry in dataclasses.fields(self) if entry.repr)  # type: ignore[arg-type]
+        return {name: getattr(self, name) for name in names}
+
+    def _numbers(self) -> set[str]:
+        """Names of numbers that may be missing."""
+        return {field.name for field in dataclasses.fields(self) if field.type == "float | None"}  # type: ignore[arg-type]
+
+    def _units(self) -> Mapping[str, str]:
+        """The units of numbers that have one; by default none is known."""
+        return {}
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Answer) or type(self) is not type(other):
+            return NotImplemented
+        return all(
+            _same(one, two) for one, two in zip(self._content().values(), other._content().values(), strict=True)
+        )
+
+    def __hash__(self) -> int:
+        content = (value.tobytes() if isinstance(value, np.ndarray) else value for value in self._content().values())
+        return hash((type(self), *content))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The answer in plain Python: lists for arrays, numbers and words, by name."""
+        return {name: plain(value) for name, value in self._content().items()}
+
+    def columns(self) -> dict[str, Any]:
+        """Arrays of one length by name, a row for each entry; of an answer with a single entry its numbers and words.
+
+        Answers within an answer, and arrays of other lengths, are in `to_dict` only.
+        """
+        numbers = self._numbers()
+        found = {
+            name: np.nan if value is None and name in numbers else value for name, value in self._content().items()
+        }
+        return {name: np.array([plain(value)]) for name, value in found.items() if isinstance(value, PLAIN)}
+
+    def about(self) -> dict[str, Any]:
+        """What there is to say of all rows of `columns`: message, forcing, parameters of the oscillator."""
+        return {}
+
+    def to_pandas(self) -> Any:
+        """`columns` as a DataFrame, with what holds for all rows in its `.attrs`. Raises ImportError without pandas."""
+        pandas = optional("pandas", "to_pandas")
+        frame = pandas.DataFrame(self.columns())
+        frame.attrs.update({**self.about(), "units": dict(self._units())})
+        return frame
+
+    def to_xarray(self) -> Any:
+        """`columns` as a Dataset along "entry", each with its units. Raises ImportError without xarray.
+
+        What holds for all rows are its attributes.
+        """
+        xarray = optional("xarray", "to_xarray")
+        units = self._units()
+        found = {name: ("entry", column, {"units": units.get(name, "1")}) for name, column in self.columns().items()}
+        entry = {"entry": np.arange(max((len(column) for column in self.columns().values()), default=0))}
+        attributes = {name: value for name, value in self.about().items() if value is not None}
+        return xarray.Dataset(found, coords=entry, attrs=attributes)
+
+
+class Single(Answer):
+    """An answer in plain numbers and words, which has no array to protect."""
+
+    def __post_init__(self) -> None:
+        pass
+
+
+class Table(Answer):
+    """An answer with several entries: arrays of one length, `entry` naming those that make up one of them.
+
+    beside -- what each entry has besides, not among its names
+    """
+
+    entry: ClassVar[Any]
+    beside: ClassVar[tuple[str, ...]] = ()
+
+    def __len__(self) -> int:
+        return int(getattr(self, self.entry._fields[0]).size)
+
+    def __getitem__(self, k: int) -> Any:
+        return self.entry(*(getattr(self, name)[k].item() for name in self.entry._fields))
+
+    def __iter__(self) -> Iterator[Any]:
+        columns = (getattr(self, name).tolist() for name in self.entry._fields)
+        return (self.entry(*values) for values in zip(*columns, strict=True))
+
+    def columns(self) -> dict[str, Any]:
+        """Arrays of one length by name: those of the entries, and what each has besides."""
+        found = {name: getattr(self, name) for name in (*self.entry._fields, *self.beside)}
+        return found | {name: value for name, value in self._content().items() if _is_column(value, len(self))}
+
+    def about(self) -> dict[str, Any]:
+        """Message, forcing, and the parameters of the oscillator where the answer knows them."""
+        said = {name: plain(value) for name, value in self._content().items() if isinstance(value, PLAIN)}
+        model = getattr(self, "_model", None)
+        return said if model is None else said | model.given()
+
+
+def _freeze(value: Any) -> None:
+    """No array can be written to, in tuples neither."""
+    if isinstance(value, np.ndarray):
+        value.flags.writeable = False
+    elif isinstance(value, tuple):
+        for part in value:
+            _freeze(part)
+
+
+def _is_column(value: Any, length: int) -> bool:
+    return isinstance(value, np.ndarray) and value.shape == (length,)
+
+
+def plain(value: Any) -> Any:
+    """An array as lists, an answer as a dictionary, a code as its number."""
+    if isinstance(value, Answer):
+        return value.to_dict()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    return int(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def _same(one: Any, two: Any) -> bool:
+    if isinstance(one, np.ndarray):
+        return np.array_equal(one, two, equal_nan=one.dtype.kind in "fc")
+    return bool(one == two)
+
+
+def frozen(values: Any) -> npt.NDArray[Any]:
+    """An array that cannot be written to."""
+    array = np.asarray(values)
+    array.flags.writeable = False
+    return array
+
+
+def optional(package: str, wanted_by: str) -> Any:
+    """A package that slowflow does without, or an ImportError that says how to get it."""
+    try:
+        return importlib.import_module(package)
+    except ImportError:
+        raise ImportError(f"{wanted_by} needs {package}: pip install 'slowflow[tables]'") from None

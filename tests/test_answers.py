@@ -1,0 +1,197 @@
+"""Answers as objects: they do not change, equal each other, go through copies and processes, and become tables."""
+
+from __future__ import annotations
+
+import copy
+import json
+import pickle
+import sys
+from concurrent.futures import ProcessPoolExecutor
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, answer
+from slowflow.averaged.many import Batch
+from slowflow.oscillator import Oscillator
+from slowflow.paper.example import isolator
+from slowflow_kernels import rod_spring
+
+
+def ask():
+    """Every kind of object that a user gets, by name."""
+    iso = isolator()
+    second, states, folds = iso.second_approximation, iso.amplitudes(Omega=0.9, F_0=0.04), iso.saddle_nodes(0.04)
+    many = Isolator.many(lam=3, r=[[2.0], [3.0]], delta_h=[0.08, 0.1, 0.12], mu=0.012, zeta=0.02)
+    return {
+        "isolator": iso,
+        "duffing": Duffing(1.0, 0.1, 0.01, 0.02),
+        "oscillator": Oscillator(rod_spring.MECHANISM, lam=3, r=2, delta_h=0.1),
+        "frequency_response": iso.frequency_response(0.04, samples=50),
+        "saddle_nodes": folds,
+        "certified": iso.saddle_nodes(0.04, certify=True),
+        "peak": iso.peak(0.04),
+        "no peak": iso.peak(0.01),
+        "amplitudes": states,
+        "measured": states.measure(),
+        "measured folds": folds.measure(),
+        "validity": states.validity,
+        "saddle_node_onset": iso.saddle_node_onset(),
+        "detachment": iso.detachment(),
+        "fold_locus": iso.fold_locus(samples=50),
+        "cusps": iso.cusps(),
+        "isola_points": iso.isola_points(),
+        "certificate": iso.certify(0.04, Omega=0.9),
+        "second": second,
+        "second response": second.frequency_response(0.04, samples=50),
+        "second folds": second.saddle_nodes(0.04),
+        "second states": second.amplitudes(Omega=0.9, F_0=0.04),
+        "steady_state": iso.steady_state(Omega=0.9, F_0=0.04),
+        "exact_response": iso.exact_response(0.04, Omega=(0.88, 0.92)),
+        "sweep": iso.sweep(Omega=[0.8, 0.9], F_0=0.04),
+        "plan": iso.explain("peak", 0.04),
+        "restoring_force": iso.restoring_force(),
+        "equation_of_motion": iso.equation_of_motion(),
+        "designs": many,
+        "detachments": many.detachment(),
+        "onsets": many.saddle_node_onset(),
+        "folds": many.saddle_nodes(0.04),
+        "peaks": many.peak([0.03, 0.04, 0.05]),
+    }
+
+
+OBJECTS = ask()
+ANSWERS = {name: value for name, value in OBJECTS.items() if isinstance(value, answer.Answer)}
+BATCHES = {name: value for name, value in ANSWERS.items() if isinstance(value, Batch)}
+TABLES = {name: value for name, value in ANSWERS.items() if isinstance(value, answer.Table)}
+COPIES = {"copy": copy.copy, "deepcopy": copy.deepcopy, "pickle": lambda one: pickle.loads(pickle.dumps(one))}
+
+
+def arrays(one):
+    """Every array that can be reached through public attributes."""
+    for value in vars(one).values() if isinstance(one, answer.Answer) else one if isinstance(one, tuple) else ():
+        if isinstance(value, np.ndarray):
+            yield value
+        else:
+            yield from arrays(value)
+
+
+@pytest.mark.parametrize("how", COPIES)
+@pytest.mark.parametrize("name", OBJECTS)
+def test_a_copy_is_what_it_was(name, how):
+    one = OBJECTS[name]
+    other = COPIES[how](one)
+    assert other == one and hash(other) == hash(one) and type(other) is type(one)
+    assert not any(array.flags.writeable for array in arrays(other))
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_an_answer_asked_again_is_equal_and_another_is_not(name):
+    one = ANSWERS[name]
+    assert one != next(other for other in ANSWERS.values() if other is not one)
+    assert not any(array.flags.writeable for array in arrays(one))
+    assert list(arrays(one)) or name in {"peak", "no peak", "saddle_node_onset", "detachment"}
+
+
+def test_what_is_computed_when_first_asked_for_does_not_change_either():
+    states, folds = ANSWERS["amplitudes"], BATCHES["folds"]
+    for values in (states.phi, states.transmissibility, folds.remarks, BATCHES["onsets"].untruncated):
+        with pytest.raises(ValueError, match="read-only"):
+            values[...] = 0
+
+
+def test_equality_sees_every_field():
+    one, other = isolator().saddle_nodes(0.04), isolator().saddle_nodes(0.0400000001)
+    assert one != other and one == isolator().saddle_nodes(0.04)
+    assert BATCHES["peaks"] != OBJECTS["designs"].peak([0.03, 0.04, 0.051])
+    assert OBJECTS["designs"] != Isolator.many(lam=3, r=[[2.0], [3.0]], delta_h=[0.08, 0.1, 0.12], mu=0.012)
+
+
+def folds_at(F_0):
+    return OBJECTS["isolator"].saddle_nodes(F_0)
+
+
+@pytest.mark.slow
+def test_answers_come_back_from_other_processes():
+    forcings = [0.03, 0.04, 0.05]
+    expected = [folds_at(F_0) for F_0 in forcings]
+    with ProcessPoolExecutor(1) as pool:
+        assert list(pool.map(OBJECTS["isolator"].saddle_nodes, forcings)) == expected
+    joblib = pytest.importorskip("joblib")
+    ask_one = joblib.delayed(OBJECTS["isolator"].saddle_nodes)
+    assert joblib.Parallel(n_jobs=2)(ask_one(F_0) for F_0 in forcings) == expected
+
+
+# ---- tables --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_entries_are_the_columns(name):
+    table = TABLES[name]
+    assert len(list(table)) == len(table)
+    for field in table.entry._fields:
+        assert [getattr(entry, field) for entry in table] == pytest.approx(getattr(table, field).tolist(), nan_ok=True)
+    assert set(table.entry._fields) <= set(table.columns())
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_the_columns_have_one_length(name):
+    columns = ANSWERS[name].columns()
+    assert columns and len({len(column) for column in columns.values()}) == 1
+
+
+@pytest.mark.parametrize("name", [name for name in ANSWERS if name not in {"exact_response", "steady_state"}])
+def test_plain_python_goes_through_json(name):
+    """But complex multipliers."""
+    plain = {key: value for key, value in ANSWERS[name].to_dict().items() if key != "multipliers"}
+    assert json.loads(json.dumps(plain)).keys() == plain.keys()
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_pandas_and_xarray_hold_the_columns(name):
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
+    found, columns = ANSWERS[name], ANSWERS[name].columns()
+    frame, dataset = found.to_pandas(), found.to_xarray()
+    assert list(frame.columns) == list(columns)
+    for key, column in columns.items():
+        assert np.array_equal(frame[key], column, equal_nan=column.dtype.kind == "f")
+    if name not in BATCHES:
+        assert all(
+            np.array_equal(dataset[key], frame[key], equal_nan=columns[key].dtype.kind == "f") for key in columns
+        )
+
+
+def test_a_table_says_of_what_it_is():
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
+    curve = ANSWERS["frequency_response"]
+    expected = {"F_0": 0.04, "message": "", "mechanism": "rod_spring", **OBJECTS["isolator"].given}
+    del expected["force"]
+    for attributes in (curve.to_pandas().attrs, curve.to_xarray().attrs):
+        assert expected.items() <= attributes.items()
+    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
+    dataset = mount.frequency_response(5).to_xarray()
+    assert {name: dataset[name].attrs["units"] for name in ("f", "A", "phi")} == {"f": "Hz", "A": "m", "phi": "1"}
+    assert dataset.attrs["F"] == 5 and mount.peak(5).to_pandas().attrs["units"]["A"] == "m"
+    assert np.isnan(mount.peak(0.1).to_pandas()["A"][0])
+
+
+def test_a_batch_keeps_its_designs_beside_the_answers():
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
+    folds = BATCHES["folds"]
+    dataset, frame = folds.to_xarray(), folds.to_pandas()
+    assert dataset["Omega"].dims == ("design_0", "design_1", "place") and dataset["r"].dims == ("design_0", "design_1")
+    row = frame[(frame["r"] == 3.0) & (frame["delta_h"] == 0.1)].iloc[0]
+    single = isolator(r=3.0, delta_h=0.1, lam=3, mu=0.012, zeta=0.02).saddle_nodes(0.04)
+    assert [row["Omega_0"], row["Omega_1"]] == pytest.approx(single.Omega.tolist(), rel=1e-12)
+    assert list(BATCHES["peaks"].to_pandas()["F_0"]) == [0.03, 0.04, 0.05] * 2
+
+
+def test_a_package_that_is_missing_is_asked_for_in_words(monkeypatch):
+    for package in ("pandas", "xarray"):
+        monkeypatch.setitem(sys.modules, package, None)
+        for name in ("peak", "folds"):
+            with pytest.raises(ImportError, match=rf"to_{package} needs {package}: pip install 'slowflow\[tables\]'"):
+                getattr(ANSWERS[name], f"to_{package}")()
