@@ -29,6 +29,7 @@ MODULES = (
     "slowflow.answer",
     "slowflow.measured.validity",
     "slowflow.averaged.many",
+    "slowflow.scenes",
     "slowflow_kernels.conventions",
     "slowflow.averaged.plan",
     "slowflow.second",
@@ -86,6 +87,8 @@ def heading(name: str, value: Any) -> Iterator[str]:
         yield f"{name}: " + ", ".join(f"`{field.name}`" for field in dataclasses.fields(value) if field.name[0] != "_")
     elif inspect.isclass(value) and issubclass(value, Enum):
         yield f"{name}: " + ", ".join(f"`{member.name}` {member.value}" for member in value)
+    elif inspect.isclass(value) and issubclass(value, Exception):
+        yield f"`{name}`"
     else:
         yield f"`{name}{signature(value, False)}`"
     bases = [base.__name__ for base in getattr(value, "__bases__", ()) if base.__module__.startswith("slowflow")]

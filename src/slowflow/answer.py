@@ -16,6 +16,8 @@ import numpy.typing as npt
 
 #: what a table has in one place
 PLAIN = (bool, int, float, str)
+#: rows that are printed at most
+SHOWN = 20
 
 
 class Answer:
@@ -39,7 +41,12 @@ class Answer:
         """Names of numbers that may be missing."""
         return {field.name for field in dataclasses.fields(self) if field.type == "float | None"}  # type: ignore[arg-type]
 
-    def _units(self) -> Mapping[str, str]:
+    @property
+    def has_rows(self) -> bool:
+        """Whether `columns` has a row for each of several entries, or the one of a single answer."""
+        return False
+
+    def units_of_columns(self) -> Mapping[str, str]:
         """The units of numbers that have one; by default none is known."""
         return {}
 
@@ -77,7 +84,7 @@ class Answer:
         """`columns` as a DataFrame, with what holds for all rows in its `.attrs`. Raises ImportError without pandas."""
         pandas = optional("pandas", "to_pandas")
         frame = pandas.DataFrame(self.columns())
-        frame.attrs.update({**self.about(), "units": dict(self._units())})
+        frame.attrs.update({**self.about(), "units": dict(self.units_of_columns())})
         return frame
 
     def to_xarray(self) -> Any:
@@ -86,7 +93,7 @@ class Answer:
         What holds for all rows are its attributes.
         """
         xarray = optional("xarray", "to_xarray")
-        units = self._units()
+        units = self.units_of_columns()
         found = {name: ("entry", column, {"units": units.get(name, "1")}) for name, column in self.columns().items()}
         entry = {"entry": np.arange(max((len(column) for column in self.columns().values()), default=0))}
         attributes = {name: value for name, value in self.about().items() if value is not None}
@@ -108,6 +115,11 @@ class Table(Answer):
 
     entry: ClassVar[Any]
     beside: ClassVar[tuple[str, ...]] = ()
+
+    @property
+    def has_rows(self) -> bool:
+        """True."""
+        return True
 
     def __len__(self) -> int:
         return int(getattr(self, self.entry._fields[0]).size)
@@ -138,6 +150,36 @@ def _freeze(value: Any) -> None:
     elif isinstance(value, tuple):
         for part in value:
             _freeze(part)
+
+
+def in_text(answer: Answer) -> Iterator[str]:
+    """An answer as lines: a table with units in its head, at most `SHOWN` rows, or names, values and units."""
+    units = answer.units_of_columns()
+    if not answer.has_rows:
+        for name, (value,) in answer.columns().items():
+            if name != "remarks" and str(value) not in ("", "nan"):
+                yield f"{name:12}{_short(value)} {units.get(name, '')}".rstrip()
+        return
+    columns = answer.columns()
+    rows = [[head(name, units) for name in columns]]
+    rows += ([_short(value) for value in row] for row in zip(*(one[:SHOWN] for one in columns.values()), strict=True))
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    yield from ("  ".join(text.rjust(width) for text, width in zip(row, widths, strict=True)) for row in rows)
+    more = len(next(iter(columns.values()))) - SHOWN
+    if more > 0:
+        yield f"and {more} more"
+    if message := answer.about().get("message"):
+        yield str(message)
+
+
+def head(name: str, units: Mapping[str, str]) -> str:
+    """A column's name, over its unit if it has one."""
+    unit = units.get(name, "")
+    return f"{name}/({unit})" if "/" in unit else f"{name}/{unit}" if unit else name
+
+
+def _short(value: Any) -> str:
+    return f"{value:.4g}" if isinstance(value, (float, np.floating)) else str(value)
 
 
 def _is_column(value: Any, length: int) -> bool:

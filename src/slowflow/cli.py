@@ -1,4 +1,4 @@
-"""The command line: `slowflow info`, `paper` and `certify`. In go arguments, out come text and an exit code."""
+"""The command line: scenes, proofs, the paper. In go arguments, out come text, files and an exit code (`main`)."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ import argparse
 import importlib.metadata
 import platform
 import sys
+import time
 from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import slowflow
-from slowflow import backend
+from slowflow import backend, files
+from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
+from slowflow.scenes import STARTER, Asked, Scene, SceneError, read
 from slowflow_kernels.domains import DAMPING
 
 
@@ -68,28 +71,153 @@ def certify(given: argparse.Namespace) -> int:
     return 0 if found.proved else 1
 
 
+def add_scenes(commands: Any) -> None:
+    """`slowflow run`, `explain` and `new`."""
+    run = commands.add_parser("run", help="the answers that a scene asks for", description=run_scene.__doc__)
+    run.add_argument("scene", type=Path, help="TOML file; `slowflow new` writes one to begin with")
+    run.add_argument("-o", "--out", type=Path, metavar="DIR", help="write CSV and JSON there instead of printing")
+    run.add_argument("--json", action="store_true", help="print JSON")
+    run.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
+    explain = commands.add_parser("explain", help="what runs for a scene, what is skipped, and how long it takes")
+    explain.add_argument("scene", type=Path)
+    new = commands.add_parser("new", help="write a commented scene to begin with")
+    new.add_argument("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
+
+
+def run_scene(given: argparse.Namespace) -> int:
+    """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered."""
+    scene = _read(given.scene)
+    answers: list[tuple[Asked, Answer]] = []
+    failed = []
+    for asked in scene.asked:
+        begun = time.perf_counter()
+        try:
+            answers.append((asked, scene.answer(asked)))
+        except (ValueError, ArithmeticError) as error:
+            failed.append({"question": asked.question, **asked.arguments, "error": str(error)})
+            print(f"{asked}: {error}", file=sys.stderr)
+        took = time.perf_counter() - begun
+        if not given.quiet and took > 1:
+            print(f"{asked}: {took:.1f} s", file=sys.stderr)
+    content = {**provenance(scene), "answers": [told(*one) for one in answers], "failed": failed}
+    if given.json:
+        print(files.in_json(content), end="")
+    if given.out is None and not given.json:
+        for asked, answer in answers:
+            print(f"# {asked}", *in_text(answer), "", sep="\n")
+    if given.out is not None:
+        given.out.mkdir(parents=True, exist_ok=True)
+        for question in dict.fromkeys(asked.question for asked, _ in answers):
+            alike = [(asked.numbers(), answer) for asked, answer in answers if asked.question == question]
+            files.write(given.out / f"{question}.csv", files.in_csv(alike))
+        files.write(given.out / "answers.json", files.in_json(content))
+        if not given.quiet:
+            print(f"{len(answers)} answers in {given.out}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+def told(asked: Asked, answer: Answer) -> dict[str, Any]:
+    """An answer with what it was asked, as plain Python."""
+    return {"question": asked.question, "asked": dict(asked.arguments), **answer.to_dict()}
+
+
+def provenance(scene: Scene) -> dict[str, Any]:
+    """What answers were made from and by."""
+    known = info()
+    made = {name: known[name] for name in ("backend", "python", "numpy", "scipy", "machine")}
+    return {
+        "made_by": {"slowflow": slowflow.__version__, **made},
+        "scene": {"file": scene.path.name, "sha256": scene.sha256, "content": dict(scene.content)},
+        "oscillator": repr(scene.oscillator),
+        "warnings": list(scene.warnings),
+    }
+
+
+def explain_scene(given: argparse.Namespace) -> int:
+    """Print the plan of each question, and how long it took when it was asked once, just now."""
+    scene = _read(given.scene)
+    print(scene.oscillator)
+    for asked in scene.asked:
+        plan = scene.explain(asked)
+        begun = time.perf_counter()
+        scene.answer(asked)
+        took = 1e3 * (time.perf_counter() - begun)
+        print(asked, *(f"  {step}" for step in (plan.steps if plan else ())), f"  {'took':14}{took:.3g} ms", sep="\n")
+    skipped = scene.not_asked()
+    print(f"not asked for, and not computed: {', '.join(skipped)}" if skipped else "all questions are asked")
+    return 0
+
+
+def new_scene(given: argparse.Namespace) -> int:
+    """Write the starter; 2 where there is a file of that name."""
+    try:
+        with given.scene.open("x", encoding="utf-8") as file:
+            file.write(STARTER)
+    except FileExistsError:
+        print(f"{given.scene} is there already: it is left as it is", file=sys.stderr)
+        return 2
+    print(f"{given.scene} is written: slowflow run {given.scene}")
+    return 0
+
+
+def _read(path: Path) -> Scene:
+    scene = read(path)
+    for text in scene.warnings:
+        print(f"{path}: {text}", file=sys.stderr)
+    return scene
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one subcommand; 0 if it succeeds."""
-    parser = argparse.ArgumentParser(prog="slowflow", description="Slow flow of piecewise-smooth vibration isolators.")
+    """Run one subcommand: 0 if it succeeds, 1 if something is not answered or not proved, 2 for what is not allowed."""
+    parser = argparse.ArgumentParser(
+        prog="slowflow",
+        description="Slow flow of piecewise-smooth vibration isolators.",
+        epilog="Exit codes: 0 done; 1 a question that could not be answered, or a proof that was not found; "
+        "2 arguments or a scene that are not allowed; 130 interrupted.",
+    )
+    parser.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
     commands.add_parser("info", help="the backend in use, versions, how the compiled code was built")
     paper = commands.add_parser("paper", help="Table 2 published / derived / verdict, the ledger's findings, Fig. 7")
     paper.add_argument("--out", type=Path, default=Path("output"), help="folder for the figures")
     add_certify(commands)
+    add_scenes(commands)
     given = parser.parse_args(arguments)
-    if given.command == "certify":
-        return certify(given)
-    if given.command == "info":
-        for topic, text in info().items():
-            print(f"{topic:14}{text}")
-    else:
-        # here, not above: `slowflow info` needs none of it
-        from slowflow.paper.report import draw, read_ledger, report
+    try:
+        return COMMANDS[given.command](given)
+    except (OSError, UnicodeDecodeError, SceneError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        return 130
 
-        for line in report(read_ledger()):
-            print(line)
-        if find_spec("matplotlib") is None:
-            print("Figures: not drawn, since matplotlib is not installed: pip install 'slowflow[plot]'")
-        else:
-            print("Figures:", *draw(given.out))
+
+def print_info(given: argparse.Namespace) -> int:
+    """Print `info`."""
+    for topic, text in info().items():
+        print(f"{topic:14}{text}")
     return 0
+
+
+def print_paper(given: argparse.Namespace) -> int:
+    """Print the report on the paper, and draw its figure."""
+    # here, not above: `slowflow info` needs none of it
+    from slowflow.paper.report import draw, read_ledger, report
+
+    for line in report(read_ledger()):
+        print(line)
+    if find_spec("matplotlib") is None:
+        print("Figures: not drawn, since matplotlib is not installed: pip install 'slowflow[plot]'")
+    else:
+        print("Figures:", *draw(given.out))
+    return 0
+
+
+COMMANDS = {
+    "info": print_info,
+    "paper": print_paper,
+    "certify": certify,
+    "run": run_scene,
+    "explain": explain_scene,
+    "new": new_scene,
+}

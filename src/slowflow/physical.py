@@ -8,7 +8,6 @@ m, s; frequencies in Hz), or quantities of pint. Answers are `Quantities`: plain
 from __future__ import annotations
 
 import dataclasses
-import itertools
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -18,10 +17,10 @@ from typing import Any
 import numpy as np
 
 from slowflow import validate
-from slowflow.answer import PLAIN, Answer, Table, plain
+from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
-from slowflow.results import Remark, SteadyStates
+from slowflow.results import SteadyStates
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.record import Parameter, Scale
 
@@ -61,8 +60,6 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
 #: standard gravity, m/s^2
 g = 9.80665
-#: rows of an answer that are printed at most
-SHOWN = 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,11 +119,17 @@ class Quantities(Answer):
         said = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
         return {**beside, **(said if self.entry else {})}
 
+    @property
+    def has_rows(self) -> bool:
+        """Whether it has entries."""
+        return bool(self.entry)
+
+    def units_of_columns(self) -> Mapping[str, str]:
+        """`units`."""
+        return self.units
+
     def _numbers(self) -> set[str]:
         return set(self.units)
-
-    def _units(self) -> Mapping[str, str]:
-        return self.units
 
     def _content(self) -> dict[str, Any]:
         return {**self.values, "units": tuple(self.units.items())}
@@ -163,24 +166,11 @@ def _times(value: Any, size: float) -> Any:
 
 
 def _lines(shown: Quantities) -> Iterator[str]:
-    """A table of the entries, or what an answer with one holds; then what is said beside."""
-    heads = {name: f"{name}/{shown.units[name]}" if name in shown.units else name for name in shown.entry}
-    if shown.entry:
-        rows = [list(heads.values())]
-        rows += [[_text(value) for value in vars(one).values()] for one in itertools.islice(shown, SHOWN)]
-        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-        yield from ("  ".join(text.rjust(width) for text, width in zip(row, widths, strict=True)) for row in rows)
-        if len(shown) > SHOWN:
-            yield f"and {len(shown) - SHOWN} more"
+    """The answer, then those that it holds."""
+    yield from in_text(shown)
     for name, value in shown.values.items():
         if isinstance(value, Quantities):
             yield from (f"{name}:", *(f"  {line}" for line in _lines(value)))
-        elif isinstance(value, (int, float, str)) and not isinstance(value, Remark) and value != "":
-            yield f"{name:12}{_text(value)} {shown.units.get(name, '')}".rstrip()
-
-
-def _text(value: Any) -> str:
-    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 # ---- what a user gives
@@ -452,7 +442,7 @@ class Physical:
     # ---- arguments
 
     def _force(self, name: str, value: Any) -> Any:
-        return self._over(name, si(name, value, "newton"), "force")
+        return self._over(name, si(name, value, "newton"), "force", above=0.0)
 
     def _length(self, name: str, value: Any) -> Any:
         return self._over(name, si(name, value, "meter"), "length")
@@ -461,7 +451,7 @@ class Physical:
         return None if A is None else self._length("A", A)
 
     def _frequency(self, name: str, value: Any) -> Any:
-        return self._over(name, turns(name, value), "frequency")
+        return self._over(name, turns(name, value), "frequency", above=0.0)
 
     def _window(self, f: Any) -> dict[str, Any]:
         """Of frequencies, as the oscillator takes it; nothing where it has its own."""
@@ -471,11 +461,13 @@ class Physical:
             low, high = f
         except (TypeError, ValueError):
             raise ValueError(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
-        return {"Omega": (self._frequency("f[0]", low), self._frequency("f[1]", high))}
+        ends = validate.window("f", (turns("f[0]", low), turns("f[1]", high)))
+        return {"Omega": tuple(end / self.scales.sizes["frequency"] for end in ends)}
 
-    def _over(self, name: str, value: Any, kind: str) -> Any:
-        """A number as one, or an array, over what is measured in."""
+    def _over(self, name: str, value: Any, kind: str, above: float = -math.inf) -> Any:
+        """A number as one, or an array, over what it is measured in."""
         size = self.scales.sizes[kind]
         if validate.is_single(value):
-            return validate.number(name, value) / size
-        return validate.finite_array(name, value) / size
+            return validate.number(name, value, above=above) / size
+        array = validate.finite_array(name, value) if above < 0 else validate.positive_array(name, value)
+        return array / size

@@ -46,6 +46,11 @@ class Batch(Answer):
         """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
         raise NotImplementedError
 
+    @property
+    def has_rows(self) -> bool:
+        """True."""
+        return True
+
     def columns(self) -> dict[str, Any]:
         """A row for each design, in the order of the flattened arrays: its numbers, then the answer's.
 

@@ -92,6 +92,11 @@ class SteadyState(Answer):
         u, v = self._at(theta)
         return theta / self.Omega, u, v
 
+    @property
+    def has_rows(self) -> bool:
+        """True."""
+        return True
+
     def columns(self, samples: int = 400) -> dict[str, Array]:
         """tau, u and v, as `series` gives them: what `to_pandas` and `to_xarray` have."""
         return dict(zip(("tau", "u", "v"), self.series(samples), strict=True))

@@ -1,0 +1,79 @@
+"""Answers as files: in go answers with what they were asked, out come CSV and JSON, complete or not at all.
+
+A file is written under a temporary name beside its own and renamed when it is whole.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from slowflow.answer import Answer, head
+
+
+def write(path: Path, text: str) -> None:
+    """The text as a file, whole or not at all."""
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        os.chmod(name, 0o666 & ~_umask())
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def _umask() -> int:
+    """What new files are not to allow, which `mkstemp` goes beyond."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def in_csv(answers: Sequence[tuple[Mapping[str, float], Answer]]) -> str:
+    """The columns of answers to one question, one below the other, each after what it was asked at; units in the head.
+
+    Numbers have all their digits; a number that there is not is empty.
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    for asked, answer in answers:
+        columns = answer.columns()
+        units = answer.units_of_columns()
+        kept = {name: value for name, value in asked.items() if name not in columns}
+        if not text.tell():
+            writer.writerow([head(name, units) for name in (*kept, *columns)])
+        rows = zip(*(column.tolist() for column in columns.values()), strict=True)
+        writer.writerows([*kept.values(), *(_text(value) for value in row)] for row in rows)
+    return text.getvalue()
+
+
+def _text(value: Any) -> Any:
+    if isinstance(value, float):
+        return "" if math.isnan(value) else repr(value)
+    return str(value).lower() if isinstance(value, bool) else value
+
+
+def in_json(content: Any) -> str:
+    """Plain Python as JSON, which knows no NaN and no infinity: these are null, and the words "inf" and "-inf"."""
+    return json.dumps(_known(content), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _known(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {str(name): _known(part) for name, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_known(part) for part in value]
+    if isinstance(value, complex):
+        return [_known(value.real), _known(value.imag)]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None if math.isnan(value) else str(value)
+    return value

@@ -1,0 +1,323 @@
+"""Scenes: in goes a TOML file with an oscillator, forcings and the questions wanted, out come their answers.
+
+    [mount]                     # as Isolator.physical, in SI units; or [isolator], or [duffing], dimensionless
+    m = 12
+    ...
+
+    [ask]
+    F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]
+    f = [5.0]                   # Hz; Omega for these
+    questions = ["saddle_nodes", "amplitudes"]
+
+Only what is asked for is computed. A scene names no code and no expression: numbers, words, lists of these. What is
+wrong in it raises `SceneError`, which says where, what is allowed, and which known word is nearest.
+"""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+import inspect
+import re
+import tomllib
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from slowflow import validate
+from slowflow.answer import Answer
+from slowflow.averaged import plan
+from slowflow.averaged.plan import Plan
+from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
+from slowflow.physical import Quantities
+from slowflow_kernels.domains import DAMPING
+
+#: a scene to begin with
+STARTER = """\
+# slowflow run scene.toml           prints the answers
+# slowflow run scene.toml -o DIR    writes them as CSV and JSON
+# slowflow explain scene.toml       says what runs for them
+
+[mount]                 # a data sheet, in SI units: kg, N/m, m, N
+m = 12.0                # mass, for which the vertical spring is preset
+k_v = 2500.0            # vertical spring
+k_h = 1700.0            # each of the n horizontal springs
+n = 3
+L = 0.080               # push-rod
+preload = 0.009         # compression of a horizontal spring at the centre
+friction = 0.4          # dry friction; leave it out for none
+zeta = 0.02             # damping ratio; or c, in N s/m
+
+[ask]
+F = [3.0, 5.0]          # force amplitudes, N
+f = [5.0]               # frequencies, Hz, for "amplitudes"
+window = [0.5, 6.0]     # frequencies shown of a response, Hz
+questions = [
+    "at_rest",              # natural frequency, stroke, loads
+    "saddle_node_onset",    # from which force on it jumps
+    "detachment",           # from which force on its springs leave
+    "saddle_nodes",         # where it jumps
+    "peak",
+    "amplitudes",           # every motion at the frequencies, and what it transmits
+    "frequency_response",   # every branch
+]
+"""
+
+
+class SceneError(ValueError):
+    """A scene that cannot be run: which file, line, key and value, and what is allowed."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """What a scene may ask: a method of the oscillator.
+
+    forced  -- whether it is asked at each forcing
+    at      -- whether it is asked at the frequencies
+    window, samples -- whether it takes these
+    mount   -- whether only a mount knows an answer
+    """
+
+    forced: bool = True
+    at: bool = False
+    window: bool = False
+    samples: bool = False
+    mount: bool = False
+
+
+QUESTIONS: Mapping[str, Question] = {
+    "at_rest": Question(forced=False, mount=True),
+    "saddle_node_onset": Question(forced=False),
+    "detachment": Question(forced=False),
+    "saddle_nodes": Question(),
+    "peak": Question(),
+    "amplitudes": Question(at=True),
+    "frequency_response": Question(window=True, samples=True),
+    "exact_response": Question(window=True),
+    "fold_locus": Question(forced=False, samples=True),
+    "cusps": Question(forced=False),
+    "isola_points": Question(forced=False),
+}
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A table that states an oscillator.
+
+    make               -- of its keys
+    needed, more       -- keys that it needs, and others that it may have
+    forcing, frequency -- names of the keys in [ask], and of the methods' arguments
+    """
+
+    make: Callable[..., Any]
+    needed: tuple[str, ...]
+    more: tuple[str, ...]
+    forcing: str
+    frequency: str
+
+
+def _kinds() -> dict[str, Kind]:
+    damping = tuple(domain.name for domain in DAMPING)
+    given = inspect.signature(Isolator.physical).parameters
+    return {
+        "mount": Kind(
+            Isolator.physical,
+            tuple(name for name, one in given.items() if one.default is inspect.Parameter.empty),
+            tuple(name for name, one in given.items() if one.default is not inspect.Parameter.empty),
+            "F",
+            "f",
+        ),
+        "isolator": Kind(Isolator, tuple(one.name for one in ROD_SPRING.design), (*damping, "force"), "F_0", "Omega"),
+        "duffing": Kind(Duffing, tuple(one.name for one in DUFFING.design), damping, "F_0", "Omega"),
+    }
+
+
+KINDS = _kinds()
+
+
+@dataclass(frozen=True)
+class Asked:
+    """One question of a scene: at which forcing and frequencies, by the names of the arguments."""
+
+    question: str
+    arguments: Mapping[str, Any]
+
+    def numbers(self) -> dict[str, float]:
+        """The arguments that are a single number: the forcing."""
+        return {name: value for name, value in self.arguments.items() if isinstance(value, float)}
+
+    def __str__(self) -> str:
+        said = ", ".join(f"{name} = {value:g}" for name, value in self.numbers().items())
+        return f"{self.question} at {said}" if said else self.question
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A scene that can be run.
+
+    path, text -- where it is from
+    content    -- the same as plain Python
+    oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
+    asked      -- the questions, in order
+    """
+
+    path: Path
+    text: str
+    content: Mapping[str, Any]
+    oscillator: Any
+    asked: tuple[Asked, ...]
+    warnings: tuple[str, ...] = ()
+
+    def answer(self, asked: Asked) -> Answer:
+        """The answer to one of its questions, of a mount in N, mm and Hz."""
+        found: Answer = getattr(self.oscillator, asked.question)(**asked.arguments)
+        return found.in_units() if isinstance(found, Quantities) else found
+
+    def explain(self, asked: Asked) -> Plan | None:
+        """What runs for it and what is skipped; None where there is nothing to choose."""
+        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL):
+            return None
+        forcing = [value for value in asked.numbers().values()][:1]
+        found: Plan = self.oscillator.explain(asked.question, *forcing)
+        return found
+
+    def not_asked(self) -> list[str]:
+        """Questions that the scene does not ask."""
+        return [name for name in QUESTIONS if name not in {asked.question for asked in self.asked}]
+
+    @property
+    def sha256(self) -> str:
+        """Of the text."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+
+def read(path: Path) -> Scene:
+    """A scene's file. Raises SceneError for what is wrong in it, OSError where it cannot be read."""
+    text = path.read_text(encoding="utf-8")
+    try:
+        content = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise SceneError(f"{path}: this is not TOML: {error}") from None
+    return _Reader(path, text, content).scene()
+
+
+@dataclass(frozen=True)
+class _Reader:
+    path: Path
+    text: str
+    content: dict[str, Any]
+
+    def scene(self) -> Scene:
+        self._known("", self.content, (*KINDS, "ask"))
+        stated = [name for name in KINDS if name in self.content]
+        if len(stated) != 1:
+            raise self._error(
+                stated[-1] if stated else "", "", f"needs one of {_listed(KINDS, '[{}]')}, has {len(stated)}"
+            )
+        (name,) = stated
+        kind, given = KINDS[name], self._table(name)
+        self._known(name, given, (*kind.needed, *kind.more))
+        self._complete(name, given, kind.needed)
+        ask = self._table("ask")
+        self._known("ask", ask, (kind.forcing, kind.frequency, "window", "samples", "questions"))
+        self._complete("ask", ask, ("questions",))
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            oscillator = self._tried(name, given, lambda: kind.make(**given))
+        if "samples" in ask:
+            self._tried(
+                "ask", ask, lambda: validate.count("samples", ask["samples"], least=2, most=validate.MOST_SAMPLES)
+            )
+        asked = tuple(self._asked(kind, ask))
+        return Scene(self.path, self.text, self.content, oscillator, asked, tuple(str(one.message) for one in caught))
+
+    def _asked(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
+        """The questions with their arguments."""
+        questions = self._list("ask", "questions", str)
+        known = [name for name, one in QUESTIONS.items() if kind.frequency == "f" or not one.mount]
+        for name in questions:
+            if name not in known:
+                said = f"= {name!r} is not allowed: it must be one of {', '.join(known)}"
+                raise self._error("ask", "questions", said, name, known)
+            question = QUESTIONS[name]
+            for key, wanted in ((kind.forcing, question.forced), (kind.frequency, question.at)):
+                if wanted and key not in ask:
+                    raise self._error("ask", "", f"{key} is missing: {name} needs it")
+            arguments: dict[str, Any] = {}
+            if question.at:
+                arguments[kind.frequency] = self._positive(kind.frequency)
+            if question.window and "window" in ask:
+                arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
+            if question.samples and "samples" in ask:
+                arguments["samples"] = ask["samples"]
+            for forcing in self._positive(kind.forcing) if question.forced else [None]:
+                yield Asked(name, arguments if forcing is None else {kind.forcing: forcing, **arguments})
+
+    def _positive(self, key: str) -> list[float]:
+        """A list of numbers > 0."""
+        ask = self.content["ask"]
+        values = self._list("ask", key, (int, float))
+        found: list[float] = self._tried("ask", ask, lambda: [validate.number(key, v, above=0.0) for v in values])
+        return found
+
+    def _table(self, name: str) -> dict[str, Any]:
+        value = self.content.get(name)
+        if not isinstance(value, dict):
+            raise self._error(name, "", "a table is missing" if value is None else "must be a table")
+        return value
+
+    def _list(self, table: str, key: str, kind: Any) -> list[Any]:
+        """A list of numbers or words, or a single one."""
+        value = self.content[table][key]
+        values = value if isinstance(value, list) else [value]
+        if not values or not all(isinstance(one, kind) and not isinstance(one, bool) for one in values):
+            what = "words" if kind is str else "numbers"
+            raise self._error(table, key, f"= {value!r} is not allowed: {key} must be a list of {what}")
+        return values
+
+    def _known(self, table: str, given: Mapping[str, Any], known: tuple[str, ...]) -> None:
+        for key in given:
+            if key not in known:
+                where = (table, key) if table else (key, "")
+                what = f"is no key of [{table}]" if table else "is no table of a scene"
+                raise self._error(*where, f"{what}: it must be one of {', '.join(known)}", key, known)
+
+    def _complete(self, table: str, given: Mapping[str, Any], needed: tuple[str, ...]) -> None:
+        for key in needed:
+            if key not in given:
+                raise self._error(table, "", f"{key} is missing: [{table}] needs {', '.join(needed)}")
+
+    def _tried(self, table: str, given: Mapping[str, Any], make: Callable[[], Any]) -> Any:
+        """What is made of a table; the reason for a refusal begins with the key."""
+        try:
+            return make()
+        except ValueError as error:
+            key = re.split(r"[ \[]", str(error), maxsplit=1)[0]
+            line = self._line(table, key if key in given else "")
+            raise SceneError(f"{self.path}:{line}: {error}") from None
+
+    def _error(self, table: str, key: str, said: str, word: str = "", known: Any = ()) -> SceneError:
+        near = difflib.get_close_matches(word, known, 1) if word else []
+        meant = f". Did you mean {near[0]!r}?" if near else ""
+        name = key or (f"[{table}]" if table else "the scene")
+        return SceneError(f"{self.path}:{self._line(table, key)}: {name} {said}{meant}")
+
+    def _line(self, table: str, key: str) -> int:
+        """Where a table or a key of it stands; 1 where that cannot be told, as in a table on one line."""
+        inside, found = "", 1
+        for number, line in enumerate(self.text.splitlines(), start=1):
+            if head := re.match(r"\s*\[\s*([\w-]+)\s*\]", line):
+                inside = head[1]
+                if inside == table:
+                    found = number
+            elif key and inside == table and re.match(rf"\s*{re.escape(key)}\s*=", line):
+                return number
+            elif not inside and re.match(rf"\s*{re.escape(table)}\s*=", line):
+                return number
+        return found
+
+
+def _listed(names: Any, form: str) -> str:
+    return ", ".join(form.format(name) for name in names)

@@ -1,0 +1,246 @@
+"""Scenes and the command line: what they print and write, that nothing else is computed, and what they refuse."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import slowflow
+from slowflow import cli, files, scenes
+from slowflow.averaged import solvers
+from slowflow.paper.example import isolator
+
+ROOT = Path(__file__).parents[1]
+SHIPPED = sorted((ROOT / "scenes").glob("*.toml"))
+MOUNT = (ROOT / "scenes" / "mount.toml").read_text()
+
+
+def run(*arguments, capsys=None):
+    """Exit code, what is printed, and what is said beside it."""
+    code = cli.main([str(argument) for argument in arguments])
+    return code, *capsys.readouterr()
+
+
+def rows_of(path):
+    """A CSV file as dictionaries."""
+    return csv.DictReader(path.read_text().splitlines())
+
+
+@pytest.fixture
+def scene(tmp_path):
+    """A file with that text."""
+
+    def made(text: str) -> Path:
+        path = tmp_path / "scene.toml"
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return made
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_a_shipped_scene_runs(path, tmp_path, capsys):
+    code, out, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
+    content = json.loads((tmp_path / "out" / "answers.json").read_text())
+    asked = scenes.read(path).asked
+    assert (code, out) == (0, "") and err == f"{len(asked)} answers in {tmp_path / 'out'}\n"
+    assert [answer["question"] for answer in content["answers"]] == [one.question for one in asked]
+    expected = {f"{one.question}.csv" for one in asked} | {"answers.json"}
+    assert {file.name for file in (tmp_path / "out").iterdir()} == expected
+
+
+def test_the_mount_is_answered_in_newtons_millimetres_and_hertz(tmp_path, capsys):
+    run("run", ROOT / "scenes" / "mount.toml", "-o", tmp_path, capsys=capsys)
+    rows = list(rows_of(tmp_path / "saddle_nodes.csv"))
+    assert [(row["F/N"], round(float(row["f/Hz"]), 2), row["kind"]) for row in rows if row["F/N"] == "5.0"] == [
+        ("5.0", 2.18, "jump-up"),
+        ("5.0", 2.27, "jump-down"),
+    ]
+    (row,) = rows_of(tmp_path / "at_rest.csv")
+    assert float(row["x_cr/mm"]) == pytest.approx(1e3 * math.sqrt(0.080**2 - 0.071**2), rel=1e-15)
+    assert float(row["k_0/(N/m)"]) == 1926.25
+    states = list(rows_of(tmp_path / "amplitudes.csv"))
+    assert round(float(states[1]["transmissibility_dB"]), 1) == -12.8
+
+
+def test_written_numbers_have_all_digits_and_json_says_where_they_are_from(tmp_path, capsys):
+    path = ROOT / "scenes" / "table_1.toml"
+    run("run", path, "-o", tmp_path, "--quiet", capsys=capsys)
+    folds = [row for row in rows_of(tmp_path / "saddle_nodes.csv") if row["F_0"] == "0.04"]
+    assert [float(row["Omega"]) for row in folds] == isolator().saddle_nodes(0.04).Omega.tolist()
+    content = json.loads((tmp_path / "answers.json").read_text())
+    assert content["made_by"]["slowflow"] == slowflow.__version__ and content["scene"]["file"] == "table_1.toml"
+    assert (
+        content["scene"]["sha256"] == scenes.read(path).sha256 and content["scene"]["content"]["isolator"]["lam"] == 3
+    )
+    (onset,) = (answer for answer in content["answers"] if answer["question"] == "saddle_node_onset")
+    assert onset["F_SN"] == isolator().saddle_node_onset().F_SN
+
+
+def test_json_is_printed_when_wanted_and_text_otherwise(capsys):
+    code, out, _ = run("run", ROOT / "scenes" / "table_1.toml", "--json", capsys=capsys)
+    assert code == 0 and json.loads(out)["failed"] == []
+    _, out, _ = run("run", ROOT / "scenes" / "mount.toml", capsys=capsys)
+    assert "# saddle_nodes at F = 5\n f/Hz   A/mm       kind  corner\n2.181  21.19    jump-up   False" in out
+
+
+def test_only_what_is_asked_for_is_computed(scene, monkeypatch, capsys):
+    for name in ("frequency_response", "onset", "saddle_nodes", "peak", "fold_locus", "amplitudes", "extrema"):
+        monkeypatch.setattr(solvers, name, lambda *_, name=name: pytest.fail(f"{name} was computed"))
+    path = scene(MOUNT.partition("questions")[0] + 'questions = ["detachment"]\n')
+    code, out, _ = run("run", path, capsys=capsys)
+    assert code == 0 and "F_cr        4.071 N" in out
+
+
+def test_explain_tells_what_runs_what_is_skipped_and_its_time(scene, capsys):
+    path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
+    code, out, _ = run("explain", path, capsys=capsys)
+    assert code == 0 and "saddle_nodes at F = 0.3\n  force         skipped  sticks" in out and " ms\n" in out
+    assert out.endswith("not asked for, and not computed: exact_response, fold_locus, cusps, isola_points\n")
+
+
+def test_the_starter_runs_and_is_not_written_over(tmp_path, capsys):
+    path = tmp_path / "mine.toml"
+    assert run("new", path, capsys=capsys)[0] == 0 and path.read_text() == scenes.STARTER
+    assert run("run", path, capsys=capsys)[0] == 0
+    path.write_text("mine")
+    code, _, err = run("new", path, capsys=capsys)
+    assert code == 2 and "is there already" in err and path.read_text() == "mine"
+
+
+#: the commonest wrong scenes: what is replaced in a right one, by what; line and message
+WRONG = {
+    "a misspelt key": (
+        "preload = 0.009",
+        "preloda = 0.009",
+        "9: preloda is no key of [mount]: it must be one of m, k_v, k_h, L, preload, n, friction, c, zeta, load, "
+        "force. Did you mean 'preload'?",
+    ),
+    "a number outside its domain": (
+        "zeta = 0.02",
+        "zeta = -0.02",
+        "11: zeta = -0.02 is not allowed: zeta must be a finite real number >= 0",
+    ),
+    "a number as text with its unit": (
+        "m = 12.0",
+        'm = "12 kg"',
+        "4: m = '12 kg' is not allowed: m must be a finite real number > 0",
+    ),
+    "a key that is missing": (
+        "k_v = 2500.0\n",
+        "",
+        "3: [mount] k_v is missing: [mount] needs m, k_v, k_h, L, preload",
+    ),
+    "an unknown question": (
+        '"saddle_nodes"',
+        '"saddle_node"',
+        "17: questions = 'saddle_node' is not allowed: it must be one of at_rest, saddle_node_onset, detachment, "
+        "saddle_nodes, peak, amplitudes, frequency_response, exact_response, fold_locus, cusps, isola_points. "
+        "Did you mean 'saddle_nodes'?",
+    ),
+    "a decimal comma": (
+        "L = 0.080",
+        "L = 0,080",
+        " this is not TOML: Expected newline or end of document after a statement (at line 8, column 6)",
+    ),
+    "a dimensionless forcing of a mount": (
+        "F = [3.0, 5.0]",
+        "F_0 = [3.0, 5.0]",
+        "14: F_0 is no key of [ask]: it must be one of F, f, window, samples, questions",
+    ),
+    "two oscillators": (
+        "[ask]",
+        "[isolator]\n[ask]",
+        "13: [isolator] needs one of [mount], [isolator], [duffing], has 2",
+    ),
+    "a misspelt table": (
+        "[ask]",
+        "[aks]",
+        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask. Did you mean 'ask'?",
+    ),
+    "a force that is not positive": (
+        "F = [3.0, 5.0]",
+        "F = [3.0, 0.0]",
+        "14: F = 0.0 is not allowed: F must be a finite real number > 0",
+    ),
+    "a window that runs down": ("[0.5, 6.0]", "[6.0, 0.5]", "16: window[1] = 0.5 is not allowed"),
+    "a load that is off the centre": (
+        "zeta = 0.02",
+        "zeta = 0.02\nload = 24",
+        "12: load = 24 is not allowed: k_v is preset for m = 12.0, and this one would rest 47.1 mm",
+    ),
+    "forces that are none": ("F = [3.0, 5.0]", "F = []", "14: F = [] is not allowed: F must be a list of numbers"),
+    "a forcing that is missing": ("F = [3.0, 5.0]\n", "", "13: [ask] F is missing: saddle_nodes needs it"),
+    "samples that are too few": (
+        "[ask]",
+        "[ask]\nsamples = 1",
+        "14: samples = 1 is not allowed: samples must be an integer >= 2",
+    ),
+}
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_a_wrong_scene_is_refused_with_file_line_key_value_and_what_is_allowed(what, scene, capsys):
+    right, wrong, said = WRONG[what]
+    assert right in MOUNT
+    path = scene(MOUNT.replace(right, wrong))
+    for command in ("run", "explain"):
+        code, out, err = run(command, path, capsys=capsys)
+        assert (code, out) == (2, "") and err.startswith(f"{path}:{said}")
+
+
+def test_a_file_that_cannot_be_read_is_named(tmp_path, capsys):
+    code, _, err = run("run", tmp_path / "none.toml", capsys=capsys)
+    assert code == 2 and "none.toml" in err
+    (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe")
+    assert run("run", tmp_path / "bytes.toml", capsys=capsys)[0] == 2
+
+
+def test_text_of_a_scene_is_never_evaluated(scene, capsys, monkeypatch):
+    """Nothing but numbers is taken where a number is meant."""
+    monkeypatch.setattr(os, "system", lambda *_: pytest.fail("it was run"))
+    for evil in ("\"__import__('os').system('true')\"", '"1/0"', "true", "{ a = 1 }"):
+        assert run("run", scene(MOUNT.replace("m = 12.0", f"m = {evil}")), capsys=capsys)[0] == 2
+
+
+def test_a_question_without_an_answer_is_said_and_the_others_are_written(scene, tmp_path, capsys):
+    """Without damping no exact motion settles: the exit code is 1."""
+    text = MOUNT.replace("friction = 0.4\nzeta = 0.02\n", "").partition("questions")[0]
+    path = scene(text + 'questions = ["exact_response", "detachment"]\n')
+    code, _, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
+    assert code == 1 and "exact_response at F = 3: mu = 0 and zeta = 0" in err
+    content = json.loads((tmp_path / "out" / "answers.json").read_text())
+    assert len(content["failed"]) == 2 and content["answers"][0]["question"] == "detachment"
+
+
+def test_a_warning_about_the_design_is_passed_on(scene, capsys):
+    code, _, err = run("run", scene(MOUNT.replace("preload = 0.009", "preload = 0.045")), capsys=capsys)
+    assert code == 0 and "negative stiffness at rest" in err
+
+
+def test_a_file_is_written_whole_or_not_at_all(tmp_path, monkeypatch):
+    path = tmp_path / "answers.json"
+    files.write(path, "first")
+    monkeypatch.setattr(os, "replace", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
+    with pytest.raises(OSError, match="disk full"):
+        files.write(path, "second")
+    assert path.read_text() == "first" and list(tmp_path.iterdir()) == [path]
+
+
+def test_json_has_null_for_what_there_is_not():
+    text = files.in_json({"a": [math.nan, math.inf, 1.0], "b": {"c": 1 + 2j}})
+    assert json.loads(text) == {"a": [None, "inf", 1.0], "b": {"c": [1.0, 2.0]}}
+
+
+def test_the_command_line_says_its_version_and_is_a_module_too():
+    done = subprocess.run([sys.executable, "-m", "slowflow", "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout == f"slowflow {slowflow.__version__}\n"
+    helped = subprocess.run([sys.executable, "-m", "slowflow", "--help"], capture_output=True, text=True, check=True)
+    assert "Exit codes: 0 done; 1 a question that could not" in " ".join(helped.stdout.split())
