@@ -3,6 +3,7 @@
 # make derive     write generated/ anew and build what is compiled from it
 # make check      compare generated/ with fresh derivations
 # make lint       ruff and mypy
+# make figures    every figure of the paper, into output/
 # make bench      the benchmarks, docs/benchmarks.md; make bench-peers: other tools on the same problem, each installed
 #                 into an environment of its own under .venv-peers
 # make validity   averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
@@ -19,11 +20,14 @@ DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper test test-fast derive check lint bench bench-peers validity stress clean
+.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress clean
 .DELETE_ON_ERROR:
 
 paper: derive
 	$(BIN)/slowflow paper --out output
+
+figures: $(INSTALLED)
+	$(BIN)/slowflow figures --out output
 
 test: $(DEVELOPED) lint
 	$(BIN)/slowflow info

@@ -11,9 +11,10 @@ import matplotlib as mpl
 import numpy as np
 
 from benchmarks import claims_page
-from derivations.ledger import figures, measured
-from slowflow.paper import example, figure_2
-from slowflow.paper.figure_7 import RAMP
+from derivations.ledger import figures as judged
+from derivations.ledger import measured
+from slowflow import pictures
+from slowflow.paper import example, figures
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -28,6 +29,7 @@ MAP = "RdBu_r"
 #: bins of mu/(A Omega^2) that the page speaks of, by the name they have there
 BINS = (("1", 2), ("3", 4), ("5", 5))
 WINDOW_7A = (0.5, 1.3)
+FORCES = ("untruncated", "truncated")
 NAMES = {"A": "largest amplitude", "jump-up": "Omega of the jump up", "jump-down": "Omega of the jump down"}
 
 
@@ -42,8 +44,8 @@ def write(numbers: dict[str, Any], folder: Path) -> None:
         "validity_truncation": functools.partial(truncation, numbers),
         "validity_rest": functools.partial(rest, numbers),
         "fig_7a_exact": overlay_7a,
-        "fig_2a": figure_2a,
-        "fig_2b": figure_2b,
+        "fig_2a": functools.partial(of_the_paper, "2a"),
+        "fig_2b": functools.partial(of_the_paper, "2b"),
     }
     for name, draw in drawings.items():
         figure = draw()
@@ -112,7 +114,10 @@ def second(numbers: dict[str, Any]) -> Any:
     ratios = _axis(found, "ratio")
     figure, axes = plt.subplots(1, 3, figsize=(14, 4.2), layout="constrained", sharey=True)
     for ax, (quantity, title) in zip(axes, NAMES.items(), strict=True):
-        for kind, name, colour in (("exact", "averaging", "0.45"), ("second", "second approximation", RAMP(0.5))):
+        for kind, name, colour in (
+            ("exact", "averaging", "0.45"),
+            ("second", "second approximation", pictures.COLOURS[0]),
+        ):
             sizes = [
                 [
                     abs(cell[kind][quantity])
@@ -208,7 +213,7 @@ def rest(numbers: dict[str, Any]) -> Any:
         for k, (ratio, row) in enumerate(zip(pool["ratios"], pool["both"], strict=True)):
             values = [np.nan if cell[quantity] is None else 100 * cell[quantity] for cell in row]
             end = pool["ratios"][k + 1] if k + 1 < len(pool["ratios"]) else np.pi / 4
-            colour = RAMP(0.1 + 0.9 * k / (len(pool["ratios"]) - 1))
+            colour = pictures.ramp(len(pool["ratios"]))[k]
             ax.plot(at, values, marker="o", markersize=3, color=colour, label=f"{ratio:.3g} to {end:.3g}")
         ax.axvline(1, color="0.6", linewidth=0.8)
         ax.set(xscale="log", yscale="log", xlabel="mu/(A Omega^2)", title=title)
@@ -219,46 +224,32 @@ def rest(numbers: dict[str, Any]) -> Any:
 
 
 def overlay_7a() -> Any:
-    """Fig. 7a: averaged curves dashed, exact ones solid with the untruncated force, dotted with the truncated one."""
-    isolator = example.isolator()
-    onset, detachment = isolator.saddle_node_onset(), isolator.detachment()
-    forcings = [value for value in (onset.F_SN, 0.025, detachment.F_cr, 0.04, 0.05) if value is not None]
+    """Fig. 7a: bands are the equation of motion with the untruncated force, in colour that with the truncated one."""
+    isolator, forcings = example.isolator(), figures.forcings()
     figure, axes = plt.subplots(1, 2, figsize=(14, 6), layout="constrained")
     for ax in axes:
-        for k, F_0 in enumerate(forcings):
-            colour = RAMP(0.15 + 0.8 * k / (len(forcings) - 1))
-            for force, style, width in (("untruncated", "-", 2.2), ("truncated", ":", 1.6)):
-                curve = isolator.exact_response(F_0, Omega=WINDOW_7A, force=force)
-                label = f"F_0 = {F_0:.4g}" if force == "untruncated" else None
-                ax.plot(curve.Omega, curve.A, style, color=colour, linewidth=width, alpha=0.9, label=label)
+        for F_0, colour in zip(forcings, pictures.ramp(len(forcings)), strict=True):
+            exact = {force: isolator.exact_response(F_0, Omega=WINDOW_7A, force=force) for force in FORCES}
             averaged = isolator.frequency_response(F_0, Omega=WINDOW_7A)
-            for branch in np.unique(averaged.branch):
-                on = averaged.branch == branch
-                ax.plot(averaged.Omega[on], averaged.A[on], "--", color="black", linewidth=0.8)
-        ax.axhline(isolator.u_cr, color="0.5", linewidth=0.8)
-        ax.set(xlabel="frequency Omega", ylabel="amplitude A")
-    axes[0].set(xlim=WINDOW_7A, ylim=(0, 0.75), title="solid: exact, (5); dotted: exact, (6); dashed: averaged, (6)")
-    axes[0].legend()
+            figures.band(ax, exact["untruncated"], colour)
+            one = exact["truncated"]
+            pictures.curve(ax, one.Omega, one.A, one.stable, colour=colour, name=f"{F_0:.4g}")
+            pictures.curve(
+                ax, averaged.Omega, averaged.A, averaged.stable, averaged.branch, colour=pictures.COLOURS[1], width=0.8
+            )
+        ax.set(xlabel=pictures.label("Omega"), ylabel=pictures.label("A"))
+    axes[0].set(xlim=WINDOW_7A, ylim=(0, 0.75), title="bands: (5); in their colours: (6); red: averaged, (6)")
     axes[1].set(xlim=(0.86, 1.03), ylim=(0.3, 0.68), title="the same near resonance")
+    for ax in axes:
+        pictures.breakpoints(ax, isolator.breakpoints)
+    pictures.legend(axes[1], "$F_0$")
     return figure
 
 
-def figure_2a() -> Any:
+def of_the_paper(name: str) -> Any:
+    """A figure of the paper, as `slowflow figures` draws it."""
     figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    figure_2.figure_2a(ax)
-    ax.set(ylim=(0, 5), title="solid: exact (dotted: with stops); circles: Den Hartog (35); dashed: averaged")
-    return figure
-
-
-def figure_2b() -> Any:
-    """delta_h = 1/(6 r) and zeta = 0.02 as in the paper, at F_0 = 0.04, for several mu."""
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    pairs = []
-    for mu in (0.004, 0.012, 0.02, 0.028):
-        averaged = example.isolator(mu=mu)
-        pairs.append((averaged, averaged.equation_of_motion("untruncated")))
-    figure_2.figure_2b(ax, tuple(pairs), 0.04, (0.4, 1.5))
-    ax.set(title="solid: exact, untruncated force (dotted: with stops); dashed: averaged", ylim=(0, 1.3))
+    figures.FIGURES[name].draw(ax)
     return figure
 
 
@@ -409,6 +400,6 @@ def page(numbers: dict[str, Any]) -> str:
         truncated=truncated,
         at_table_1=at_table_1,
         claims=claims_page.section(),
-        F_SN=figures.percent(abs(measured.load()["figure_7a"]["F_SN"]["off"])),
+        F_SN=judged.percent(abs(measured.load()["figure_7a"]["F_SN"]["off"])),
         **_corners(numbers),
     )

@@ -22,7 +22,7 @@ FLOORS = (
     ("answer",),
     ("model",),
     ("validate",),
-    ("mechanism", "backend"),
+    ("mechanism", "backend", "pictures"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

@@ -180,6 +180,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     commands.add_parser("info", help="the backend in use, versions, how the compiled code was built")
     paper = commands.add_parser("paper", help="Table 2 published / derived / verdict, the ledger's findings, Fig. 7")
     paper.add_argument("--out", type=Path, default=Path("output"), help="folder for the figures")
+    figures = commands.add_parser("figures", help="Figs. 1b to 7b of the paper, drawn from the derivation")
+    figures.add_argument("--out", type=Path, default=Path("output"), help="folder for the figures")
     add_certify(commands)
     add_scenes(commands)
     given = parser.parse_args(arguments)
@@ -200,22 +202,42 @@ def print_info(given: argparse.Namespace) -> int:
 
 
 def print_paper(given: argparse.Namespace) -> int:
-    """Print the report on the paper, and draw its figure."""
+    """Print the report on the paper, and draw Fig. 7."""
     # here, not above: `slowflow info` needs none of it
-    from slowflow.paper.report import draw, read_ledger, report
+    from slowflow.paper.report import read_ledger, report
 
     for line in report(read_ledger()):
         print(line)
+    draw(given.out, ("7a", "7b"))
+    return 0
+
+
+def draw_figures(given: argparse.Namespace) -> int:
+    """Draw every figure of the paper, and say with which parameters; 1 without Matplotlib."""
+    if not draw(given.out):
+        return 1
+    from slowflow.paper.figures import FIGURES
+
+    for name, figure in FIGURES.items():
+        print(f"Fig. {name}: {figure.caption}{f'; chosen here: {figure.chosen}' if figure.chosen else ''}")
+    return 0
+
+
+def draw(folder: Path, names: Sequence[str] = ()) -> bool:
+    """Draw figures of the paper, all without names, and say which files they are in; False without Matplotlib."""
     if find_spec("matplotlib") is None:
         print("Figures: not drawn, since matplotlib is not installed: pip install 'slowflow[plot]'")
-    else:
-        print("Figures:", *draw(given.out))
-    return 0
+        return False
+    from slowflow.paper import figures
+
+    print("Figures:", *figures.draw(folder, names or tuple(figures.FIGURES)))
+    return True
 
 
 COMMANDS = {
     "info": print_info,
     "paper": print_paper,
+    "figures": draw_figures,
     "certify": certify,
     "run": run_scene,
     "explain": explain_scene,

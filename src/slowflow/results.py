@@ -15,6 +15,7 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from slowflow import validate
 from slowflow.answer import Answer, Single, Table, frozen
 from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
@@ -210,6 +211,8 @@ class Measures(Protocol):
         ...
 
 
+#: what may be drawn of a response curve
+DRAWN = ("A", "phi", "transmissibility", "transmissibility_dB")
 #: an answer of averaging alone, which knows no equation of motion
 NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion is known to measure it against"
 
@@ -287,6 +290,19 @@ class FrequencyResponse(SteadyStates):
     F_0: float
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
+
+    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
+        """Draw the curve into Matplotlib axes, or new ones, and return these; stable is solid, unstable dashed.
+
+        of -- what is drawn over Omega: "A", "phi", "transmissibility" or "transmissibility_dB"
+
+        Raises ValueError for another one, ImportError without Matplotlib.
+        """
+        from slowflow import pictures
+
+        ax = pictures.responses(ax, [(self, None)], validate.choice("of", of, DRAWN))
+        pictures.legend(ax, "$F_0$")
+        return ax
 
 
 @dataclass(frozen=True, eq=False)
@@ -413,6 +429,12 @@ class SaddleNodes(Table):
             raise ValueError(NOT_ASKED)
         return self._asked.measured_folds(self, force)
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the folds, A over Omega, into Matplotlib axes, or new ones, and return these."""
+        from slowflow import pictures
+
+        return pictures.folds(ax, self)
+
 
 @dataclass(frozen=True, eq=False)
 class SecondStates(Table):
@@ -499,6 +521,15 @@ class FoldLocus(Table):
     F_0: Floats
     branch: npt.NDArray[np.intp]
     message: str
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw F_0 over Omega into Matplotlib axes, or new ones, and return these.
+
+        The axes end at four times the least forcing: the locus goes on to forcings and frequencies without a bound.
+        """
+        from slowflow import pictures
+
+        return pictures.locus(ax, self)
 
 
 @dataclass(frozen=True, eq=False)

@@ -42,6 +42,20 @@ class Batch(Answer):
     _designs: Designs = field(repr=False, kw_only=True)
     _F_0: Any = field(repr=False, kw_only=True, default=np.nan)
 
+    def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
+        """Draw a number of each design over two parameters into Matplotlib axes, or new ones, and return these.
+
+        x, y -- names of parameters, or "F_0": each varies along one axis of the batch, and nothing else varies
+        of   -- which number: a column, as "F_SN"
+
+        Grey is where there is no answer. Raises ValueError for another name, and for a batch that is no such grid.
+        """
+        from slowflow import pictures
+
+        numbers = [name for name, value in vars(self).items() if not name.startswith("_") and value.dtype == float]
+        values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
+        return pictures.design_map(ax, *self._designs.grid(x, y, of, values, self._F_0))
+
     def _found(self) -> tuple[Any, Any, Any]:
         """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
         raise NotImplementedError
@@ -235,6 +249,29 @@ class Designs:
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*design))
             return remarks.of_designs(self.mechanism, parameters, mu, F_0, Omega, A, corner)
+
+    def grid(
+        self, x: str, y: str, of: str, values: Floats, F_0: Any
+    ) -> tuple[tuple[str, Floats], tuple[str, Floats], tuple[str, Floats]]:
+        """Two parameters that span the designs and values over these, each with its name, for a map."""
+        given = {**self.values, "F_0": F_0}
+        if values.ndim != 2 or x == y:
+            raise ValueError(f"{of} over {x!r} and {y!r} is no map: a batch of two axes spanned by them is wanted")
+        spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in given.items()}
+        lines = {}
+        for name in (x, y):
+            along = spread[validate.choice("a parameter of the map", name, tuple(spread))]
+            axis = 1 if np.array_equal(along, np.broadcast_to(along[:1], values.shape), equal_nan=True) else 0
+            line = along[0] if axis == 1 else along[:, 0]
+            if not np.array_equal(along, np.broadcast_to(line if axis else line[:, np.newaxis], values.shape)):
+                raise ValueError(f"{name} is no axis of the map: it varies along both axes of the batch")
+            lines[name] = axis, np.asarray(line)
+        if lines[x][0] == lines[y][0]:
+            raise ValueError(f"{x} and {y} vary along the same axis of the batch, or one of them does not vary")
+        for name, value in spread.items():
+            if name not in lines and not np.all((value == value.flat[0]) | np.isnan(value)):
+                raise ValueError(f"{name} varies too: a map is over two parameters")
+        return (x, lines[x][1]), (y, lines[y][1]), (of, values if lines[x][0] == 1 else values.T)
 
     def _ask(self, question: Question, workers: int, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
         threads = _threads(workers)

@@ -19,6 +19,7 @@ from slowflow import validate
 from slowflow.averaged import plan, proofs, remarks, solvers, words
 from slowflow.model import Floats, Model
 from slowflow.results import (
+    DRAWN,
     Certificate,
     Cusps,
     Detachment,
@@ -256,6 +257,28 @@ class Averaged:
         h, h_A, _, _ = self.model.averaged(A)
         margin = self.model.flow.stability(Omega, A, self.model.m, self.zeta, h, h_A)
         return _in_range("the left side of (30)", margin)
+
+    def plot(self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Any = None) -> Any:
+        """Draw the response at one forcing, or at each of several, into Matplotlib axes, or new ones; return these.
+
+        of -- what is drawn over Omega: "A", "phi", "transmissibility" or "transmissibility_dB"
+
+        Stable is solid, unstable dashed, folds are triangles that point where a sweep jumps. With the amplitude: tinted
+        beyond u_cr, and where friction would hold the mass where it turns, A Omega^2 < mu. Raises ValueError as
+        `frequency_response`, ImportError without Matplotlib.
+        """
+        from slowflow import pictures
+
+        forcings = validate.positive_array("F_0", F_0).ravel().tolist()
+        validate.choice("of", of, DRAWN)
+        found = [(self.frequency_response(F, Omega=Omega), self.saddle_nodes(F)) for F in forcings]
+        ax = pictures.responses(ax, found, of)
+        ax.set_xlim(Omega)
+        if of == "A":
+            pictures.breakpoints(ax, self.breakpoints)
+            pictures.stopping(ax, self.mu)
+        pictures.legend(ax, "$F_0$")
+        return ax
 
     def explain(self, question: str, F_0: float | None = None) -> plan.Plan:
         """What runs for a question, what is skipped, and why. Print it; the question itself follows this plan.

@@ -96,6 +96,17 @@ class Response(Table):
         point = self.states[index]
         return describe(point.cycle, point.z, self.F_0, point.monodromy)
 
+    def plot(self, ax: Any = None) -> Any:
+        """Draw A over Omega into Matplotlib axes, or new ones, and return these.
+
+        Stable is solid, unstable dashed; bars where the mass stops within the cycle; folds are triangles.
+        """
+        from slowflow import pictures
+
+        ax = pictures.motions(ax, self)
+        pictures.legend(ax)
+        return ax
+
     @functools.cached_property
     def peak(self) -> SteadyState:
         """The highest motion of the curve, stable or not, found between its points too, whatever their distance.

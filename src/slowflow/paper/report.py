@@ -1,4 +1,4 @@
-"""The paper's example beside slowflow's: in goes a folder, out come Table 2 with verdicts, and Fig. 7.
+"""The paper's example beside slowflow's: in goes the ledger, out comes Table 2 with verdicts.
 
 The numbers are the runtime's; the verdicts are the ledger's, which has the same numbers certified. Where the two
 disagree the report fails.
@@ -11,16 +11,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import resources
-from pathlib import Path
 from typing import Any
 
 from slowflow.isolator import Isolator
 from slowflow.paper import example
 from slowflow.results import SaddleNodes
 
-#: frequencies and amplitudes shown in Fig. 7
-WINDOW = (0.6, 1.2)
-A_MAX = 1.0
 #: the ledger prints 12 significant digits
 LEDGER_DIGITS = 12
 #: numbers of Section 4.3 that Table 2 rests on, by their names in the ledger
@@ -96,33 +92,3 @@ def read_ledger() -> dict[str, Any]:
     text = resources.files("slowflow_kernels").joinpath("ledger.json").read_text(encoding="utf-8")
     ledger: dict[str, Any] = json.loads(text)
     return ledger
-
-
-def draw(folder: Path) -> list[Path]:
-    """Fig. 7a and 7b as PNG and SVG; the files written."""
-    import matplotlib as mpl
-
-    mpl.use("Agg")
-    import matplotlib.pyplot as plt
-
-    from slowflow.paper import figure_7 as plot
-
-    isolator = example.isolator()
-    onset, detachment = isolator.saddle_node_onset(), isolator.detachment()
-    forcings = [value for value in (onset.F_SN, 0.025, detachment.F_cr, 0.04, 0.05) if value is not None]
-    folder.mkdir(parents=True, exist_ok=True)
-    written = []
-    # the same picture has the same bytes
-    with mpl.rc_context({"svg.hashsalt": "slowflow", "svg.fonttype": "path"}):
-        for name in ("fig_7a", "fig_7b"):
-            figure, ax = plt.subplots(figsize=(6.4, 4.4), layout="constrained")
-            if name == "fig_7a":
-                plot.amplitude_curves(ax, isolator, forcings, WINDOW, A_MAX)
-            else:
-                plot.phase_curves(ax, isolator, forcings, WINDOW)
-            for suffix in ("png", "svg"):
-                path = folder / f"{name}.{suffix}"
-                figure.savefig(path, dpi=160, metadata={"Date": None} if suffix == "svg" else {"Software": None})
-                written.append(path)
-            plt.close(figure)
-    return written
