@@ -27,6 +27,7 @@ MODULES = (
     "slowflow.averaged.questions",
     "slowflow.results",
     "slowflow.answer",
+    "slowflow.loads",
     "slowflow.measured.validity",
     "slowflow.averaged.many",
     "slowflow.scenes",

@@ -15,7 +15,7 @@ FLOORS = (
     ("isolator",),
     ("physical",),
     ("oscillator",),
-    ("exact", "second"),
+    ("exact", "second", "loads"),
     ("averaged",),
     ("results",),
     ("measured", "files"),

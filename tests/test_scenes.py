@@ -96,14 +96,15 @@ def test_only_what_is_asked_for_is_computed(scene, monkeypatch, capsys):
         monkeypatch.setattr(solvers, name, lambda *_, name=name: pytest.fail(f"{name} was computed"))
     path = scene(MOUNT.partition("questions")[0] + 'questions = ["detachment"]\n')
     code, out, _ = run("run", path, capsys=capsys)
-    assert code == 0 and "F_cr        4.071 N" in out
+    assert code == 0 and "F_cr          4.071 N" in out
 
 
 def test_explain_tells_what_runs_what_is_skipped_and_its_time(scene, capsys):
     path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "saddle_nodes at F = 0.3\n  force         skipped  sticks" in out and " ms\n" in out
-    assert out.endswith("not asked for, and not computed: exact_response, fold_locus, cusps, isola_points\n")
+    left = "margins, hysteresis, isolation, spectrum, exact_response, fold_locus, cusps, isola_points"
+    assert out.endswith(f"not asked for, and not computed: {left}\n")
 
 
 def test_the_starter_runs_and_is_not_written_over(tmp_path, capsys):
@@ -142,8 +143,8 @@ WRONG = {
         '"saddle_nodes"',
         '"saddle_node"',
         "17: questions = 'saddle_node' is not allowed: it must be one of at_rest, saddle_node_onset, detachment, "
-        "saddle_nodes, peak, amplitudes, frequency_response, exact_response, fold_locus, cusps, isola_points. "
-        "Did you mean 'saddle_nodes'?",
+        "saddle_nodes, peak, margins, hysteresis, isolation, amplitudes, frequency_response, spectrum, exact_response, "
+        "fold_locus, cusps, isola_points. Did you mean 'saddle_nodes'?",
     ),
     "a decimal comma": (
         "L = 0.080",
@@ -163,7 +164,8 @@ WRONG = {
     "a misspelt table": (
         "[ask]",
         "[aks]",
-        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask. Did you mean 'ask'?",
+        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum. "
+        "Did you mean 'ask'?",
     ),
     "a force that is not positive": (
         "F = [3.0, 5.0]",
@@ -177,6 +179,16 @@ WRONG = {
         "12: load = 24 is not allowed: k_v is preset for m = 12.0, and this one would rest 47.1 mm",
     ),
     "forces that are none": ("F = [3.0, 5.0]", "F = []", "14: F = [] is not allowed: F must be a list of numbers"),
+    "a spectrum without its pairs": (
+        'questions = ["at_rest"',
+        'questions = ["spectrum"',
+        "1: [spectrum] a table is missing",
+    ),
+    "a spectrum with pairs that are none": (
+        'questions = ["at_rest"',
+        'spectrum = { f = [1.0, 2.0], F = [1.0] }\nquestions = ["at_rest"',
+        "17: spectrum is no key of [ask]",
+    ),
     "a forcing that is missing": ("F = [3.0, 5.0]\n", "", "13: [ask] F is missing: saddle_nodes needs it"),
     "samples that are too few": (
         "[ask]",
@@ -218,6 +230,23 @@ def test_a_question_without_an_answer_is_said_and_the_others_are_written(scene, 
     assert code == 1 and "exact_response at F = 3: mu = 0 and zeta = 0" in err
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
     assert len(content["failed"]) == 2 and content["answers"][0]["question"] == "detachment"
+
+
+def test_a_load_spectrum_is_a_table_of_pairs(scene, tmp_path, capsys):
+    text = (
+        MOUNT.partition("questions")[0]
+        + 'questions = ["spectrum"]\n\n[spectrum]\nf = [2.0, 2.2, 5.0]\nF = [5, 5, 0.3]\n'
+    )
+    assert run("run", scene(text), "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")
+    rows = list(rows_of(tmp_path / "out" / "spectrum.csv"))
+    assert [(row["f/Hz"], row["F/N"], row["motions"], row["sticks"]) for row in rows] == [
+        ("2.0", "5.0", "1", "false"),
+        ("2.2", "5.0", "2", "false"),
+        ("5.0", "0.3", "0", "true"),
+    ]
+    assert [row["crosses"] for row in rows[:2]] == ["false", "true"] and rows[2]["transmissibility_dB"] == ""
+    code, _, err = run("run", scene(text.replace("F = [5, 5, 0.3]", "F = [5, 5]")), capsys=capsys)
+    assert code == 2 and ":21: F has 2 numbers, and f has 3: they are pairs" in err
 
 
 def test_a_warning_about_the_design_is_passed_on(scene, capsys):

@@ -158,7 +158,7 @@ def in_text(answer: Answer) -> Iterator[str]:
     if not answer.has_rows:
         for name, (value,) in answer.columns().items():
             if name != "remarks" and str(value) not in ("", "nan"):
-                yield f"{name:12}{_short(value)} {units.get(name, '')}".rstrip()
+                yield f"{name:14}{_short(value)} {units.get(name, '')}".rstrip()
         return
     columns = answer.columns()
     rows = [[head(name, units) for name in columns]]

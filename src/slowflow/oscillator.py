@@ -26,7 +26,7 @@ from slowflow.results import (
 )
 
 if TYPE_CHECKING:
-    from slowflow import exact
+    from slowflow import exact, loads
     from slowflow.second import SecondApproximation
 
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
@@ -181,6 +181,44 @@ class Oscillator(Averaged):
         from slowflow.exact import questions
 
         return questions.sweep(self.equation_of_motion(force), Omega, F_0)
+
+    def margins(self, F_0: float) -> loads.Margins:
+        """How far F_0 is from the lowest forcing that has a fold, F_SN, and from that which lifts the springs, F_cr.
+
+        `.of_SN` and `.of_cr` are these over F_0. Raises ValueError for F_0 <= 0.
+        """
+        from slowflow import loads
+
+        return loads.margins(self, F_0)
+
+    def hysteresis(self, F_0: float) -> loads.Hysteresis:
+        """The bands of frequencies at F_0 with several stable motions: .Omega_low .Omega_high .motions.
+
+        A sweep jumps at their ends, see `saddle_nodes`. Raises ValueError for F_0 <= 0.
+        """
+        from slowflow import loads
+
+        return loads.hysteresis(self, F_0)
+
+    def isolation(self, F_0: float) -> loads.Isolation:
+        """The frequency from which on every stable motion at F_0 transmits less than F_0, .Omega, and .A there.
+
+        Of the transmitted force the fundamental harmonic counts. For a linear spring it is sqrt(2) times the natural
+        frequency. Raises ValueError for F_0 <= 0.
+        """
+        from slowflow import loads
+
+        return loads.isolation(self, F_0)
+
+    def spectrum(self, *, Omega: Any, F_0: Any) -> loads.Spectrum:
+        """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
+
+        Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.loads.Spectrum`.
+        Raises ValueError for numbers <= 0 and for shapes that do not broadcast.
+        """
+        from slowflow import loads
+
+        return loads.spectrum(self, Omega, F_0)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it, which knows whom it was asked of."""

@@ -47,6 +47,8 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "v": ("v", "speed"),
         "tau": ("t", "time"),
         "Omega": ("f", "frequency"),
+        "Omega_low": ("f_low", "frequency"),
+        "Omega_high": ("f_high", "frequency"),
         "Omega_cr": ("f_cr", "frequency"),
         "F_0": ("F", "force"),
         **{name: (name, "force") for name in ("F_SN", "F_cr", "break_loose", "sticking")},
@@ -296,6 +298,7 @@ class Physical:
         preset      -- by how much k_v is compressed to hold the mass at the centre, m g/k_v
         lightest, heaviest -- masses that would rest at -x_cr and x_cr, k_v being preset for m
         break_loose -- the constant force that friction holds
+        rests_within -- how far from the centre friction holds the mass at rest
         sticking    -- the force amplitude up to which averaging has the mass at rest (27)
         """
         oscillator, m, k_v = self.oscillator, self.scales.m, self.scales.k_v
@@ -314,21 +317,25 @@ class Physical:
         beyond = None if u_cr is None else k_v * found.x_cr / g
         values = {
             **found.values,
+            "rests_within": self._resting(oscillator.mu),
             "k_0": k_v * stiffness,
             "preset": m * g / k_v,
             "lightest": None if beyond is None else m - beyond,
             "heaviest": None if beyond is None else m + beyond,
         }
-        units = {**found.units, "k_0": "N/m", "preset": "m", "lightest": "kg", "heaviest": "kg"}
+        units = {**found.units, "k_0": "N/m", "rests_within": "m", "preset": "m", "lightest": "kg", "heaviest": "kg"}
         return Quantities(values, units, oscillator)
 
     def sag(self, load: Any) -> float:
         """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""
+        load = validate.number("load", si("load", load, "kilogram"), above=0.0)
+        return self._resting((load - self.scales.m) * g / self.scales.sizes["force"])
+
+    def _resting(self, weight: float) -> float:
+        """A place, in m, at which the spring force (5) over k_v L is this; there may be several."""
         # here, not above: `import slowflow` does without SciPy
         from scipy.optimize import brentq
 
-        load = validate.number("load", si("load", load, "kilogram"), above=0.0)
-        weight = (load - self.scales.m) * g / self.scales.sizes["force"]
         force = self.oscillator.restoring_force("untruncated")
         far = abs(weight) + 1.0 + (force.breakpoints[-1] if force.breakpoints else 0.0)
         u = float(brentq(lambda u: math.copysign(force.value(abs(u)), u) - weight, -far, far))
@@ -438,6 +445,23 @@ class Physical:
         said = {name: getattr(found, name) for name in (*entry, "F_0")}
         jumps = np.array(found.jumps).reshape(-1, 2)
         return self.scales.named({**said, "jumps": jumps}, found, entry)
+
+    def margins(self, F: Any) -> Quantities:
+        """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
+        return self.scales.quantities(self.oscillator.margins(self._force("F", F)))
+
+    def hysteresis(self, F: Any) -> Quantities:
+        """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
+        return self.scales.quantities(self.oscillator.hysteresis(self._force("F", F)))
+
+    def isolation(self, F: Any) -> Quantities:
+        """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
+        return self.scales.quantities(self.oscillator.isolation(self._force("F", F)))
+
+    def spectrum(self, *, f: Any, F: Any) -> Quantities:
+        """A load spectrum, row by row, see `Oscillator.spectrum`."""
+        Omega, F_0 = self._frequency("f", f), self._force("F", F)
+        return self.scales.quantities(self.oscillator.spectrum(Omega=Omega, F_0=F_0))
 
     # ---- arguments
 

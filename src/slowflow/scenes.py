@@ -7,7 +7,11 @@
     [ask]
     F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]
     f = [5.0]                   # Hz; Omega for these
-    questions = ["saddle_nodes", "amplitudes"]
+    questions = ["saddle_nodes", "amplitudes", "spectrum"]
+
+    [spectrum]                  # pairs, one tone at a time
+    f = [2.0, 2.2, 5.0]
+    F = [5.0, 5.0, 3.0]
 
 Only what is asked for is computed. A scene names no code and no expression: numbers, words, lists of these. What is
 wrong in it raises `SceneError`, which says where, what is allowed, and which known word is nearest.
@@ -59,6 +63,9 @@ questions = [
     "saddle_node_onset",    # from which force on it jumps
     "detachment",           # from which force on its springs leave
     "saddle_nodes",         # where it jumps
+    "margins",              # how far a force is from these
+    "hysteresis",           # frequencies with several motions
+    "isolation",            # from which frequency on it transmits less than the force
     "peak",
     "amplitudes",           # every motion at the frequencies, and what it transmits
     "frequency_response",   # every branch
@@ -77,6 +84,7 @@ class Question:
     forced  -- whether it is asked at each forcing
     at      -- whether it is asked at the frequencies
     window, samples -- whether it takes these
+    spectrum -- whether it is asked at the pairs of [spectrum]
     mount   -- whether only a mount knows an answer
     """
 
@@ -84,6 +92,7 @@ class Question:
     at: bool = False
     window: bool = False
     samples: bool = False
+    spectrum: bool = False
     mount: bool = False
 
 
@@ -93,8 +102,12 @@ QUESTIONS: Mapping[str, Question] = {
     "detachment": Question(forced=False),
     "saddle_nodes": Question(),
     "peak": Question(),
+    "margins": Question(),
+    "hysteresis": Question(),
+    "isolation": Question(),
     "amplitudes": Question(at=True),
     "frequency_response": Question(window=True, samples=True),
+    "spectrum": Question(forced=False, spectrum=True),
     "exact_response": Question(window=True),
     "fold_locus": Question(forced=False, samples=True),
     "cusps": Question(forced=False),
@@ -210,7 +223,7 @@ class _Reader:
     content: dict[str, Any]
 
     def scene(self) -> Scene:
-        self._known("", self.content, (*KINDS, "ask"))
+        self._known("", self.content, (*KINDS, "ask", "spectrum"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             raise self._error(
@@ -248,6 +261,8 @@ class _Reader:
             arguments: dict[str, Any] = {}
             if question.at:
                 arguments[kind.frequency] = self._positive(kind.frequency)
+            if question.spectrum:
+                arguments = self._spectrum(kind)
             if question.window and "window" in ask:
                 arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
             if question.samples and "samples" in ask:
@@ -255,11 +270,24 @@ class _Reader:
             for forcing in self._positive(kind.forcing) if question.forced else [None]:
                 yield Asked(name, arguments if forcing is None else {kind.forcing: forcing, **arguments})
 
-    def _positive(self, key: str) -> list[float]:
+    def _spectrum(self, kind: Kind) -> dict[str, Any]:
+        """The pairs of a load spectrum."""
+        table = self._table("spectrum")
+        names = (kind.frequency, kind.forcing)
+        self._known("spectrum", table, names)
+        self._complete("spectrum", table, names)
+        pairs = {name: self._positive(name, "spectrum") for name in names}
+        lengths = [len(values) for values in pairs.values()]
+        if lengths[0] != lengths[1]:
+            said = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
+            raise self._error("spectrum", names[1], said)
+        return pairs
+
+    def _positive(self, key: str, table: str = "ask") -> list[float]:
         """A list of numbers > 0."""
-        ask = self.content["ask"]
-        values = self._list("ask", key, (int, float))
-        found: list[float] = self._tried("ask", ask, lambda: [validate.number(key, v, above=0.0) for v in values])
+        values = self._list(table, key, (int, float))
+        given = self.content[table]
+        found: list[float] = self._tried(table, given, lambda: [validate.number(key, v, above=0.0) for v in values])
         return found
 
     def _table(self, name: str) -> dict[str, Any]:

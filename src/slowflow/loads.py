@@ -1,0 +1,273 @@
+"""What an engineer asks of an oscillator under a load: margins, hysteresis, isolation, a load spectrum.
+
+In:  an averaged oscillator, forcings, frequencies. Out: records, from the averaged answers alone.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from scipy.optimize import brentq
+
+from slowflow import validate
+from slowflow.answer import Single, Table
+from slowflow.averaged import words
+from slowflow.averaged.questions import Averaged
+from slowflow.mechanism import Floats
+from slowflow.results import joined
+
+Flags = npt.NDArray[np.bool_]
+
+ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
+ISOLATES = "every motion transmits less than the force"
+#: frequencies looked at, over the highest one at which anything can be transmitted in full
+BEYOND = 1.1
+#: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
+SAMPLES = 2000
+#: steps between two rows of a load spectrum
+STEPS = 16
+
+
+@dataclass(frozen=True, eq=False)
+class Margins(Single):
+    """How far a forcing is from what it should not reach; None where there is no such forcing.
+
+    F_SN, F_cr  -- the lowest forcing that has a fold, and that lifts the springs
+    of_SN, of_cr -- these over F_0: above 1 there is a margin
+    kind        -- of the onset, as in `SaddleNodeOnset`
+    folds       -- number of folds at F_0
+    detaches    -- whether a stable motion at F_0 passes u_cr, isolated curves included
+    sticks      -- whether the mass does not move at all
+    message     -- what to bear in mind
+    """
+
+    F_0: float
+    F_SN: float | None
+    F_cr: float | None
+    of_SN: float | None
+    of_cr: float | None
+    kind: str
+    folds: int
+    detaches: bool
+    sticks: bool
+    message: str
+
+
+class Band(NamedTuple):
+    """A band of frequencies with several stable motions, as in `Hysteresis`."""
+
+    Omega_low: float
+    Omega_high: float
+    motions: int
+
+
+@dataclass(frozen=True, eq=False)
+class Hysteresis(Table):
+    """Bands of frequencies in which more than one motion is stable: which of them is seen depends on what was before.
+
+    Omega_low, Omega_high -- ends of the band, both folds, or 0
+    motions -- number of stable ones in it
+    """
+
+    entry: ClassVar[Any] = Band
+
+    Omega_low: Floats
+    Omega_high: Floats
+    motions: npt.NDArray[np.intp]
+    F_0: float
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class Isolation(Single):
+    """From where on every stable motion transmits less than the force.
+
+    Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion
+    A     -- the amplitude there
+    at_fold -- whether a motion that transmits more ends there in a fold, and does not pass transmissibility 1
+    """
+
+    Omega: float | None
+    A: float | None
+    at_fold: bool
+    F_0: float
+    message: str
+
+
+class Load(NamedTuple):
+    """A row of `Spectrum`."""
+
+    Omega: float
+    F_0: float
+    A: float
+    transmissibility_dB: float
+    motions: int
+    crosses: bool
+    detaches: bool
+    sticks: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Spectrum(Table):
+    """A load spectrum, one tone at a time, row by row in its order.
+
+    A        -- the largest stable amplitude, 0 where the mass sticks; nan where no motion is stable
+    transmissibility_dB -- of that motion; nan where there is none
+    motions  -- number of stable motions
+    crosses  -- whether the number of motions changes on the straight way from the row before: a fold is crossed
+    detaches -- whether a stable motion passes u_cr
+    sticks   -- whether the mass does not move
+    """
+
+    entry: ClassVar[Any] = Load
+
+    Omega: Floats
+    F_0: Floats
+    A: Floats
+    transmissibility_dB: Floats
+    motions: npt.NDArray[np.intp]
+    crosses: Flags
+    detaches: Flags
+    sticks: Flags
+    message: str
+
+
+def margins(oscillator: Averaged, F_0: float) -> Margins:
+    """See `Oscillator.margins`."""
+    folds = oscillator.saddle_nodes(F_0)
+    onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
+    sticks = folds.F_0 <= oscillator.sticking_forcing
+    return Margins(
+        folds.F_0,
+        onset.F_SN,
+        detachment.F_cr,
+        None if onset.F_SN is None else onset.F_SN / folds.F_0,
+        None if detachment.F_cr is None else detachment.F_cr / folds.F_0,
+        onset.kind,
+        len(folds),
+        not sticks and _detaches(oscillator, folds.F_0),
+        sticks,
+        joined(folds.message if sticks else "", ISOLA if onset.kind == "isola" else "", onset.message),
+    )
+
+
+def _detaches(oscillator: Averaged, F_0: float) -> bool:
+    """Whether a stable motion passes the first breakpoint."""
+    if not oscillator.breakpoints:
+        return False
+    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
+    return bool((curve.A[curve.stable] > oscillator.breakpoints[0]).any())
+
+
+def hysteresis(oscillator: Averaged, F_0: float) -> Hysteresis:
+    """See `Oscillator.hysteresis`."""
+    folds = oscillator.saddle_nodes(F_0)
+    ends = [0.0, *np.unique(folds.Omega).tolist()]
+    bands = []
+    for low, high in pairwise(ends):
+        middle = oscillator.amplitudes(Omega=0.5 * (low + high), F_0=F_0)
+        if (stable := int(middle.stable.sum())) > 1:
+            bands.append((low, high, stable))
+    low, high, motions = np.array(bands).reshape(-1, 3).T
+    message = joined(folds.message, "" if bands else "at each frequency at most one motion is stable")
+    return Hysteresis(low, high, motions.astype(np.intp), folds.F_0, message)
+
+
+def isolation(oscillator: Averaged, F_0: float) -> Isolation:
+    """See `Oscillator.isolation`.
+
+    A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: as much as F_0 where R = -h, which is at
+    sqrt(2) times the frequency of the backbone, as for a linear spring. That is explicit in A.
+    """
+    F_0 = validate.number("F_0", F_0, above=0.0)
+    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
+    if not len(curve):
+        return Isolation(None, None, False, F_0, curve.message)
+    full = curve.stable & (curve.Omega <= _of_full(oscillator, curve.A))
+    if not full.any():
+        return Isolation(0.0, None, False, F_0, joined(curve.message, ISOLATES))
+    last = int(np.flatnonzero(full)[np.argmax(curve.Omega[full])])
+    beside = [
+        k
+        for k in (last - 1, last + 1)
+        if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last] and curve.Omega[k] > curve.Omega[last]
+    ]
+    for k in beside:
+        if curve.stable[k]:
+            A = _between(oscillator, F_0, float(curve.A[last]), float(curve.A[k]))
+            (Omega,) = _of_full(oscillator, np.array([A])).tolist()
+            return Isolation(Omega, A, False, F_0, curve.message)
+    return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message)
+
+
+def _of_full(oscillator: Averaged, A: Floats) -> Floats:
+    """The frequency at which motions of these amplitudes transmit the whole force; -inf where there is none."""
+    with np.errstate(all="ignore"):
+        Omega = math.sqrt(2) * oscillator.backbone(A)
+    return np.where(np.isnan(Omega), -math.inf, Omega)
+
+
+def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
+    """The amplitude between two at which the motion at F_0 transmits as much as F_0."""
+    model = oscillator.model
+
+    def excess(A: float) -> float:
+        h = model.averaged(A)[0]
+        (Omega,) = _of_full(oscillator, np.array([A]))
+        return float(model.flow.level(Omega, A, model.m, model.zeta, h)) - F_0
+
+    if excess(A) * excess(other) > 0:  # the curve meets that frequency at the very point
+        return A
+    return float(brentq(excess, A, other, rtol=4 * np.finfo(float).eps))
+
+
+def _highest(oscillator: Averaged, F_0: float) -> float:
+    """A frequency beyond which every motion transmits less than the force."""
+    peak = oscillator.peak(F_0).A
+    A_max = peak if peak is not None else oscillator.model.reach
+    if not math.isfinite(A_max):
+        A_max = words.cut(oscillator.model, F_0)[0]
+    A = A_max * np.arange(1, SAMPLES + 1) / SAMPLES
+    return BEYOND * max(1.0, float(_of_full(oscillator, A).max()))
+
+
+def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
+    """See `Oscillator.spectrum`."""
+    given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
+    shape = validate.common_shape(given)
+    at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
+    rows = []
+    before: tuple[float, float] | None = None
+    for here in zip(at.tolist(), F.tolist(), strict=True):
+        rows.append(_row(oscillator, before, here))
+        before = here
+    columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
+    kinds = {"motions": np.intp, "crosses": np.bool_, "detaches": np.bool_, "sticks": np.bool_}
+    typed: dict[str, Any] = {
+        name: column.astype(kinds.get(name, float)) for name, column in zip(Load._fields, columns, strict=True)
+    }
+    return Spectrum(**typed, message="")
+
+
+def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[float, float]) -> Load:
+    """One row; `before` is where the one before it stands."""
+    Omega, F_0 = here
+    states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
+    crosses = False
+    if before is not None:
+        way = [[x + (y - x) * k / STEPS for x, y in zip(before, here, strict=True)] for k in range(STEPS)]
+        counts = {len(oscillator.amplitudes(Omega=x, F_0=y)) for x, y in way if y > oscillator.sticking_forcing}
+        crosses = len(counts | {len(states)} - {0}) > 1
+    stable = np.flatnonzero(states.stable)
+    sticks = F_0 <= oscillator.sticking_forcing
+    if not stable.size:
+        return Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
+    top = stable[np.argmax(states.A[stable])]
+    A = float(states.A[top])
+    detaches = bool(oscillator.breakpoints) and A > oscillator.breakpoints[0]
+    return Load(Omega, F_0, A, float(states.transmissibility_dB[top]), stable.size, crosses, detaches, sticks)

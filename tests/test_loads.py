@@ -1,0 +1,148 @@
+"""What an engineer asks under a load: against the states themselves, closed forms, and what holds for any isolator."""
+
+from __future__ import annotations
+
+import math
+import random
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator
+from slowflow.loads import ISOLA
+from slowflow.paper.example import isolator
+
+MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+
+
+def some_isolators(count: int):
+    """Isolators with a forcing above sticking."""
+    draw = random.Random(7)
+    for _ in range(count):
+        lam, delta_h = draw.choice([1, 2, 3]), draw.uniform(0.02, 0.3)
+        r = draw.uniform(0.05, 0.95) / (lam * delta_h)
+        mu, zeta = draw.choice([0.0, draw.uniform(0, 0.02)]), draw.uniform(0.01, 0.2)
+        yield Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta), 4 * mu / math.pi + draw.uniform(0.005, 0.1)
+
+
+# ---- margins -------------------------------------------------------------------------------------------------------
+
+
+def test_margins_are_the_critical_forcings_over_the_load():
+    iso = isolator()
+    found = iso.margins(0.025)
+    assert (found.of_SN, found.of_cr) == (iso.saddle_node_onset().F_SN / 0.025, iso.detachment().F_cr / 0.025)
+    assert (found.folds, found.detaches, found.sticks) == (2, False, False)
+    assert iso.margins(0.02).folds == 0 and iso.margins(0.04).detaches and iso.margins(0.01).sticks
+    assert "sticks" in iso.margins(0.01).message
+    linear = isolator(delta_h=0).margins(0.04)
+    assert linear.F_cr is None and linear.of_SN is None and not linear.detaches and "no saddle node" in linear.message
+
+
+def test_a_motion_detaches_just_above_the_lowest_forcing_that_lifts_the_springs():
+    for iso, _ in some_isolators(20):
+        F_cr = iso.detachment().F_cr
+        assert iso.margins(1.01 * F_cr).detaches and not iso.margins(0.99 * F_cr).detaches
+
+
+def test_the_birth_of_an_isola_is_said_to_be_no_jump():
+    """Of a softening spring."""
+    softening = Duffing(1.9, -1.25, mu=0.006, zeta=0.58)
+    assert softening.saddle_node_onset().kind == "isola" and ISOLA in softening.margins(1.0).message
+    assert ISOLA not in isolator().margins(0.04).message
+
+
+# ---- hysteresis ----------------------------------------------------------------------------------------------------
+
+
+def test_bands_of_hysteresis_hold_several_stable_motions_and_others_do_not():
+    several = 0
+    for iso, F_0 in some_isolators(60):
+        bands = iso.hysteresis(F_0)
+        ends = [0.0, *np.unique(iso.saddle_nodes(F_0).Omega), 3.0]
+        for low, high in pairwise(ends):
+            for share in (0.03, 0.5, 0.9):
+                Omega = low + share * (high - low)
+                stable = int(iso.amplitudes(Omega=Omega, F_0=F_0).stable.sum())
+                inside = [band.motions for band in bands if band.Omega_low < Omega < band.Omega_high]
+                assert inside == ([stable] if stable > 1 else []), (iso, F_0, Omega)
+        several += len(bands)
+    assert several >= 10
+
+
+def test_the_band_of_a_mount_lies_between_its_jumps():
+    mount = Isolator.physical(**MOUNT)
+    (band,), folds = mount.hysteresis(5), mount.saddle_nodes(5)
+    assert [band.f_low, band.f_high] == folds.f.tolist() and band.motions == 2
+    assert "at most one motion is stable" in mount.hysteresis(2).message and len(mount.hysteresis(2)) == 0
+
+
+# ---- isolation -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("zeta", [0.01, 0.5])
+def test_a_linear_mount_isolates_from_sqrt_2_times_its_natural_frequency_on(zeta):
+    found = Duffing(2.0, 0.0, zeta=zeta).isolation(0.3)
+    assert found.Omega == pytest.approx(2.0, rel=1e-14) and not found.at_fold
+
+
+def test_beyond_the_frequency_of_isolation_every_stable_motion_transmits_less_than_the_force():
+    for iso, F_0 in some_isolators(60):
+        found = iso.isolation(F_0)
+        beyond = iso.amplitudes(Omega=found.Omega + np.geomspace(1e-9, 20, 200), F_0=F_0)
+        assert (beyond.transmissibility[beyond.stable] < 1 + 1e-12).all(), (iso, F_0)
+        below = iso.amplitudes(Omega=found.Omega * (1 - 1e-9), F_0=F_0)
+        if not found.at_fold:
+            (h, *_), model = iso.model.averaged(found.A), iso.model
+            I = model.m + 2 * model.zeta * found.A * found.Omega
+            assert math.hypot(found.A * found.Omega**2 + h, I) == pytest.approx(F_0, rel=1e-11)
+            assert math.hypot(h, I) == pytest.approx(F_0, rel=1e-11)
+        assert (below.transmissibility[below.stable] > 1 - 1e-12).any()
+
+
+def test_isolation_may_begin_where_a_motion_that_transmits_more_ends_in_a_fold():
+    """Quasi-zero stiffness: small motions would isolate from far below on."""
+    iso = Isolator(lam=2, r=1.0, delta_h=0.5, mu=0.001, zeta=0.04)
+    found, (up, down) = iso.isolation(0.05), iso.saddle_nodes(0.05)
+    assert found.at_fold and (found.Omega, found.A) == (down.Omega, down.A) and down.kind == "jump-down"
+    low = iso.amplitudes(Omega=0.5 * (up.Omega + down.Omega), F_0=0.05)
+    assert low.stable.tolist() == [True, False, True] and low.transmissibility[0] < 1 < low.transmissibility[-1]
+
+
+def test_where_the_mass_sticks_there_is_no_isolation():
+    found = isolator().isolation(0.01)
+    assert found.Omega is None and "sticks" in found.message
+
+
+# ---- a load spectrum -----------------------------------------------------------------------------------------------
+
+
+def test_a_load_spectrum_says_of_each_row_what_its_states_say():
+    iso = isolator()
+    Omega, F_0 = [0.7, 0.93, 1.2, 0.9, 0.9], [0.04, 0.04, 0.04, 0.04, 0.012]
+    found = iso.spectrum(Omega=Omega, F_0=F_0)
+    for row, O, F in zip(found, Omega, F_0, strict=True):
+        states = iso.amplitudes(Omega=O, F_0=F)
+        stable = states.A[states.stable]
+        assert (row.Omega, row.F_0, row.motions, row.sticks) == (O, F, stable.size, F == 0.012)
+        assert row.A == stable.max(initial=0) and row.detaches == (row.A > iso.u_cr)
+    assert found.motions.tolist() == [1, 2, 1, 2, 0] and np.isnan(found.transmissibility_dB[-1])
+
+
+def test_a_row_crosses_a_fold_where_one_lies_between_it_and_the_row_before():
+    iso = isolator()
+    low, high = iso.saddle_nodes(0.04).Omega.tolist()
+    Omega = [0.5, 0.8, 0.5 * (low + high), 0.95, 1.2, 1.3, 0.6]
+    found = iso.spectrum(Omega=Omega, F_0=0.04)
+    between = [any(min(a, b) < fold < max(a, b) for fold in (low, high)) for a, b in pairwise(Omega)]
+    assert found.crosses.tolist() == [False, *between]
+
+
+def test_a_spectrum_of_a_mount_is_in_its_units():
+    mount = Isolator.physical(**MOUNT)
+    found = mount.spectrum(f=[2.2, 5.0], F=[5.0, 3.0])
+    assert found.units == {"f": "Hz", "F": "N", "A": "m"} and found.motions.tolist() == [2, 1]
+    with pytest.raises(ValueError, match="F = -1"):
+        mount.spectrum(f=2.2, F=-1)
+    assert len(isolator().spectrum(Omega=[], F_0=[])) == 0
