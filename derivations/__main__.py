@@ -22,11 +22,11 @@ import tempfile
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from derivations import ledger
-from derivations.emit.catalogue import all_modules
-from derivations.emit.targets import render
-from derivations.emit.write import MANIFEST, differences, manifest, on_disk, write
-from derivations.results import derive
+from . import ledger
+from .emit.catalogue import all_modules
+from .emit.targets import render
+from .emit.write import MANIFEST, differences, manifest, on_disk, write
+from .results import derive
 
 ROOT = Path(__file__).parents[1]
 HASH_SEEDS = ("0", "20250415")

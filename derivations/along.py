@@ -20,8 +20,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.slow_flow import I, R, SlowFlow, slope
-from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
+from .slow_flow import I, R, SlowFlow, slope
+from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 

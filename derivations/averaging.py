@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.simplify.fu import TR8
 
-from derivations.symbols import F_0, A, Omega, epsilon, mu, phi, psi, sigma, zeta
+from .symbols import F_0, A, Omega, epsilon, mu, phi, psi, sigma, zeta
 
 A_dot, phi_dot = sp.symbols("A_dot phi_dot", real=True)
 G = sp.Symbol("G", real=True)

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.simplify.fu import TR9
 
-from derivations.symbols import F_0, A, Omega, mu, tau
+from .symbols import F_0, A, Omega, mu, tau
 
 V, U, S = sp.symbols("V U S", real=True)
 

@@ -34,8 +34,8 @@ from collections.abc import Sequence
 import sympy as sp
 from flint import arb, ctx
 
-from derivations.restoring import ORDERS, Case, Regime, Restoring, slope
-from derivations.symbols import A, u
+from .restoring import ORDERS, Case, Regime, Restoring, slope
+from .symbols import A, u
 
 Let = tuple[sp.Symbol, sp.Expr]
 

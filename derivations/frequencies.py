@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.slow_flow import I, R, SlowFlow
-from derivations.symbols import A, Omega, h
+from .slow_flow import I, R, SlowFlow
+from .symbols import A, Omega, h
 
 #: factor of the cubic in a quartic's derivative
 k = sp.Symbol("k", positive=True)

@@ -33,8 +33,8 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from derivations.elliptic import DIGITS, MODERATE, Let, digits, gauss, parts
-from derivations.restoring import (
+from .elliptic import DIGITS, MODERATE, Let, digits, gauss, parts
+from .restoring import (
     ORDERS,
     Case,
     End,
@@ -46,7 +46,7 @@ from derivations.restoring import (
     quarter_moment,
     slope,
 )
-from derivations.symbols import A, u
+from .symbols import A, u
 
 #: the harmonics of the spring that are kept: with the next two as well the largest errors of jumps stayed the same
 HARMONICS = (3, 5)

@@ -24,9 +24,9 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from derivations.mechanisms import Parameter
-from derivations.oscillator import Dimensionless
-from derivations.symbols import u
+from .mechanisms import Parameter
+from .oscillator import Dimensionless
+from .symbols import u
 
 _w, _v = sp.symbols("w v", positive=True)
 _y = sp.Symbol("y", nonnegative=True)

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.oscillator import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
-from derivations.symbols import F_0, Omega, mu, u, zeta
+from .oscillator import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
+from .symbols import F_0, Omega, mu, u, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 

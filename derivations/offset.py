@@ -17,8 +17,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from derivations.averaging import DISPLACEMENT, psi
-from derivations.symbols import A, Omega, h, h_A
+from .averaging import DISPLACEMENT, psi
+from .symbols import A, Omega, h, h_A
 
 _f = sp.Function("f")(DISPLACEMENT)
 _B, _b = sp.symbols("B b", real=True)

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.mechanisms import Mechanism
-from derivations.symbols import F_0, Omega, mu, u, zeta
+from .mechanisms import Mechanism
+from .symbols import F_0, Omega, mu, u, zeta
 
 # the letters of (1), dimensional
 m, c, F_c, F, omega, t, omega_n = sp.symbols("m c F_c F omega t omega_n", positive=True)

@@ -30,8 +30,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.averaging import cycle_integral, psi
-from derivations.symbols import A, u
+from .averaging import cycle_integral, psi
+from .symbols import A, u
 
 # h_A ... h_AAA: what a fold, a cusp and a condition number need
 ORDERS = 3

@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derivations.restoring import Restoring
-from derivations.slow_flow import I, R, SlowFlow
-from derivations.symbols import F_0, A, Omega, h, h_A, h_AA
+from .restoring import Restoring
+from .slow_flow import I, R, SlowFlow
+from .symbols import F_0, A, Omega, h, h_A, h_AA
 
 
 @dataclass(frozen=True)

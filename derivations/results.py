@@ -10,23 +10,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from derivations import elliptic, resultants
-from derivations.along import Along, along
-from derivations.averaging import Averaged, averaged
-from derivations.bounds import Bounds, bounds
-from derivations.den_hartog import DenHartog, den_hartog
-from derivations.frequencies import Frequencies, frequencies
-from derivations.harmonics import Harmonics, harmonics
-from derivations.mechanisms import Mechanism, all_mechanisms
-from derivations.monotone import prove_monotone
-from derivations.motion import Motion, Smoothed, motion, smoothed
-from derivations.oscillator import Dimensionless, oscillator
-from derivations.restoring import Restoring, restoring
-from derivations.resultants import Elimination
-from derivations.second_approximation import SecondApproximation, second_approximation
-from derivations.slopes import Slopes, slopes
-from derivations.slow_flow import SCENES, SlowFlow, slow_flow
-from derivations.symbols import u
+from . import elliptic, resultants
+from .along import Along, along
+from .averaging import Averaged, averaged
+from .bounds import Bounds, bounds
+from .den_hartog import DenHartog, den_hartog
+from .frequencies import Frequencies, frequencies
+from .harmonics import Harmonics, harmonics
+from .mechanisms import Mechanism, all_mechanisms
+from .monotone import prove_monotone
+from .motion import Motion, Smoothed, motion, smoothed
+from .oscillator import Dimensionless, oscillator
+from .restoring import Restoring, restoring
+from .resultants import Elimination
+from .second_approximation import SecondApproximation, second_approximation
+from .slopes import Slopes, slopes
+from .slow_flow import SCENES, SlowFlow, slow_flow
+from .symbols import u
 
 
 @dataclass(frozen=True)

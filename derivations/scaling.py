@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations import oscillator as osc
-from derivations.mechanisms import Mechanism
-from derivations.symbols import F_0, Omega, mu, tau, u, zeta
+from . import oscillator as osc
+from .mechanisms import Mechanism
+from .symbols import F_0, Omega, mu, tau, u, zeta
 
 k_v, L = sp.symbols("k_v L", positive=True)
 x = sp.Symbol("x", real=True)

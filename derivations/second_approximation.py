@@ -36,13 +36,13 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb, ctx
 
-from derivations.averaging import Averaged, F_k, psi
-from derivations.elliptic import DIGITS, Let, digits
-from derivations.harmonics import HARMONICS
-from derivations.slow_flow import I as I_1
-from derivations.slow_flow import R as R_1
-from derivations.slow_flow import SlowFlow, m
-from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, sigma, zeta
+from .averaging import Averaged, F_k, psi
+from .elliptic import DIGITS, Let, digits
+from .harmonics import HARMONICS
+from .slow_flow import I as I_1
+from .slow_flow import R as R_1
+from .slow_flow import SlowFlow, m
+from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, sigma, zeta
 
 #: h_n and its derivatives with respect to A
 OF_HARMONIC: dict[int, tuple[sp.Symbol, ...]] = {

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.slow_flow import R, SlowFlow, m
-from derivations.symbols import F_0, A, Omega, h
+from .slow_flow import R, SlowFlow, m
+from .symbols import F_0, A, Omega, h
 
 Let = tuple[sp.Symbol, sp.Expr]
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.averaging import Averaged, H
-from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, phi, sigma, zeta
+from .averaging import Averaged, H
+from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, phi, sigma, zeta
 
 R, I = sp.symbols("R I", real=True)
 m = sp.Symbol("m", nonnegative=True)

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.emit.form import Let, TwofoldKernel
+from .form import Let, TwofoldKernel
 
 TWO_SUM, TWO_PRODUCT = "two_sum", "two_product"
 

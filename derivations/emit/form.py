@@ -14,11 +14,11 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from derivations.mechanisms import Mechanism, Parameter
-from derivations.resultants import Elimination
-from derivations.scaling import Scale
-from derivations.slow_flow import SCENES
-from derivations.symbols import h, h_A, h_AA, h_AAA
+from ..mechanisms import Mechanism, Parameter
+from ..resultants import Elimination
+from ..scaling import Scale
+from ..slow_flow import SCENES
+from ..symbols import h, h_A, h_AA, h_AAA
 
 Let = tuple[sp.Symbol, sp.Expr]
 

@@ -15,12 +15,12 @@ from pathlib import Path
 import jinja2
 import sympy as sp
 
-from derivations.emit.compensated import Exact, twofold
-from derivations.emit.form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
-from derivations.emit.passes import Program, straight_line
-from derivations.emit.provenance import digest
-from derivations.restoring import FAR
-from derivations.slow_flow import m
+from ..restoring import FAR
+from ..slow_flow import m
+from .compensated import Exact, twofold
+from .form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
+from .passes import Program, straight_line
+from .provenance import digest
 
 #: the straight-line code of every branch, by kernel
 Code = dict[str, tuple[Program, ...]]

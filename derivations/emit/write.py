@@ -11,10 +11,10 @@ import hashlib
 import json
 from pathlib import Path
 
-from derivations.emit.form import Module
-from derivations.emit.provenance import digest, versions
-from derivations.resultants import Elimination
-from derivations.results import Results
+from ..resultants import Elimination
+from ..results import Results
+from .form import Module
+from .provenance import digest, versions
 
 MANIFEST = "MANIFEST.json"
 COMMAND = "make derive"

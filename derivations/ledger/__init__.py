@@ -21,11 +21,11 @@ Out: LEDGER.md and ledger.json.
 
 from __future__ import annotations
 
-from derivations.ledger import balls, claims, entries, render, source, truncation
-from derivations.ledger.facts import Facts
-from derivations.ledger.findings import findings
-from derivations.ledger.rows import Row
-from derivations.results import Results
+from ..results import Results
+from . import balls, claims, entries, render, source, truncation
+from .facts import Facts
+from .findings import findings
+from .rows import Row
 
 __all__ = ["all_rows", "files"]
 

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 from flint import acb, arb, arb_poly, arb_series, ctx, fmpq
 
-from derivations.elliptic import R_D
+from ..elliptic import R_D
 
 #: working precision: about 60 digits, of which the tables show 12
 BITS = 200

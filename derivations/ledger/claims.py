@@ -13,14 +13,14 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb
 
-from derivations.ledger import figures, measured
-from derivations.ledger.balls import evaluate, rounded, sign, significant
-from derivations.ledger.facts import Facts
-from derivations.ledger.formulas import stiffness
-from derivations.ledger.rows import DEFINITION, DIFFERS, FALSE, LOOSE, TRUE, Row
-from derivations.mechanisms.rod_spring import delta_h, lam, r
-from derivations.slow_flow import I, R, m
-from derivations.symbols import F_0, A, Omega, mu, u, zeta
+from ..mechanisms.rod_spring import delta_h, lam, r
+from ..slow_flow import I, R, m
+from ..symbols import F_0, A, Omega, mu, u, zeta
+from . import figures, measured
+from .balls import evaluate, rounded, sign, significant
+from .facts import Facts
+from .formulas import stiffness
+from .rows import DEFINITION, DIFFERS, FALSE, LOOSE, TRUE, Row
 
 Verdict = tuple[str, str]
 

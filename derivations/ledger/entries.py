@@ -10,13 +10,13 @@ from itertools import groupby
 import sympy as sp
 from flint import arb
 
-from derivations.ledger.balls import evaluate, rounded, significant
-from derivations.ledger.facts import MESH, Facts
-from derivations.ledger.formulas import stiffness, subjects
-from derivations.ledger.proofs import canonical
-from derivations.ledger.rows import AMBIGUOUS, DIFFERS, IDENTICAL, INPUT, Row
-from derivations.mechanisms.rod_spring import delta_h
-from derivations.symbols import mu, zeta
+from ..mechanisms.rod_spring import delta_h
+from ..symbols import mu, zeta
+from .balls import evaluate, rounded, significant
+from .facts import MESH, Facts
+from .formulas import stiffness, subjects
+from .proofs import canonical
+from .rows import AMBIGUOUS, DIFFERS, IDENTICAL, INPUT, Row
 
 # ---- formulas -----------------------------------------------------------------------------------------------------
 

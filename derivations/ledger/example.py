@@ -17,11 +17,11 @@ from typing import Any
 import sympy as sp
 from flint import arb, arb_series
 
-from derivations.ledger.balls import evaluate, isolate, polynomial_zeros, rational, sign
-from derivations.ledger.formulas import MECHANISM
-from derivations.results import Results
-from derivations.slow_flow import I, R, m
-from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, zeta
+from ..results import Results
+from ..slow_flow import I, R, m
+from ..symbols import F_0, A, Omega, h, h_A, h_AA, zeta
+from .balls import evaluate, isolate, polynomial_zeros, rational, sign
+from .formulas import MECHANISM
 
 ATTACHED, DETACHED = "attached", "detached"
 

@@ -15,16 +15,16 @@ from typing import Any
 import sympy as sp
 from flint import arb
 
-from derivations.averaging import cycle_integral
-from derivations.den_hartog import U, V
-from derivations.ledger.balls import evaluate, isolate, polynomial_zeros, rational, rounded, sign
-from derivations.ledger.example import ATTACHED, Example, Point, system
-from derivations.ledger.formulas import MECHANISM, detached_derivative, shared_symbols, subjects
-from derivations.ledger.judging import Judgement, judge
-from derivations.ledger.proofs import canonical
-from derivations.mechanisms.rod_spring import delta_h, lam, r
-from derivations.results import Results
-from derivations.symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
+from ..averaging import cycle_integral
+from ..den_hartog import U, V
+from ..mechanisms.rod_spring import delta_h, lam, r
+from ..results import Results
+from ..symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
+from .balls import evaluate, isolate, polynomial_zeros, rational, rounded, sign
+from .example import ATTACHED, Example, Point, system
+from .formulas import MECHANISM, detached_derivative, shared_symbols, subjects
+from .judging import Judgement, judge
+from .proofs import canonical
 
 #: the mesh of amplitudes that Table 2 turns out to have been read from: 1000 points on [0, 1]
 MESH = 999

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from derivations.ledger import measured
-from derivations.ledger.measured import ACCEPTABLE, EXCELLENT, LOW
-from derivations.ledger.rows import LOOSE, TRUE
+from . import measured
+from .measured import ACCEPTABLE, EXCELLENT, LOW
+from .rows import LOOSE, TRUE
 
 DECIDED = {
     "den_hartog_agreement": TRUE,

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derivations.ledger.balls import rounded, significant
-from derivations.ledger.facts import MESH, Facts
-from derivations.ledger.rows import AMBIGUOUS, DIFFERS, FALSE, Row
+from .balls import rounded, significant
+from .facts import MESH, Facts
+from .rows import AMBIGUOUS, DIFFERS, FALSE, Row
 
 
 @dataclass(frozen=True)

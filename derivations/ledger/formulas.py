@@ -15,15 +15,15 @@ from typing import Any
 
 import sympy as sp
 
-from derivations import averaging, symbols
-from derivations import oscillator as osc
-from derivations.averaging import DISPLACEMENT, VELOCITY, G, H
-from derivations.den_hartog import S, U, V
-from derivations.mechanisms.rod_spring import Delta_h, delta_h, k_h, lam, r
-from derivations.resultants import Elimination
-from derivations.results import Results
-from derivations.slow_flow import I, R, m
-from derivations.symbols import F_0, A, Omega, epsilon, h, h_A, mu, phi, psi, sigma, tau, zeta
+from .. import averaging, symbols
+from .. import oscillator as osc
+from ..averaging import DISPLACEMENT, VELOCITY, G, H
+from ..den_hartog import S, U, V
+from ..mechanisms.rod_spring import Delta_h, delta_h, k_h, lam, r
+from ..resultants import Elimination
+from ..results import Results
+from ..slow_flow import I, R, m
+from ..symbols import F_0, A, Omega, epsilon, h, h_A, mu, phi, psi, sigma, tau, zeta
 
 #: the mechanism whose equations the paper publishes
 MECHANISM = "rod_spring"

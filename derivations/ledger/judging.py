@@ -12,11 +12,11 @@ from typing import Any
 
 import sympy as sp
 
-from derivations.ledger import formulas
-from derivations.ledger.formulas import Reading, Subject
-from derivations.ledger.proofs import Quotient, canonical, nonzero_somewhere
-from derivations.ledger.rows import DIFFERS, IDENTICAL, REWRITTEN
-from derivations.ledger.source import EXACT
+from . import formulas
+from .formulas import Reading, Subject
+from .proofs import Quotient, canonical, nonzero_somewhere
+from .rows import DIFFERS, IDENTICAL, REWRITTEN
+from .source import EXACT
 
 
 @dataclass(frozen=True)

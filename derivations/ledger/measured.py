@@ -12,7 +12,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from derivations.ledger.rows import FALSE, LOOSE, TRUE
+from .rows import FALSE, LOOSE, TRUE
 
 RESULTS = Path(__file__).parents[2] / "benchmarks" / "results" / "claims.json"
 

@@ -18,7 +18,7 @@ import sympy as sp
 from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy.simplify.fu import TR8
 
-from derivations.ledger import balls
+from . import balls
 
 PYTHAGORAS = "sin²x + cos²x = 1"
 ROOT = "(√e)² = e"

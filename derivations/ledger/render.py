@@ -8,9 +8,9 @@ from pathlib import Path
 
 import jinja2
 
-from derivations.ledger import measured
-from derivations.ledger.findings import Finding, readings
-from derivations.ledger.rows import ALLOWED, LOOSE, TRUE, VOCABULARY, Row
+from . import measured
+from .findings import Finding, readings
+from .rows import ALLOWED, LOOSE, TRUE, VOCABULARY, Row
 
 TITLES = {"formula": "Formulas", "table": "Tables 1 and 2", "number": "Numbers", "claim": "Sentences"}
 CITATION = (

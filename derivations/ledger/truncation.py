@@ -11,10 +11,10 @@ from typing import Any
 
 from flint import arb, arb_mat
 
-from derivations.ledger.balls import evaluate, rational, significant
-from derivations.ledger.example import ATTACHED, Example
-from derivations.ledger.facts import Facts
-from derivations.symbols import F_0, A, h, h_A
+from ..symbols import F_0, A, h, h_A
+from .balls import evaluate, rational, significant
+from .example import ATTACHED, Example
+from .facts import Facts
 
 UNTRUNCATED = "rod_spring_untruncated"
 #: of difference quotients, and how near Newton's steps have to come to rest; far below the digits shown

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derivations.symbols import F_0, mu, zeta
+from ..symbols import F_0, mu, zeta
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ Out: `MECHANISM`; its whole restoring force is alpha u + beta u^3 once made dime
 
 import sympy as sp
 
-from derivations.mechanisms import Mechanism, Parameter, Piece
+from . import Mechanism, Parameter, Piece
 
 x = sp.Symbol("x", real=True)
 k_v, L = sp.symbols("k_v L", positive=True)

@@ -6,7 +6,7 @@ Out: `MECHANISM`, the force as the geometry gives it; the Taylor coefficients an
 
 import sympy as sp
 
-from derivations.mechanisms import Mechanism, Parameter, Piece
+from . import Mechanism, Parameter, Piece
 
 x = sp.Symbol("x", real=True)
 k_v, k_h, L, Delta_h = sp.symbols("k_v k_h L Delta_h", positive=True)

@@ -8,7 +8,7 @@ import dataclasses
 
 import sympy as sp
 
-from derivations.mechanisms import rod_spring
+from . import rod_spring
 
 MECHANISM = dataclasses.replace(
     rod_spring.MECHANISM,

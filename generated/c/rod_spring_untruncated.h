@@ -1,7 +1,7 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not truncated.
 
    Written by `make derive`; never edit.
-   Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 d4dced67e6fd1fa2602250c43a2e8efc86d6e23d17c362a34c59311e434ee02e
+   Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 d01fb3e6e496d2753f4eb35c9c90a319cc531fe39a09da3bea4bf707827267cc
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.

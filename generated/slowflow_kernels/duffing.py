@@ -1,7 +1,7 @@
 """Duffing oscillator: one cubic piece, no breakpoint.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/duffing.py, sha256 9cc742f303d96c79bad0568c2c4516c8f5944292cc72520ca6ccbb22912545d8
+Input: derivations/mechanisms/duffing.py, sha256 9373efd0233ac344ef6400339d5e07249f2a69044c1e5b0f62a31ba5e650a7a3
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each

@@ -1,7 +1,7 @@
 """Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring.py, sha256 76b1d63466e9529259acb51ca65a45e8a9acd6a1a923137e90a07d40549a4ff1
+Input: derivations/mechanisms/rod_spring.py, sha256 32547d193395cd270acc3f273e70058733ff16eb3be789ea57ebc28fff75f083
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each

@@ -6,13 +6,13 @@ Out: `all_modules`: `Module`s of `Kernel`s (expressions to print) and `Compositi
 
 from __future__ import annotations
 
-from derivations.emit.catalogue.beyond import den_hartog_module, second_approximation_module
-from derivations.emit.catalogue.flow import slow_flow_modules
-from derivations.emit.catalogue.frequencies import frequencies_module
-from derivations.emit.catalogue.mechanism import mechanism_module
-from derivations.emit.catalogue.motion import motion_module
-from derivations.emit.form import Module
-from derivations.results import Results
+from ...results import Results
+from ..form import Module
+from .beyond import den_hartog_module, second_approximation_module
+from .flow import slow_flow_modules
+from .frequencies import frequencies_module
+from .mechanism import mechanism_module
+from .motion import motion_module
 
 
 def all_modules(results: Results) -> list[Module]:

@@ -10,13 +10,13 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from derivations import den_hartog as dh
-from derivations.den_hartog import S
-from derivations.emit.form import AVERAGED, Kernel, Module, plain
-from derivations.results import Results
-from derivations.second_approximation import OF_HARMONIC, RESONANCE
-from derivations.slow_flow import m
-from derivations.symbols import F_0, A, Omega, mu, tau, zeta
+from ... import den_hartog as dh
+from ...den_hartog import S
+from ...results import Results
+from ...second_approximation import OF_HARMONIC, RESONANCE
+from ...slow_flow import m
+from ...symbols import F_0, A, Omega, mu, tau, zeta
+from ..form import AVERAGED, Kernel, Module, plain
 
 
 def second_approximation_module(results: Results) -> Module:

@@ -12,7 +12,7 @@ from functools import partial
 
 import sympy as sp
 
-from derivations.along import (
+from ...along import (
     R_,
     X_,
     Along,
@@ -27,13 +27,13 @@ from derivations.along import (
     scaled_root,
     t,
 )
-from derivations.emit.form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
-from derivations.offset import mean_stiffness, offset_stiffness
-from derivations.resultants import Elimination
-from derivations.results import Results
-from derivations.slopes import Slopes
-from derivations.slow_flow import SCENES, I, R, SlowFlow, m
-from derivations.symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
+from ...offset import mean_stiffness, offset_stiffness
+from ...resultants import Elimination
+from ...results import Results
+from ...slopes import Slopes
+from ...slow_flow import SCENES, I, R, SlowFlow, m
+from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
+from ..form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
 
 #: of a frequency
 square = sp.Symbol("square", real=True)

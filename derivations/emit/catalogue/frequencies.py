@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from derivations.emit.compensated import magnitude
-from derivations.emit.form import Kernel, Let, Module, TwofoldKernel, plain
-from derivations.frequencies import Frequencies, Quartic, k, p, q
-from derivations.results import Results
-from derivations.slow_flow import I, R, m
-from derivations.symbols import F_0, A, Omega, h, h_A, zeta
+from ...frequencies import Frequencies, Quartic, k, p, q
+from ...results import Results
+from ...slow_flow import I, R, m
+from ...symbols import F_0, A, Omega, h, h_A, zeta
+from ..compensated import magnitude
+from ..form import Kernel, Let, Module, TwofoldKernel, plain
 
 #: a value below this part of its terms has no certain sign in double, and in double-double
 ROUGH, FINE = sp.Rational(1, 2**50), sp.Rational(1, 2**98)

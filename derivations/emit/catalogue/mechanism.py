@@ -11,9 +11,17 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from derivations.elliptic import STEEPEST, evaluable, parts
-from derivations.emit.compensated import copysign
-from derivations.emit.form import (
+from ...elliptic import STEEPEST, evaluable, parts
+from ...mechanisms import Mechanism, Parameter
+from ...oscillator import Dimensionless
+from ...restoring import Case, Restoring, average, forms
+from ...results import OfMechanism, Results
+from ...scaling import of_design
+from ...second_approximation import OF_HARMONIC
+from ...slow_flow import m
+from ...symbols import F_0, A, mu, u, zeta
+from ..compensated import copysign
+from ..form import (
     AVERAGED,
     NAMES,
     Branch,
@@ -27,14 +35,6 @@ from derivations.emit.form import (
     by_even_power,
     plain,
 )
-from derivations.mechanisms import Mechanism, Parameter
-from derivations.oscillator import Dimensionless
-from derivations.restoring import Case, Restoring, average, forms
-from derivations.results import OfMechanism, Results
-from derivations.scaling import of_design
-from derivations.second_approximation import OF_HARMONIC
-from derivations.slow_flow import m
-from derivations.symbols import F_0, A, mu, u, zeta
 
 #: What is emitted for each mechanism, and for whom.
 #:

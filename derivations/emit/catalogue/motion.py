@@ -6,8 +6,7 @@ Out: `motion_module`.
 
 from __future__ import annotations
 
-from derivations.emit.form import Module, plain
-from derivations.motion import (
+from ...motion import (
     cosine,
     f,
     f_u,
@@ -23,8 +22,9 @@ from derivations.motion import (
     slip,
     v,
 )
-from derivations.results import Results
-from derivations.symbols import F_0, Omega, mu, zeta
+from ...results import Results
+from ...symbols import F_0, Omega, mu, zeta
+from ..form import Module, plain
 
 
 def motion_module(results: Results) -> Module:

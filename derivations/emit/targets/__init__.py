@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from derivations.emit.form import Module
-from derivations.emit.targets import c, interval, numpy, ufunc
-from derivations.emit.views import operations, programs
+from ..form import Module
+from ..views import operations, programs
+from . import c, interval, numpy, ufunc
 
 
 def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[str, object]]]:

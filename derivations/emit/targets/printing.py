@@ -15,7 +15,7 @@ from typing import ClassVar
 import sympy as sp
 from sympy.printing.precedence import PRECEDENCE
 
-from derivations.emit.passes import is_constant
+from ..passes import is_constant
 
 
 class Unprintable(TypeError):

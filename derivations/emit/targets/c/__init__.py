@@ -11,14 +11,11 @@ from pathlib import Path
 
 import sympy as sp
 
-from derivations.conventions import CONVENTIONS
-from derivations.emit.arctangent import estrin, series
-from derivations.emit.form import Module
-from derivations.emit.provenance import tools
-from derivations.emit.targets.c import records, taylor
-from derivations.emit.targets.c.printer import CPrinter
-from derivations.emit.targets.printing import literal, stated
-from derivations.emit.views import (
+from ....conventions import CONVENTIONS
+from ...arctangent import estrin, series
+from ...form import Module
+from ...provenance import tools
+from ...views import (
     Calls,
     Code,
     KernelView,
@@ -31,6 +28,9 @@ from derivations.emit.views import (
     twofold_view,
     view,
 )
+from ..printing import literal, stated
+from . import records, taylor
+from .printer import CPrinter
 
 LANGUAGE = Language(CPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 

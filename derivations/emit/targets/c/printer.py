@@ -7,8 +7,8 @@ from typing import ClassVar
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 
-from derivations.emit.compensated import copysign, fma
-from derivations.emit.targets.printing import Rules
+from ...compensated import copysign, fma
+from ..printing import Rules
 
 
 class CPrinter(Rules, C99CodePrinter):

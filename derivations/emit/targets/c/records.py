@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import jinja2
 import sympy as sp
 
-from derivations.emit.form import GENERAL, Module
-from derivations.emit.provenance import tools
-from derivations.emit.targets import interval
-from derivations.emit.targets.c.printer import CPrinter
-from derivations.emit.targets.printing import literal
-from derivations.mechanisms import DAMPING, FORCING, Mechanism, Parameter
+from ....mechanisms import DAMPING, FORCING, Mechanism, Parameter
+from ...form import GENERAL, Module
+from ...provenance import tools
+from .. import interval
+from ..printing import literal
+from .printer import CPrinter
 
 #: what `parameters_of` calls the numbers that it is given
 DESIGN, DAMPING_GIVEN = "design[{}]", "given[{}]"

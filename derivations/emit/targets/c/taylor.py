@@ -23,13 +23,13 @@ from dataclasses import dataclass, field
 import jinja2
 import sympy as sp
 
-from derivations.emit.compensated import copysign
-from derivations.emit.form import Let, Module
-from derivations.emit.passes import is_constant, straight_line
-from derivations.emit.provenance import tools
-from derivations.emit.targets.c.printer import CPrinter
-from derivations.emit.targets.printing import Unprintable
-from derivations.symbols import u
+from ....symbols import u
+from ...compensated import copysign
+from ...form import Let, Module
+from ...passes import is_constant, straight_line
+from ...provenance import tools
+from ..printing import Unprintable
+from .printer import CPrinter
 
 PRINTER = CPrinter()
 

@@ -17,13 +17,13 @@ from pathlib import Path
 
 import sympy as sp
 
-from derivations.emit.form import Branch, Kernel, Module
-from derivations.emit.passes import Program
-from derivations.emit.provenance import tools
-from derivations.emit.targets.interval.printer import CIntervalPrinter, PythonIntervalPrinter
-from derivations.emit.targets.printing import literal
-from derivations.emit.views import BranchView, Code, KernelView, Language, sources, templates, view
-from derivations.symbols import A
+from ....symbols import A
+from ...form import Branch, Kernel, Module
+from ...passes import Program
+from ...provenance import tools
+from ...views import BranchView, Code, KernelView, Language, sources, templates, view
+from ..printing import literal
+from .printer import CIntervalPrinter, PythonIntervalPrinter
 
 #: how much an amplitude exceeds the breakpoint where its piece begins
 BEYOND = sp.Symbol("beyond", nonnegative=True)

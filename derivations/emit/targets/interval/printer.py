@@ -9,8 +9,8 @@ from sympy.printing.c import C99CodePrinter
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
-from derivations.emit.passes import is_constant
-from derivations.emit.targets.printing import Rules, Unprintable, literal
+from ...passes import is_constant
+from ..printing import Rules, Unprintable, literal
 
 
 class CIntervalPrinter(Rules, C99CodePrinter):

@@ -11,12 +11,13 @@ from pathlib import Path
 
 import sympy as sp
 
-from derivations.conventions import CONVENTIONS
-from derivations.emit.form import AVERAGED, GENERAL, Module, suffix
-from derivations.emit.provenance import tools
-from derivations.emit.targets.numpy.printer import NumpyPrinter
-from derivations.emit.targets.printing import stated
-from derivations.emit.views import (
+from ....conventions import CONVENTIONS
+from ....mechanisms import DAMPING, FORCING, Parameter
+from ....scaling import Scale, of_every_oscillator
+from ....slow_flow import SCENES
+from ...form import AVERAGED, GENERAL, Module, suffix
+from ...provenance import tools
+from ...views import (
     Calls,
     Code,
     Language,
@@ -28,9 +29,8 @@ from derivations.emit.views import (
     twofold_view,
     view,
 )
-from derivations.mechanisms import DAMPING, FORCING, Parameter
-from derivations.scaling import Scale, of_every_oscillator
-from derivations.slow_flow import SCENES
+from ..printing import stated
+from .printer import NumpyPrinter
 
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))

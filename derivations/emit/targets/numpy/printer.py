@@ -8,8 +8,8 @@ import sympy as sp
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
-from derivations.emit.compensated import copysign, fma
-from derivations.emit.targets.printing import Rules
+from ...compensated import copysign, fma
+from ..printing import Rules
 
 
 class NumpyPrinter(Rules, NumPyPrinter):

@@ -12,11 +12,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from derivations.emit.form import Branch, Composition, Kernel, Module, Selection
-from derivations.emit.provenance import tools
-from derivations.emit.targets.c import calls
-from derivations.emit.targets.c.printer import CPrinter
-from derivations.emit.views import composition_view, templates
+from ...form import Branch, Composition, Kernel, Module, Selection
+from ...provenance import tools
+from ...views import composition_view, templates
+from ..c import calls
+from ..c.printer import CPrinter
 
 # SF_MOST_OPERANDS in kernels.h
 MOST_OPERANDS = 32
