@@ -51,6 +51,7 @@ class Damped:
     cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
     cusp_R    -- R where F_AA = 0, by its tangent and from F_AA = 0 itself, where nothing cancels if h_AA has its sign
     cusp      -- where F_AA = 0: F_A/2, the same less A F_AA/2, its slope along A, and the forcing if it is 0
+    cusp_balance -- Omega^2 and the forcing's square with R from F_A = 0
     cusps_scaled -- F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b: a, b, and the discriminant a^2 - b
     cusp_X    -- Omega^2 by t
     cusp_scaled -- as `cusp` in numbers without scale: F_A/2 less A F_AA/2, its slope along A, the forcing if it is 0
@@ -68,6 +69,8 @@ class Damped:
     cusp_R: tuple[sp.Expr, ...]
     cusp_lets: tuple[Let, ...]
     cusp: tuple[sp.Expr, ...]
+    cusp_balance_lets: tuple[Let, ...]
+    cusp_balance: tuple[sp.Expr, ...]
     cusps_scaled_lets: tuple[Let, ...]
     cusps_scaled: tuple[sp.Expr, ...]
     cusp_X: sp.Expr
@@ -165,6 +168,7 @@ def _damped(flow: SlowFlow) -> Damped:
     fold_lets, fold = _fold(flow)
     isola_lets, isola = _isola(flow)
     cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
+    cusp_balance_lets, cusp_balance = _cusp_balance(flow, cusp_lets, cusp)
     cusps_scaled_lets, cusps_scaled, cusp_X, cusp_scaled_lets, cusp_scaled = _scaled(flow, cusps_lets, cusps, cusp)
     peak_lets, peak = _peak(flow)
     return Damped(
@@ -178,6 +182,8 @@ def _damped(flow: SlowFlow) -> Damped:
         cusp_R=cusp_R,
         cusp_lets=cusp_lets,
         cusp=cusp,
+        cusp_balance_lets=cusp_balance_lets,
+        cusp_balance=cusp_balance,
         cusps_scaled_lets=cusps_scaled_lets,
         cusps_scaled=cusps_scaled,
         cusp_X=cusp_X,
@@ -317,6 +323,21 @@ def _cusps(
         ((_w, sp.sqrt(X_)),),
         (half_F_A.subs(_w**2, X_), less, along, level),
     )
+
+
+def _cusp_balance(
+    flow: SlowFlow, cusp_lets: tuple[Let, ...], cusp: tuple[sp.Expr, ...]
+) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """Omega^2 and the forcing's square at a fold with R from F_A = 0: no h_AA, which may be steep along A."""
+    half_F_A, _, _, level = cusp
+    (balanced,) = sp.solve(half_F_A.subs(X_, _w**2), R_)
+    (square,) = sp.solve((flow.R - R_).subs(Omega, sp.sqrt(_X)), _X)
+    of_flow = {T: slope(flow.R), _w: Omega}
+    _vanishes(
+        ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2,
+        "R where F_A = 0",
+    )
+    return (*cusp_lets, (R_, balanced)), (square, level**2)
 
 
 def _scaled(

@@ -143,7 +143,7 @@ CONVENTIONS = (
             Number("COARSEST", sp.Integer(10**4), "until they exceed this"),
             Number("ENDLESS", sp.Integer(2**60), "stands for an infinite amplitude, and an infinite multiple of one"),
             Number("DOUBT", sp.Rational(1, 2**48), "relative error that is taken for granted in a kernel's value"),
-            Number("CANCELLED", sp.Rational(1, 4), "share of h below which h - A h_A has lost digits as a difference"),
+            Number("CANCELLED", sp.Rational(1, 4), "share of its first term below which a sum of two has lost digits"),
             Number(
                 "SOFT",
                 sp.Rational(1, 100),

@@ -1,6 +1,7 @@
 """Step 3 for a force that is not truncated, equations (5), (20), (31): averages that are elliptic integrals.
 
-In:  two pieces of a force, u (a_1 + b (1/sqrt(1 - u^2) - 1)) up to |u| = u_cr and a_2 u beyond, continuous at u_cr.
+In:  two pieces of a force, u (a_1 + b (1/sqrt(1 - u^2) - 1)) up to |u| = u_cr and a_2 u beyond, continuous at u_cr, and
+     u_cr in a parameter that says sqrt(1 - u_cr^2) without a difference.
 Out: `Restoring`: H and its slope in closed form by Carlson's R_D, and the forms that are evaluated, each with the
      amplitudes and breakpoints for which it is meant.
 
@@ -21,15 +22,19 @@ detached            s = sin t is rational in tau = tan(t/2), and the integrands 
                     |tau| <= tan(theta/2). Their singularities tau = +-i and u = +-1 stay away for u_cr <= `MODERATE`.
 steep               beyond, the duplication theorem of R_D, carried along with its derivatives by the second argument:
                     as R_D is completely monotone in it, each is a sum of terms of one sign, also across A = 1.
-far                 for A >= `AWAY` u_cr the derivatives differ little from their boundary terms, unless A is varied
-                    where it stands beside u alone, in cos t: then all terms have one sign. By either way.
+far                 where A^2 - u_cr^2 is no small part of 1 - u_cr^2 the derivatives differ little from their boundary
+                    terms, unless A is varied where it stands beside u alone, in cos t: then all terms have one sign. By
+                    either way.
+at the end          the double next to u_cr stands for u_cr itself: what the corner is asked for is not what the force,
+                    which is steep there, would be half a place beside it.
 """
 
 from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import sympy as sp
 from flint import arb, ctx
@@ -43,14 +48,16 @@ Let = tuple[sp.Symbol, sp.Expr]
 FEW = sp.Rational(7, 10)
 #: breakpoint up to which Gauss's rule serves
 MODERATE = sp.Rational(3, 4)
-#: the largest breakpoint whose double still says how far from 1 it is: u/(1 - b), the error of that, is 5e-13 here
-STEEPEST = sp.Rational(9998, 10000)
-#: multiple of the breakpoint from which on it lies far below
+#: breakpoint up to which it serves far below the amplitude, where R_D would be a difference
+STEEPER = sp.Rational(23, 25)
+#: multiple of a breakpoint from which on it lies far below
 AWAY = sp.Rational(21, 20)
-#: steps of the mean up to A = FEW, and up to the last double below 1: its differences fall quadratically
-STEPS, STEPS_STEEP = 4, 8
-#: nodes on 0 < tau < tan(theta/2); the worst point is A = u_cr = MODERATE
-NODES = 15
+#: and, for a steep one, the share of 1 - u_cr^2 which A^2 - u_cr^2 has there
+AWAY_STEEP = sp.Rational(1, 4)
+#: steps of the mean up to A = FEW, to the last double below 1, and to any u_cr: its differences fall quadratically
+STEPS, STEPS_STEEP, STEPS_END = 4, 8, 9
+#: nodes on 0 < tau < tan(theta/2); the worst point is A = u_cr = MODERATE, or A far beyond u_cr = STEEPER
+NODES, NODES_STEEPER = 15, 24
 #: duplications: each divides the spread of the arguments by 4, of which the sixth power is left out
 DUPLICATIONS = 6
 # digits of nodes and weights, more than a double holds
@@ -79,15 +86,46 @@ def evaluable(piece: sp.Expr) -> sp.Expr:
     return u * (a + b * u**2 / (root * (1 + root))) if b != 0 else a * u
 
 
+@dataclass(frozen=True)
+class Corner:
+    """Where the first piece ends, |u| = u_cr.
+
+    name   -- u_cr
+    value  -- u_cr in the parameter that says it
+    height -- c = sqrt(1 - u_cr^2) in that parameter, without a root: no digit of it is lost as u_cr nears 1
+    """
+
+    name: sp.Symbol
+    value: sp.Expr
+    height: sp.Expr
+
+
+def corner(name: sp.Symbol, value: sp.Expr) -> Corner:
+    """From u_cr in a parameter, where 1 - u_cr^2 is a square, and 0 where u_cr is; an error otherwise."""
+    base, exponent = sp.factor(1 - value**2).as_base_exp()
+    if exponent != 2 or not base.is_polynomial():
+        raise ArithmeticError(f"1 - {name}^2 has to be a square in the parameters, not {sp.factor(1 - value**2)}")
+    (parameter,) = value.free_symbols
+    height_0 = base.subs(parameter, 0)
+    if value.subs(parameter, 0) != 0 or abs(height_0) != 1:
+        raise ArithmeticError(f"{name} has to grow from 0 with {parameter}")
+    return Corner(name, value, sp.expand(base * height_0))
+
+
 # --- attached: the arithmetic-geometric mean ---
 
 
-def attached(a: sp.Expr, b: sp.Expr, steps: int) -> Regime:
-    """A <= u_cr: (4/pi) times B, C = (D - B)/m and P = D - pi/4 from the mean, and the derivatives in B and C."""
+def attached(a: sp.Expr, b: sp.Expr, steps: int, end: Corner | None = None) -> Regime:
+    """A <= u_cr: (4/pi) times B, C = (D - B)/m and P = D - pi/4 from the mean, and the derivatives in B and C.
+
+    At the `end` A is u_cr.
+    """
     m, k_c, k = sp.symbols("m k_c k", positive=True)
     B, C, P, e, tau = sp.symbols("B C P e tau", positive=True)
     a_n, b_n, e_n = (sp.symbols(f"{name}_1:{steps + 1}", positive=True) for name in "abe")
-    lets: list[Let] = [(m, A**2), (k_c, sp.sqrt((1 - A) * (1 + A))), (k, (1 - A) * (1 + A))]
+    beside = (1 - A) * (1 + A)
+    lets: list[Let] = [(m, A**2)]
+    lets += [(k_c, end.height), (k, k_c**2)] if end else [(k_c, sp.sqrt(beside)), (k, beside)]
     # e_n = c_n/m
     lets += [(a_n[0], (1 + k_c) / 2), (b_n[0], sp.sqrt(k_c)), (e_n[0], 1 / (4 * a_n[0]))]
     for n in range(1, steps):
@@ -154,19 +192,36 @@ def gauss(nodes: int) -> tuple[tuple[sp.Rational, sp.Rational], ...]:
 class _Detached:
     """The quarter cycle's part 0 < t < theta, u_cr = A sin(theta)."""
 
-    def __init__(self, b: sp.Symbol) -> None:
-        self.b = b
+    def __init__(self, end: Corner, steep: bool, nodes: int) -> None:
+        self.b = b = end.name
+        self.rule = gauss(nodes)
         self.root = sp.Symbol("root", nonnegative=True)
         self.c, self.T, self.T2 = sp.symbols("c T T2", positive=True)
-        self.lets: list[Let] = [
-            (self.root, sp.sqrt((A - b) * (A + b))),
-            (self.c, sp.sqrt((1 - b) * (1 + b))),
+        self.lets: list[Let] = [(b, end.value), (self.c, end.height)]
+        self.lets += self._root(steep)
+        self.lets += [
             # tan(theta/2)
             (self.T, b / (A + self.root)),
             (self.T2, self.T**2),
         ]
-        self.g = sp.symbols(f"g_1:{NODES + 1}", positive=True)
-        self.lets += [(g, 1 / (1 + x**2 * self.T2)) for g, (x, _) in zip(self.g, gauss(NODES), strict=True)]
+        self.g = sp.symbols(f"g_1:{nodes + 1}", positive=True)
+        self.lets += [(g, 1 / (1 + x**2 * self.T2)) for g, (x, _) in zip(self.g, self.rule, strict=True)]
+
+    def _root(self, steep: bool) -> list[Let]:
+        """sqrt(A^2 - u_cr^2). Where u_cr is steep c says what its double lacks of it.
+
+        A^2 - u_cr^2 is that of the double and what this lacks, but no less than half of the first: next to u_cr the
+        double stands for it.
+        """
+        excess = (A - self.b) * (A + self.b)
+        if not steep:
+            return [(self.root, sp.sqrt(excess))]
+        lacking, half = sp.Symbol("lacking", real=True), sp.Symbol("half", positive=True)
+        return [
+            (lacking, self.c**2 - (1 - self.b) * (1 + self.b)),
+            (half, excess / 2),
+            (self.root, sp.sqrt(2 * half + (sp.Abs(lacking + half) - sp.Abs(lacking - half)) / 2)),
+        ]
 
     def by_gauss(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         """int sin^2 (1/c - 1/Delta), int sin^4/Delta^3, int sin^4/Delta^5, int sin^4 (1 + 4 u^2)/Delta^7."""
@@ -200,7 +255,7 @@ class _Detached:
         # u = 2 A T v, sin t = 2 T v, dt = 2 T g dx
         self.lets.append((U2, (2 * A * self.T) ** 2))
         points = []
-        for k, (g, (x, weight)) in enumerate(zip(self.g, gauss(NODES), strict=True), start=1):
+        for k, (g, (x, weight)) in enumerate(zip(self.g, self.rule, strict=True), start=1):
             v2, square, delta, f = sp.symbols(f"v2_{k} square_{k} delta_{k} f_{k}", positive=True)
             self.lets += [
                 (v2, (x * g) ** 2),
@@ -215,9 +270,25 @@ class _Detached:
 
     def _tangent(self, k: int) -> sp.Symbol:
         """tan^2 at node k: tan t = 2 tau/(1 - tau^2)"""
-        tangent, (x, _) = sp.Symbol(f"tangent_{k}", positive=True), gauss(NODES)[k - 1]
+        tangent, (x, _) = sp.Symbol(f"tangent_{k}", positive=True), self.rule[k - 1]
         self.lets.append((tangent, (2 * x * self.T / (1 - x**2 * self.T2)) ** 2))
         return tangent
+
+    def _tangents_near_pole(self) -> list[sp.Symbol]:
+        """int sin^2 tan^(2n) dt for n = 0, 1, ..., where tan(theta) is large, and each term beside the one before it.
+
+        int tan^(2n) = tan^(2n-1)/(2n - 1) - int tan^(2n-2), sin^2 tan^(2n) = tan^(2n) - sin^2 tan^(2n-2).
+        """
+        theta, tangent = sp.symbols("theta tangent", positive=True)
+        self.lets += [(theta, sp.atan2(self.b, self.root)), (tangent, self.b / self.root)]
+        of_tangents = [theta]
+        sums = list(sp.symbols(f"sum_0:{ORDERS + 1}", positive=True))
+        self.lets.append((sums[0], (theta - self.b * self.root / A**2) / 2))
+        for n in range(1, ORDERS + 1):
+            of_tangents.append(sp.Symbol(f"tangents_{n}", positive=True))
+            self.lets.append((of_tangents[n], tangent ** (2 * n - 1) / (2 * n - 1) - of_tangents[n - 1]))
+            self.lets.append((sums[n], of_tangents[n] - sums[n - 1]))
+        return sums
 
     def _summed(self, sums: Sequence[Sequence[sp.Expr]], scales: Sequence[sp.Expr]) -> list[sp.Expr]:
         """Scaled sums; their smallest terms first, which are those next to zero."""
@@ -242,6 +313,11 @@ class _Detached:
         Q = self._moments(by_second=False)
         return [s / self.c - q for s, q in zip(self._tangents(ORDERS + 1), Q, strict=True)]
 
+    def closer_by_duplication(self) -> list[sp.Expr]:
+        """The same where theta is near pi/2."""
+        Q = self._moments(by_second=False)
+        return [s / self.c - q for s, q in zip(self._tangents_near_pole(), Q, strict=True)]
+
     def _moments(self, by_second: bool) -> list[sp.Symbol]:
         """int sin^(2n+2)/Delta^(2n+1), or int sin^(2n+2)/(cos^(2n) Delta), for n = 0, 1, ...
 
@@ -250,7 +326,7 @@ class _Detached:
         """
         x2, y2, third = sp.symbols("x2 y2 third", positive=True)
         self.lets += [(x2, (self.b / A) ** 2), (y2, (self.root / A) ** 2), (third, x2 * self.b / (3 * A))]
-        r = _Taylor(self.lets).duplicated(y2, (1 - self.b) * (1 + self.b), by_second)
+        r = _Taylor(self.lets).duplicated(y2, self.c**2, by_second)
         V = [sp.Symbol(f"V{2 * n + 2}", positive=True) for n in range(ORDERS + 1)]
         for n in range(ORDERS + 1):
             weight = math.factorial(n) / sp.rf(sp.Rational(1, 2), n)
@@ -260,7 +336,7 @@ class _Detached:
     def _tangents(self, count: int) -> list[sp.Symbol]:
         """int sin^2 tan^(2n) dt for n = 0, 1, ..., by Gauss's rule."""
         sums: list[list[sp.Expr]] = [[] for _ in range(count)]
-        for k, (g, (x, weight)) in enumerate(zip(self.g, gauss(NODES), strict=True), start=1):
+        for k, (g, (x, weight)) in enumerate(zip(self.g, self.rule, strict=True), start=1):
             term = sp.Symbol(f"term_{k}", positive=True)
             self.lets.append((term, weight * (x * g) ** 2 * g))
             tangent = self._tangent(k)
@@ -355,16 +431,16 @@ def _minus(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 
 @functools.cache
-def _integrals(end: sp.Symbol, way: str) -> tuple[_Detached, Sequence[sp.Expr]]:
+def _integrals(end: Corner, way: str, steep: bool, nodes: int) -> tuple[_Detached, Sequence[sp.Expr]]:
     """The lets, and what one of the methods above gives in them."""
-    quarter = _Detached(end)
+    quarter = _Detached(end, steep, nodes)
     return quarter, getattr(quarter, way)()
 
 
-def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
+def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, steep: bool) -> Regime:
     """A > u_cr, where u (a + b (1/Delta - 1/c)) is averaged over 0 < t < theta, a u beyond."""
-    quarter, (W, V3, V5, V7) = _integrals(end, "by_duplication" if steep else "by_gauss")
-    root, c = quarter.root, quarter.c
+    quarter, (W, V3, V5, V7) = _integrals(corner_, "by_duplication" if steep else "by_gauss", steep, NODES)
+    end, root, c = quarter.b, quarter.root, quarter.c
     whole = u * (1 / ROOT - 1 / c)
 
     def boundary(order: int) -> sp.Expr:
@@ -394,12 +470,12 @@ def detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
     return Regime((end,), (), tuple(quarter.lets), derivatives, intercept)
 
 
-def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
+def far_detached(a: sp.Expr, b: sp.Expr, end: Corner, way: str, nodes: int = NODES) -> Regime:
     """The same where A exceeds u_cr by far: A is varied where it stands beside u, in A^-1 (A^2 - u^2)^(-1/2) u^2 du.
 
     That leaves the force undifferentiated, and all terms have one sign.
     """
-    quarter, W = _integrals(end, "far_by_duplication" if steep else "far_by_gauss")
+    quarter, W = _integrals(end, way, way != "far_by_gauss", nodes)
     q = sp.Symbol("q", positive=True)
     # over the kernel itself, by log-derivative: -1/A - A/(A^2 - u^2), where 1/(A^2 - u^2) = (1 + q)/A^2, q = tan^2 t
     logarithmic = -(2 + q) / A
@@ -413,7 +489,7 @@ def far_detached(a: sp.Expr, b: sp.Expr, end: sp.Symbol, steep: bool) -> Regime:
         derivatives.append(-rest[order] + 4 / sp.pi * b * A ** (1 - order) * total)
         ratio = sp.expand(ratio * logarithmic + sp.diff(ratio, A) + sp.diff(ratio, q) * q_A)
     intercept = 4 / sp.pi * b * A * sp.expand(totals[0] - totals[1])
-    return Regime((end,), (end,), tuple(quarter.lets), tuple(derivatives), intercept)
+    return Regime((end.name,), (end.name,), tuple(quarter.lets), tuple(derivatives), intercept)
 
 
 # --- both ---
@@ -439,20 +515,33 @@ def closed_forms(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: sp.Symbol) -> tuple
     return Regime((), (), (), attached_form), Regime((end,), (), lets, detached_form)
 
 
-def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Restoring:
-    """All of step 3 for the pieces of a force. Give u + F_k for h (the whole force), F_k for H."""
+def restoring(pieces: Sequence[sp.Expr], breakpoints: Mapping[sp.Symbol, sp.Expr]) -> Restoring:
+    """All of step 3 for the pieces of a force and their ends in a parameter.
+
+    Give u + F_k for h (the whole force), F_k for H.
+    """
     if len(pieces) != 2:
         raise ArithmeticError("an untruncated force is averaged for one breakpoint only")
     (a, b), (rest, none) = (parts(piece) for piece in pieces)
     if none != 0:
         raise ArithmeticError("an untruncated force is averaged only if it is linear beyond the breakpoint")
-    (end,) = breakpoints
+    ((name, value),) = breakpoints.items()
+    end = corner(name, value)
+    # A^2 - u_cr^2 >= AWAY_STEEP (1 - u_cr^2)
+    away = (sp.sqrt(AWAY_STEEP + (1 - AWAY_STEEP) * value**2), A)
     cases = (
-        Case("passed_0", ((A, end), (A, FEW)), attached(a, b, STEPS)),
-        Case("passed_0_steep", ((A, end),), attached(a, b, STEPS_STEEP)),
-        Case("passed_1_far", ((end, MODERATE), (AWAY * end, A)), far_detached(rest, b, end, steep=False)),
-        Case("passed_1", ((end, MODERATE),), detached(rest, b, end, steep=False)),
-        Case("passed_1_steep_far", ((AWAY * end, A),), far_detached(rest, b, end, steep=True)),
+        Case("passed_0_end", ((A, value), (value, A)), attached(a, b, STEPS_END, end)),
+        Case("passed_0", ((A, value), (A, FEW)), attached(a, b, STEPS)),
+        Case("passed_0_steep", ((A, value),), attached(a, b, STEPS_STEEP)),
+        Case("passed_1_far", ((value, MODERATE), (AWAY * value, A)), far_detached(rest, b, end, "far_by_gauss")),
+        Case("passed_1", ((value, MODERATE),), detached(rest, b, end, steep=False)),
+        Case(
+            "passed_1_steeper_far",
+            ((value, STEEPER), (AWAY * value, A)),
+            far_detached(rest, b, end, "far_by_gauss", NODES_STEEPER),
+        ),
+        Case("passed_1_steep_far", ((AWAY * value, A),), far_detached(rest, b, end, "far_by_duplication")),
+        Case("passed_1_steep_away", (away,), far_detached(rest, b, end, "closer_by_duplication")),
         Case("passed_1_steep", (), detached(rest, b, end, steep=True)),
     )
-    return Restoring(tuple(pieces), (end,), (sp.Integer(0),), closed_forms(a, b, rest, end), {}, cases)
+    return Restoring(tuple(pieces), (name,), (sp.Integer(0),), closed_forms(a, b, rest, name), {}, cases)

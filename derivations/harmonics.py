@@ -27,13 +27,13 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from .elliptic import DIGITS, MODERATE, Let, digits, gauss, parts
+from .elliptic import DIGITS, MODERATE, Corner, Let, corner, digits, gauss, parts
 from .restoring import (
     ORDERS,
     Case,
@@ -273,13 +273,15 @@ def untruncated_attached(b: sp.Expr) -> Regime:
     return Regime((), (), tuple(lets), tuple(derivatives))
 
 
-def untruncated_detached(b: sp.Expr, end: sp.Symbol) -> Regime:
+def untruncated_detached(b: sp.Expr, corner_: Corner) -> Regime:
     """A > u_cr: b u (1/Delta - 1/c), c = sqrt(1 - u_cr^2), over 0 < t < theta."""
+    end = corner_.name
     root = sp.Symbol("root", nonnegative=True)
     c, T, T2 = sp.symbols("c T T2", positive=True)
     lets: list[Let] = [
+        (end, corner_.value),
+        (c, corner_.height),
         (root, sp.sqrt((A - end) * (A + end))),
-        (c, sp.sqrt((1 - end) * (1 + end))),
         (T, end / (A + root)),
         (T2, T**2),
     ]
@@ -313,18 +315,12 @@ def untruncated_detached(b: sp.Expr, end: sp.Symbol) -> Regime:
     return Regime((end,), (), tuple(lets), tuple(derivatives))
 
 
-def of_untruncated(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Harmonics:
-    """The harmonics of the force of `elliptic`, by Gauss's rule."""
+def of_untruncated(pieces: Sequence[sp.Expr], breakpoints: Mapping[sp.Symbol, sp.Expr]) -> Harmonics:
+    """The harmonics of the force of `elliptic`, by Gauss's rule; its pieces' ends come in a parameter."""
     _, b = parts(pieces[0])
-    (end,) = breakpoints
+    ((name, value),) = breakpoints.items()
     cases = (
-        Case("passed_0", ((A, end),), untruncated_attached(b)),
-        Case("passed_1", (), untruncated_detached(b, end)),
+        Case("passed_0", ((A, value),), untruncated_attached(b)),
+        Case("passed_1", (), untruncated_detached(b, corner(name, value))),
     )
-    return Harmonics(cases, f"A >= 0, {end} <= {MODERATE}", MODERATE)
-
-
-def harmonics(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Harmonics:
-    """All of this step for the pieces of the whole force u + F_k."""
-    polynomial = all(piece.is_polynomial(u) for piece in pieces)
-    return (of_polynomials if polynomial else of_untruncated)(pieces, breakpoints)
+    return Harmonics(cases, f"A >= 0, {name} <= {MODERATE}", MODERATE)

@@ -40,6 +40,14 @@ class Dimensionless:
     polynomials: tuple[sp.Expr, ...]
     definitions: dict[sp.Symbol, sp.Expr]
 
+    @property
+    def breakpoints(self) -> dict[sp.Symbol, sp.Expr]:
+        """The breakpoints in the parameters of the kernels, one of which each may be itself."""
+        if not self.mechanism.instead:
+            return {name: name for name in self.mechanism.breakpoints}
+        # one root of 2 x - x^2 rounds less than the product of the roots of x and 2 - x, and doubles of A lie near it
+        return {name: sp.sqrt(sp.expand(self.definitions[name] ** 2)) for name in self.mechanism.breakpoints}
+
 
 def equation_of_motion(k_v: sp.Expr, x: sp.Expr, x_dot: sp.Expr, x_ddot: sp.Expr) -> sp.Expr:
     """(1): what F_k(x) adds to zero; sign(x') and cos(omega t) as symbols."""

@@ -16,7 +16,7 @@ from .averaging import Averaged, averaged
 from .bounds import Bounds, bounds
 from .den_hartog import DenHartog, den_hartog
 from .frequencies import Frequencies, frequencies
-from .harmonics import Harmonics, harmonics
+from .harmonics import Harmonics, of_polynomials, of_untruncated
 from .mechanisms import Mechanism, all_mechanisms
 from .monotone import prove_monotone
 from .motion import Motion, Smoothed, motion, smoothed
@@ -49,7 +49,10 @@ class OfMechanism:
     @cached_property
     def harmonics(self) -> Harmonics:
         """h_3, h_5 and their derivatives, of the whole restoring force; the ledger does without."""
-        return harmonics(self.oscillator.polynomials, self.oscillator.mechanism.breakpoints)
+        pieces, breakpoints = self.oscillator.polynomials, self.oscillator.breakpoints
+        if all(piece.is_polynomial(u) for piece in pieces):
+            return of_polynomials(pieces, tuple(breakpoints))
+        return of_untruncated(pieces, breakpoints)
 
 
 @dataclass(frozen=True)
@@ -88,13 +91,16 @@ def of_mechanism(mechanism: Mechanism, flow: SlowFlow) -> OfMechanism:
     """Steps that need the mechanism."""
     dimensionless = oscillator(mechanism)
     prove_monotone(dimensionless)
-    polynomial = all(piece.is_polynomial(u) for piece in dimensionless.polynomials)
-    average = restoring if polynomial else elliptic.restoring
-    whole = average(dimensionless.polynomials, mechanism.breakpoints)
+    pieces, ends = dimensionless.polynomials, dimensionless.breakpoints
+    polynomial = all(piece.is_polynomial(u) for piece in pieces)
+    whole, beside_vertical = (
+        restoring(forces, tuple(ends)) if polynomial else elliptic.restoring(forces, ends)
+        for forces in (pieces, [piece - u for piece in pieces])
+    )
     return OfMechanism(
         dimensionless,
         whole,
-        average([piece - u for piece in dimensionless.polynomials], mechanism.breakpoints),
+        beside_vertical,
         resultants.saddle_node_onset(flow, whole) if polynomial else None,
         resultants.saddle_nodes(flow, whole) if polynomial else None,
     )

@@ -32,7 +32,6 @@ STOPS = Mechanism(
     ),
     breakpoints=lambda s, gap: (gap,), jumps=lambda s, gap: (0.0,), hardening=lambda s, gap: (s,),
     averaged=averaged, intercept=intercept, harmonics=lambda A, s, gap: np.nan, harmonics_up_to=0.0,
-    digits_up_to=np.inf,
     reach=np.inf, reach_reason="", truncated=False, load_untruncated=None,
 )  # fmt: skip
 

@@ -46,22 +46,6 @@ def test_a_batch_has_the_remarks_of_single_answers():
     assert designs.saddle_node_onset().remarks.tolist() == [int(one.saddle_node_onset().remarks) for one in alone]
 
 
-@pytest.mark.parametrize(("delta_h", "lost"), [(0.97, False), (0.98, False), (0.99, True), (0.995, True)])
-def test_digits_that_doubles_cannot_hold_are_said_to_be_lost(delta_h, lost):
-    """The untruncated force near 1/sqrt(1 - u_cr^2): its averages depend on 1 - u_cr, of which few digits are left."""
-    design = {"lam": 1.0, "r": 1.0, "delta_h": delta_h, "mu": 0.01, "zeta": 0.05, "force": "untruncated"}
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        one, many = Isolator(**design), Isolator.many(**design)
-    for alone, batch in (
-        (one.peak(0.2), many.peak(0.2)),
-        (one.saddle_nodes(0.2), many.saddle_nodes(0.2)),
-        (one.saddle_node_onset(), many.saddle_node_onset()),
-    ):
-        assert (Remark.DIGITS_LOST in alone.remarks) is lost and ("digits are lost" in alone.message) is lost
-        assert bool(batch.remarks & Remark.DIGITS_LOST) is lost
-
-
 def test_an_onset_that_only_the_truncation_makes_says_so():
     """The untruncated force of this isolator has no onset at all."""
     onset = single(0).saddle_node_onset()

@@ -10,7 +10,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from derivations.den_hartog import S, U, V, den_hartog, without_cancellation
-from derivations.harmonics import HARMONICS, harmonics
+from derivations.harmonics import HARMONICS, of_polynomials
 from derivations.restoring import FAR, moment_parts, moment_series, odd_moment, quarter_moment, restoring
 from derivations.symbols import F_0, A, Omega, mu, tau, u
 
@@ -100,7 +100,7 @@ def test_far_form_to_working_precision(pieces, average, count, far, amplitude):
 @pytest.mark.parametrize(("count", "far", "amplitude"), [(0, 0, "0.2"), (1, 0, "0.31"), (2, 0, "0.501"), *FAR_POINTS])
 def test_higher_harmonics(pieces, count, far, amplitude):
     """Every form of h_3 and h_5; the series leave out less than rounding does."""
-    found = {case.name: case.regime for case in harmonics(pieces, (b_1, b_2)).cases}
+    found = {case.name: case.regime for case in of_polynomials(pieces, (b_1, b_2)).cases}
     regime = found[f"passed_{count}" + (f"_far_{far}" if far else "")]
     exact = [value for n in HARMONICS for value in by_quadrature(pieces, mpf(amplitude), count, n)]
     bound = mpf(2) ** -54 if far else mpf(10) ** -DIGITS
@@ -110,9 +110,9 @@ def test_higher_harmonics(pieces, count, far, amplitude):
 
 def test_harmonics_that_vanish():
     """A linear force has none; a cubic one has a third, beta A^3/4, and no fifth."""
-    (case,) = harmonics((3 * u,), ()).cases
+    (case,) = of_polynomials((3 * u,), ()).cases
     assert set(case.regime.derivatives) == {0}
-    (case,) = harmonics((u**3,), ()).cases
+    (case,) = of_polynomials((u**3,), ()).cases
     assert case.regime.derivatives[:4] == (-(A**3) / 4, -3 * A**2 / 4, -3 * A / 2, -sp.Rational(3, 2))
     assert set(case.regime.derivatives[4:]) == {0}
 

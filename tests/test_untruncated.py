@@ -14,6 +14,8 @@ from scipy.special import roots_legendre
 from slowflow import Isolator
 from slowflow.paper.example import DESIGN
 from slowflow_kernels import rod_spring, rod_spring_untruncated
+from tests.oracles import kernels
+from tests.oracles.answers import Nearby
 
 pytestmark = pytest.mark.both_backends
 
@@ -187,7 +189,7 @@ def test_vanishing_preload_is_linear():
     A = np.array([0.05, 0.3, 1.0, 2.0])
     for delta_h in (1e-6, 1e-9, 1e-12):
         p = rod_spring_untruncated.coefficients(3.0, 2.0, delta_h)
-        u_cr = float(p[-1])
+        (u_cr,) = rod_spring_untruncated.breakpoints(*p)
         h = rod_spring_untruncated.h(A, *p)
         # the springs take at most lam r delta_h |u| off the force, over |u| < u_cr
         bound = 4 / np.pi * 6.0 * delta_h * u_cr * (1.1 * u_cr / A) ** 2
@@ -206,11 +208,11 @@ def test_truncation_is_of_seventh_order(lam, r, delta_h):
 
 def test_quasi_zero_stiffness_keeps_its_digits():
     """lam r delta_h = 1: h falls as A^3, -(3/4) beta A^3 (1 + (5/8) A^2 (1 + ...))."""
-    alpha, beta, u_cr = rod_spring_untruncated.coefficients(4.0, 2.0, 0.125)
+    alpha, beta, delta_h = rod_spring_untruncated.coefficients(4.0, 2.0, 0.125)
     assert alpha == 0
     A = np.array([1e-8, 1e-5, 1e-3])
     np.testing.assert_allclose(
-        rod_spring_untruncated.h(A, alpha, beta, u_cr), -0.75 * beta * A**3 * (1 + 0.625 * A**2), rtol=1e-12
+        rod_spring_untruncated.h(A, alpha, beta, delta_h), -0.75 * beta * A**3 * (1 + 0.625 * A**2), rtol=1e-12
     )
 
 
@@ -227,3 +229,100 @@ def test_many_takes_the_force():
     alone = [Isolator(**{**values, "delta_h": d}, force="untruncated").detachment().F_cr for d in (0.05, 0.08)]
     np.testing.assert_allclose(together.F_cr, alone, rtol=1e-14)
     assert (together.F_cr != Isolator.many(**values).detachment().F_cr).all()
+
+
+#: where 1 - u_cr, which is (1 - delta_h)^2/2, is next to nothing
+STEEP = (0.98, 0.99, 1 - 1e-4, 1 - 1e-6, 1 - 1e-9, 1 - 2.0**-52)
+ROUNDING = 2.0**-53
+
+
+def amplitudes_about(u_cr: float, c: float) -> list[float]:
+    """Below u_cr, next to it, between it and 1, and above; the last where A^2 - u_cr^2 is a share of 1 - u_cr^2."""
+    below = [u_cr * share for share in (1e-3, 0.3, 0.69, 0.71, 0.99, 1 - 1e-6, 1 - 1e-9)]
+    above = [u_cr * (1 + share) for share in (1e-14, 1e-12, 1e-9, 1e-6, 1e-3, 0.049, 0.051, 0.5, 3.0)]
+    between = [float(np.sqrt(1 - c**2 * (1 - share))) for share in (0.01, 0.1, 0.24, 0.26, 0.9, 1.1, 3.0)]
+    beside = [float(np.nextafter(u_cr, end)) for end in (0.0, 2.0)]
+    return [*below, *beside, *between, *above]
+
+
+@pytest.mark.parametrize("delta_h", STEEP)
+def test_averages_keep_their_digits_as_the_preload_nears_the_length_of_the_rod(delta_h):
+    """h to 13 places at amplitudes that are not next to u_cr; with its derivatives to the target of all kernels."""
+    p = tuple(float(value) for value in rod_spring_untruncated.coefficients(1.0, 1.25, delta_h))
+    (u_cr,) = map(float, rod_spring_untruncated.breakpoints(*p))
+    names = ("A", "alpha", "beta", "delta_h")
+    for A in (u_cr, *amplitudes_about(u_cr, 1 - delta_h)):
+        exact, scales = kernels.values("rod_spring_untruncated", "averaged", names, (A, *p))
+        found = rod_spring_untruncated.averaged(A, *p)
+        for value, true, scale in zip(found, exact, scales, strict=True):
+            assert abs(mpf(float(value)) - true) <= 4 * ROUNDING * scale, A
+        if abs(A - u_cr) > 2.0**-51:
+            assert abs(mpf(float(found[0])) - exact[0]) <= 1e-13 * abs(exact[0]), A
+
+
+@pytest.mark.parametrize("delta_h", STEEP)
+def test_the_double_next_to_u_cr_stands_for_u_cr(delta_h):
+    """h there is that of an amplitude which no double is, by the complete elliptic integrals at c = 1 - delta_h."""
+    p = rod_spring_untruncated.coefficients(1.0, 1.25, delta_h)
+    with mp.workdps(DIGITS):
+        alpha, beta, c = mpf(float(p[0])), mpf(float(p[1])), 1 - mpf(delta_h)
+        m = (1 - c) * (1 + c)
+        steep = (mp.ellipk(m) - mp.ellipe(m)) / m
+        exact = -mp.sqrt(m) * (alpha - 2 * beta + 8 * beta / mp.pi * steep)
+        found = rod_spring_untruncated.h(rod_spring_untruncated.breakpoints(*p)[0], *p)
+        assert abs(mpf(float(found)) - exact) <= 1e-14 * abs(exact)
+
+
+def steep_isolator(delta_h: float) -> Isolator:
+    """With folds, an onset and a detachment on either side of u_cr."""
+    return Isolator(lam=1, r=0.3, delta_h=delta_h, mu=0.01, zeta=0.02, force="untruncated")
+
+
+def rounded(found: float, true, kappa: float) -> float:
+    """The error in u (1 + kappa)."""
+    return abs(float((mpf(float(found)) - _number(true)) / _number(true))) / (ROUNDING * (1 + kappa))
+
+
+def _number(x) -> mpf:
+    """A ball's middle."""
+    man, exp = (int(part) for part in x.mid().man_exp())
+    return mp.ldexp(man, exp)
+
+
+@pytest.mark.parametrize("delta_h", STEEP)
+def test_answers_keep_their_digits_as_the_preload_nears_the_length_of_the_rod(delta_h):
+    """F_cr, folds and states against solutions in 420 bits; nothing is said of lost digits."""
+    iso = steep_isolator(delta_h)
+    nearby = Nearby("rod_spring_untruncated", lam=1.0, r=0.3, delta_h=delta_h, mu=0.01, zeta=0.02)
+    with mp.workdps(DIGITS):
+        found = iso.detachment()
+        point, condition = nearby.on_corner("detachment", found.Omega_cr, found.F_cr)
+        assert rounded(found.F_cr, point.F_0, condition.inputs["F_0"] + condition.kernel["F_0"]) <= 3
+        folds = iso.saddle_nodes(0.1)
+        assert len(folds) == 2 and "digits" not in folds.message
+        for fold in folds:
+            point, condition = nearby.two("fold", fold.Omega, fold.A, 0.1)
+            for name, value, true in (("Omega", fold.Omega, point.Omega), ("A", fold.A, point.A)):
+                assert rounded(value, true, condition.inputs[name] + condition.kernel[name]) <= 2
+        for A in iso.amplitudes(Omega=0.95, F_0=0.1).A:
+            state, condition = nearby.state(0.95, A, 0.1)
+            assert rounded(A, state.A, condition.inputs["A"] + condition.kernel["A"]) <= 2
+
+
+@pytest.mark.parametrize("delta_h", [d for d in STEEP if d < 1 - 1e-7])
+@pytest.mark.parametrize("r", [0.3, 0.7])
+def test_an_onset_next_to_a_steep_corner(delta_h, r):
+    """Its amplitude is so near to u_cr that h_AA changes by much from one double to the next; the level does not."""
+    onset = Isolator(lam=1, r=r, delta_h=delta_h, mu=0.01, zeta=0.02, force="untruncated").saddle_node_onset()
+    nearby = Nearby("rod_spring_untruncated", lam=1.0, r=r, delta_h=delta_h, mu=0.01, zeta=0.02)
+    with mp.workdps(DIGITS):
+        point, _ = nearby.two("cusp", onset.Omega, onset.A, onset.F_SN)
+        assert abs(mpf(onset.F_SN) - _number(point.F_0)) <= 1e-14 * _number(point.F_0)
+        assert abs(mpf(onset.Omega) - _number(point.Omega)) <= 1e-14 * _number(point.Omega)
+
+
+@pytest.mark.parametrize("delta_h", [1 - 1e-9, 1 - 2.0**-52])
+def test_an_onset_at_an_amplitude_that_no_double_is_is_refused(delta_h):
+    """About 20 (1 - delta_h)^2 below 1: neither a wrong onset nor none."""
+    with pytest.raises(ArithmeticError, match="unresolved"):
+        steep_isolator(delta_h).saddle_node_onset()

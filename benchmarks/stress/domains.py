@@ -11,7 +11,6 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from slowflow_kernels import rod_spring_untruncated
 from tests.oracles.make_kernel_oracle import RANGES
 
 Point = dict[str, float]
@@ -49,8 +48,6 @@ BOX: dict[str, tuple[float, float, bool, bool]] = {
 }
 #: modules whose numbers have no scale to vary over: the ranges of the kernels' oracle serve
 PLAIN = ("motion", "den_hartog", "second_approximation")
-#: beyond it a double does not say how far from 1 it is: the domain that the averages' kernels state
-LARGEST_BREAKPOINT = rod_spring_untruncated.MECHANISM.digits_up_to
 #: what a double lacks of its number
 LACKED = ("tail", "p_low", "q_low")
 #: sizes of the extreme arguments
@@ -70,7 +67,7 @@ def limits(module: str, name: str) -> tuple[float, float, bool, bool]:
 
 
 def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
-    """Whether a point lies in the box, and where the kernels keep their digits: beyond, answers say they are lost."""
+    """Whether a point lies in the box."""
     for name, x in zip(names, at, strict=True):
         low, high, negative, zero = limits(module, name)
         if not math.isfinite(x) or (x < 0 and not negative) or (x == 0 and not zero) or abs(x) > high:
@@ -78,11 +75,9 @@ def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
         if x and abs(x) < low:
             return False
     x = dict(zip(names, at, strict=True))
-    if module.startswith("rod_spring_untruncated") and x.get("u_cr", 0.0) > LARGEST_BREAKPOINT:
-        return False
     if "h_3" in x and not -0.5 < -x["h"] / (x["A"] * x["Omega"] ** 2) < 8:
         return False
-    if "T" in x and "R" not in x and x["h_AA"] == 0:  # one form of R divides by it
+    if "T" in x and "R" not in x and x.get("h_AA", x["T"]) == 0:  # one form of R divides by it
         return False
     return "tau" not in x or x["tau"] <= math.pi / (2 * x["Omega"])
 
@@ -135,7 +130,8 @@ def point(module: str, names: Sequence[str], coefficients: Mapping[str, Callable
     for name in ("p", "q"):
         if f"{name}_low" in x:
             x[f"{name}_low"] = x[name] * 2.0**-54 * rng.uniform(-1, 1)
-    fitting = [place for place, (needed, _) in PLACES.items() if needed <= x.keys()]
+    known = {*x, "u_cr"} - {"delta_h"} if "alpha" in x and "delta_h" in x else x.keys()
+    fitting = [place for place, (needed, _) in PLACES.items() if needed <= known]
     if module.startswith(PLAIN) or not fitting or rng.random() < 0.25:
         return "anywhere", tuple(x.values())
     place = str(rng.choice(fitting))
@@ -157,8 +153,8 @@ def extreme(module: str, names: Sequence[str], rng: np.random.Generator) -> tupl
 
 def _design(x: Point, base: str, coefficients: Callable[..., Sequence[float]], rng: np.random.Generator) -> None:
     """Parameters of a mechanism from a design; every other one quasi-zero stiffness, to the ulp, or negative."""
-    own = [name for name in ("alpha", "beta", "gamma", "u_cr") if name in x]
-    if "u_cr" not in x:
+    own = [name for name in ("alpha", "beta", "gamma", "u_cr", "delta_h") if name in x]
+    if own[-1] == "beta":
         if rng.random() < 0.3:
             x["alpha"] = float(rng.choice([0.0, 2.0**-53, -(2.0**-53), 1e-12]))
         return
@@ -172,18 +168,23 @@ def _design(x: Point, base: str, coefficients: Callable[..., Sequence[float]], r
         r *= float(rng.uniform(1, 3))
     x.update(zip(own, (float(value) for value in coefficients(lam, r, delta_h)), strict=True))
     if "A" in x:
-        x["A"] = x["u_cr"] * float(10 ** rng.uniform(-3, 2))
+        x["A"] = _corner(x) * float(10 ** rng.uniform(-3, 2))
+
+
+def _corner(x: Point) -> float:
+    """u_cr, from the preload where that stands for it."""
+    return x["u_cr"] if "u_cr" in x else math.sqrt(2 * x["delta_h"] - x["delta_h"] ** 2)
 
 
 # --- places: each changes a point in place ----------------------------------------------------------------------------
 
 
 def _above_corner(x: Point, rng: np.random.Generator) -> None:
-    x["A"] = ulps(x["u_cr"], int(rng.integers(-1, 3)))
+    x["A"] = ulps(_corner(x), int(rng.integers(-1, 3)))
 
 
 def _near_corner(x: Point, rng: np.random.Generator) -> None:
-    x["A"] = x["u_cr"] * (1 + float(rng.choice([-1, 1])) * float(10 ** rng.uniform(-15, 0)))
+    x["A"] = _corner(x) * (1 + float(rng.choice([-1, 1])) * float(10 ** rng.uniform(-15, 0)))
 
 
 def _small_amplitude(x: Point, rng: np.random.Generator) -> None:
@@ -191,11 +192,11 @@ def _small_amplitude(x: Point, rng: np.random.Generator) -> None:
 
 
 def _regimes_meet(x: Point, rng: np.random.Generator) -> None:
-    x["A"] = ulps(1.25 * x["u_cr"], few(rng))
+    x["A"] = ulps(1.25 * _corner(x), few(rng))
 
 
 def _displacement(x: Point, rng: np.random.Generator) -> None:
-    x["u"] = float(rng.choice([-1, 1])) * ulps(x["u_cr"], -int(rng.integers(0, 3)))
+    x["u"] = float(rng.choice([-1, 1])) * ulps(_corner(x), -int(rng.integers(0, 3)))
 
 
 def _backbone(x: Point, rng: np.random.Generator) -> None:

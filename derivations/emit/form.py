@@ -183,7 +183,6 @@ class Record:
     parameters      -- what its kernels take, in their order
     pieces          -- of the force, by rising |u|
     harmonics_up_to -- the largest breakpoint for which the harmonics hold
-    digits_up_to    -- the largest breakpoint for which averages keep their digits
     truncated       -- whether the force is a Taylor polynomial that stands for another
     untruncated     -- name of the mechanism with that other force; "" where there is none
     scales          -- what the design's numbers are measured in
@@ -193,7 +192,6 @@ class Record:
     parameters: tuple[Parameter, ...]
     pieces: tuple[Law, ...]
     harmonics_up_to: sp.Expr
-    digits_up_to: sp.Expr
     truncated: bool
     untruncated: str
     scales: tuple[Scale, ...]

@@ -77,6 +77,7 @@ class Mechanism:
     coefficients -- names of the Taylor coefficients of u + F_k(u) for u > 0, by power, of each piece that has any; the
                     constant of a piece that begins where the one below it ends follows from that and has none
     breakpoints  -- names of the dimensionless ends of the pieces but the last
+    instead      -- ratios that the kernels take in place of the breakpoints, which follow from them; () none
     reach        -- largest |u| that the mechanism can take, in the ratios, or `sp.oo`
     reach_reason -- what happens there, in words
     """
@@ -93,6 +94,7 @@ class Mechanism:
     order: int | sp.Expr
     coefficients: tuple[dict[int, sp.Symbol], ...]
     breakpoints: tuple[sp.Symbol, ...] = ()
+    instead: tuple[sp.Symbol, ...] = ()
     reach: sp.Expr = sp.oo
     reach_reason: str = ""
 
@@ -104,7 +106,8 @@ class Mechanism:
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
         """The parameters of the generated kernels, in their order: coefficients piece by piece, then breakpoints."""
-        return tuple(name for piece in self.coefficients for name in piece.values()) + self.breakpoints
+        coefficients = tuple(name for piece in self.coefficients for name in piece.values())
+        return coefficients + (self.instead or self.breakpoints)
 
 
 def all_mechanisms() -> list[Mechanism]:

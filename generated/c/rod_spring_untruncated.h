@@ -1,7 +1,7 @@
 /* Mass on a vertical spring, with preloaded horizontal springs on a push-rod that detach at u_cr, force not truncated.
 
    Written by `make derive`; never edit.
-   Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 d01fb3e6e496d2753f4eb35c9c90a319cc531fe39a09da3bea4bf707827267cc
+   Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f9f892242cfe193b7bb6d648ba5e980491479e0dbe8cfd9fa
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
@@ -13,21 +13,94 @@
 
 #include <math.h>
 
+#include "angles.h"
 #include "slow_flow.h"
 
-/* alpha, beta, u_cr */
+/* alpha, beta, delta_h */
 #define ROD_SPRING_UNTRUNCATED_PARAMETERS 3
 #define ROD_SPRING_UNTRUNCATED_BREAKPOINTS 1
 
 /* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Operations where passed_0_end: 184 structured, 155 common subexpressions, 154 power chains
    Operations where passed_0: 120 structured, 99 common subexpressions, 98 power chains
    Operations where passed_0_steep: 176 structured, 147 common subexpressions, 146 power chains
-   Operations where passed_1_far: 714 structured, 714 common subexpressions, 639 power chains
-   Operations where passed_1: 674 structured, 674 common subexpressions, 614 power chains
-   Operations where passed_1_steep_far: 1708 structured, 1708 common subexpressions, 1645 power chains
-   Operations where passed_1_steep: 1477 structured, 1477 common subexpressions, 1432 power chains
+   Operations where passed_1_far: 715 structured, 715 common subexpressions, 640 power chains
+   Operations where passed_1: 675 structured, 675 common subexpressions, 615 power chains
+   Operations where passed_1_steeper_far: 1057 structured, 1057 common subexpressions, 964 power chains
+   Operations where passed_1_steep_far: 1722 structured, 1722 common subexpressions, 1658 power chains
+   Operations where passed_1_steep_away: 1365 structured, 1365 common subexpressions, 1357 power chains
+   Operations where passed_1_steep: 1491 structured, 1491 common subexpressions, 1444 power chains
  */
+static inline void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double delta_h = p[2];
+    const double m = A * A;
+    const double k_c = 1.0 - delta_h;
+    const double k = k_c * k_c;
+    const double a_1 = 0.5 * k_c + 0.5;
+    const double b_1 = sqrt(k_c);
+    const double e_1 = 0.25 / a_1;
+    const double a_2 = 0.5 * a_1 + 0.5 * b_1;
+    const double b_2 = sqrt(a_1) * sqrt(b_1);
+    const double t0 = e_1 * e_1;
+    const double t1 = 0.25 * m;
+    const double e_2 = t0 * t1 / a_2;
+    const double a_3 = 0.5 * a_2 + 0.5 * b_2;
+    const double b_3 = sqrt(a_2) * sqrt(b_2);
+    const double t2 = e_2 * e_2;
+    const double e_3 = t1 * t2 / a_3;
+    const double a_4 = 0.5 * a_3 + 0.5 * b_3;
+    const double b_4 = sqrt(a_3) * sqrt(b_3);
+    const double t3 = e_3 * e_3;
+    const double e_4 = t1 * t3 / a_4;
+    const double a_5 = 0.5 * a_4 + 0.5 * b_4;
+    const double b_5 = sqrt(a_4) * sqrt(b_4);
+    const double t4 = e_4 * e_4;
+    const double e_5 = t1 * t4 / a_5;
+    const double a_6 = 0.5 * a_5 + 0.5 * b_5;
+    const double b_6 = sqrt(a_5) * sqrt(b_5);
+    const double t5 = e_5 * e_5;
+    const double e_6 = t1 * t5 / a_6;
+    const double a_7 = 0.5 * a_6 + 0.5 * b_6;
+    const double b_7 = sqrt(a_6) * sqrt(b_6);
+    const double t6 = e_6 * e_6;
+    const double e_7 = t1 * t6 / a_7;
+    const double a_8 = 0.5 * a_7 + 0.5 * b_7;
+    const double b_8 = sqrt(a_7) * sqrt(b_7);
+    const double t7 = e_7 * e_7;
+    const double e_8 = t1 * t7 / a_8;
+    const double a_9 = 0.5 * a_8 + 0.5 * b_8;
+    const double t8 = e_8 * e_8;
+    const double t9 = 1.0 / a_9;
+    const double t10 = m * t9;
+    const double e_9 = 0.25 * t10 * t8;
+    const double e = e_1 + e_2 + e_3 + e_4 + e_5 + e_6 + e_7 + e_8 + e_9;
+    const double tau = 512.0 * e_9 * e_9 + 2.0 * t0 + 4.0 * t2 + 8.0 * t3 + 16.0 * t4 + 32.0 * t5 + 64.0 * t6 +
+        128.0 * t7 + 256.0 * t8;
+    const double P = t10 * (e + tau);
+    const double B = t9 * (-m * tau + 1.0);
+    const double C = 2.0 * t9 * tau;
+    const double t11 = 2.0 * beta;
+    const double t12 = A * t11;
+    const double t13 = P * t12;
+    const double t14 = 1.0 / k;
+    const double t15 = B * t14;
+    const double t16 = alpha + t11 * (-C * m + P + m * t15);
+    const double k2 = k * k;
+    const double t17 = 1.0 / k2;
+    const double k3 = k * k2;
+    out[0] = -A * alpha - t13;
+    out[1] = -t16;
+    out[2] = -t12 * (2.0 * B * t17 + C * t14);
+    out[3] = -t11 * (B * (5.0 * m + 3.0) / k3 + C * t17 * (7.0 * m - 3.0));
+    out[4] = -A * (alpha - 1.0) - t13;
+    out[5] = 1.0 - t16;
+    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t15);
+}
+
 static inline void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
@@ -146,9 +219,10 @@ static inline void rod_spring_untruncated_averaged_all_passed_0_steep(double A, 
 static inline void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
-    const double u_cr = p[2];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
@@ -348,9 +422,10 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_far(double A, co
 static inline void rod_spring_untruncated_averaged_all_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
-    const double u_cr = p[2];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
@@ -506,12 +581,325 @@ static inline void rod_spring_untruncated_averaged_all_passed_1(double A, const 
     out[6] = 81.487330863050417 * A3 * T5 * beta * sum_1;
 }
 
+static inline void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double g_1 = 1.0 / (0.99754352492802578 * t0 + 1.0);
+    const double g_2 = 1.0 / (0.98710220320360464 * t0 + 1.0);
+    const double g_3 = 1.0 / (0.96850119628762721 * t0 + 1.0);
+    const double g_4 = 1.0 / (0.94204803952146043 * t0 + 1.0);
+    const double g_5 = 1.0 / (0.90818556237499348 * t0 + 1.0);
+    const double g_6 = 1.0 / (0.86748116762530669 * t0 + 1.0);
+    const double g_7 = 1.0 / (0.82061701033654577 * t0 + 1.0);
+    const double g_8 = 1.0 / (0.76837850672767649 * t0 + 1.0);
+    const double g_9 = 1.0 / (0.71164115515046622 * t0 + 1.0);
+    const double g_10 = 1.0 / (0.65135585768649396 * t0 + 1.0);
+    const double g_11 = 1.0 / (0.58853298117048669 * t0 + 1.0);
+    const double g_12 = 1.0 / (0.52422542274260353 * t0 + 1.0);
+    const double g_13 = 1.0 / (0.45951096306885042 * t0 + 1.0);
+    const double g_14 = 1.0 / (0.395474202728469 * t0 + 1.0);
+    const double g_15 = 1.0 / (0.33318838440271731 * t0 + 1.0);
+    const double g_16 = 1.0 / (0.27369740547231697 * t0 + 1.0);
+    const double g_17 = 1.0 / (0.21799832246488254 * t0 + 1.0);
+    const double g_18 = 1.0 / (0.16702464056194843 * t0 + 1.0);
+    const double g_19 = 1.0 / (0.12163066822343055 * t0 + 1.0);
+    const double g_20 = 1.0 / (0.082577199139114363 * t0 + 1.0);
+    const double g_21 = 1.0 / (0.050518761472587721 * t0 + 1.0);
+    const double g_22 = 1.0 / (0.025992648096404506 * t0 + 1.0);
+    const double g_23 = 1.0 / (0.0094099116687183324 * t0 + 1.0);
+    const double g_24 = 1.0 / (0.0010484754715846482 * t0 + 1.0);
+    const double A2 = A * A;
+    const double U2 = 4.0 * A2 * t0;
+    const double v2_1 = 0.99754352492802578 * g_1 * g_1;
+    const double square_1 = -U2 * v2_1 + 1.0;
+    const double delta_1 = sqrt(square_1);
+    const double f_1 = 0.0031533460523058385 * g_1 * v2_1 / delta_1;
+    const double v2_2 = 0.98710220320360464 * g_2 * g_2;
+    const double square_2 = -U2 * v2_2 + 1.0;
+    const double delta_2 = sqrt(square_2);
+    const double f_2 = 0.0073275539012762625 * g_2 * v2_2 / delta_2;
+    const double v2_3 = 0.96850119628762721 * g_3 * g_3;
+    const double square_3 = -U2 * v2_3 + 1.0;
+    const double delta_3 = sqrt(square_3);
+    const double f_3 = 0.01147723457923454 * g_3 * v2_3 / delta_3;
+    const double v2_4 = 0.94204803952146043 * g_4 * g_4;
+    const double square_4 = -U2 * v2_4 + 1.0;
+    const double delta_4 = sqrt(square_4);
+    const double f_4 = 0.015579315722943849 * g_4 * v2_4 / delta_4;
+    const double v2_5 = 0.90818556237499348 * g_5 * g_5;
+    const double square_5 = -U2 * v2_5 + 1.0;
+    const double delta_5 = sqrt(square_5);
+    const double f_5 = 0.019616160457355529 * g_5 * v2_5 / delta_5;
+    const double v2_6 = 0.86748116762530669 * g_6 * g_6;
+    const double square_6 = -U2 * v2_6 + 1.0;
+    const double delta_6 = sqrt(square_6);
+    const double f_6 = 0.02357076083932438 * g_6 * v2_6 / delta_6;
+    const double v2_7 = 0.82061701033654577 * g_7 * g_7;
+    const double square_7 = -U2 * v2_7 + 1.0;
+    const double delta_7 = sqrt(square_7);
+    const double f_7 = 0.027426509708356948 * g_7 * v2_7 / delta_7;
+    const double v2_8 = 0.76837850672767649 * g_8 * g_8;
+    const double square_8 = -U2 * v2_8 + 1.0;
+    const double delta_8 = sqrt(square_8);
+    const double f_8 = 0.03116722783279809 * g_8 * v2_8 / delta_8;
+    const double v2_9 = 0.71164115515046622 * g_9 * g_9;
+    const double square_9 = -U2 * v2_9 + 1.0;
+    const double delta_9 = sqrt(square_9);
+    const double f_9 = 0.034777222564770442 * g_9 * v2_9 / delta_9;
+    const double v2_10 = 0.65135585768649396 * g_10 * g_10;
+    const double square_10 = -U2 * v2_10 + 1.0;
+    const double delta_10 = sqrt(square_10);
+    const double f_10 = 0.038241351065830709 * g_10 * v2_10 / delta_10;
+    const double v2_11 = 0.58853298117048669 * g_11 * g_11;
+    const double square_11 = -U2 * v2_11 + 1.0;
+    const double delta_11 = sqrt(square_11);
+    const double f_11 = 0.041545082943464748 * g_11 * v2_11 / delta_11;
+    const double v2_12 = 0.52422542274260353 * g_12 * g_12;
+    const double square_12 = -U2 * v2_12 + 1.0;
+    const double delta_12 = sqrt(square_12);
+    const double f_12 = 0.04467456085669428 * g_12 * v2_12 / delta_12;
+    const double v2_13 = 0.45951096306885042 * g_13 * g_13;
+    const double square_13 = -U2 * v2_13 + 1.0;
+    const double delta_13 = sqrt(square_13);
+    const double f_13 = 0.047616658492490478 * g_13 * v2_13 / delta_13;
+    const double v2_14 = 0.395474202728469 * g_14 * g_14;
+    const double square_14 = -U2 * v2_14 + 1.0;
+    const double delta_14 = sqrt(square_14);
+    const double f_14 = 0.050359035553854473 * g_14 * v2_14 / delta_14;
+    const double v2_15 = 0.33318838440271731 * g_15 * g_15;
+    const double square_15 = -U2 * v2_15 + 1.0;
+    const double delta_15 = sqrt(square_15);
+    const double f_15 = 0.052890189485193667 * g_15 * v2_15 / delta_15;
+    const double v2_16 = 0.27369740547231697 * g_16 * g_16;
+    const double square_16 = -U2 * v2_16 + 1.0;
+    const double delta_16 = sqrt(square_16);
+    const double f_16 = 0.055199503699984165 * g_16 * v2_16 / delta_16;
+    const double v2_17 = 0.21799832246488254 * g_17 * g_17;
+    const double square_17 = -U2 * v2_17 + 1.0;
+    const double delta_17 = sqrt(square_17);
+    const double f_17 = 0.057277292100403214 * g_17 * v2_17 / delta_17;
+    const double v2_18 = 0.16702464056194843 * g_18 * g_18;
+    const double square_18 = -U2 * v2_18 + 1.0;
+    const double delta_18 = sqrt(square_18);
+    const double f_18 = 0.059114839698395635 * g_18 * v2_18 / delta_18;
+    const double v2_19 = 0.12163066822343055 * g_19 * g_19;
+    const double square_19 = -U2 * v2_19 + 1.0;
+    const double delta_19 = sqrt(square_19);
+    const double f_19 = 0.060704439165893881 * g_19 * v2_19 / delta_19;
+    const double v2_20 = 0.082577199139114363 * g_20 * g_20;
+    const double square_20 = -U2 * v2_20 + 1.0;
+    const double delta_20 = sqrt(square_20);
+    const double f_20 = 0.062039423159892665 * g_20 * v2_20 / delta_20;
+    const double v2_21 = 0.050518761472587721 * g_21 * g_21;
+    const double square_21 = -U2 * v2_21 + 1.0;
+    const double delta_21 = sqrt(square_21);
+    const double f_21 = 0.06311419228625402 * g_21 * v2_21 / delta_21;
+    const double v2_22 = 0.025992648096404506 * g_22 * g_22;
+    const double square_22 = -U2 * v2_22 + 1.0;
+    const double delta_22 = sqrt(square_22);
+    const double f_22 = 0.063924238584648185 * g_22 * v2_22 / delta_22;
+    const double v2_23 = 0.0094099116687183324 * g_23 * g_23;
+    const double square_23 = -U2 * v2_23 + 1.0;
+    const double delta_23 = sqrt(square_23);
+    const double f_23 = 0.064466164435950088 * g_23 * v2_23 / delta_23;
+    const double v2_24 = 0.0010484754715846482 * g_24 * g_24;
+    const double square_24 = -U2 * v2_24 + 1.0;
+    const double delta_24 = sqrt(square_24);
+    const double f_24 = 0.064737696812683918 * g_24 * v2_24 / delta_24;
+    const double term_1 = f_1 * g_1 * (0.0012289927475738814 - 0.0012274823244002922 * t0) * (g_1 *
+        (0.99877100725242607 * t0 + 0.99877100725242607) + 1.0) / (c + delta_1);
+    const double t1 = 1.0 - 0.99754352492802578 * t0;
+    const double tangent_1 = 3.9901740997121031 * t0 / (t1 * t1);
+    const double term_2 = f_2 * g_2 * (0.0064698277336492421 - 0.0064279690627461455 * t0) * (g_2 *
+        (0.99353017226635076 * t0 + 0.99353017226635076) + 1.0) / (c + delta_2);
+    const double t2 = 1.0 - 0.98710220320360464 * t0;
+    const double tangent_2 = 3.9484088128144186 * t0 / (t2 * t2);
+    const double term_3 = f_3 * g_3 * (0.015875416277173142 - 0.015623387435199608 * t0) * (g_3 *
+        (0.98412458372282685 * t0 + 0.98412458372282685) + 1.0) / (c + delta_3);
+    const double t3 = 1.0 - 0.96850119628762721 * t0;
+    const double tangent_3 = 3.8740047851505088 * t0 / (t3 * t3);
+    const double term_4 = f_4 * g_4 * (0.029408407453752748 - 0.028543553024786811 * t0) * (g_4 *
+        (0.97059159254624727 * t0 + 0.97059159254624727) + 1.0) / (c + delta_4);
+    const double t4 = 1.0 - 0.94204803952146043 * t0;
+    const double tangent_4 = 3.7681921580858417 * t0 / (t4 * t4);
+    const double term_5 = f_5 * g_5 * (0.047012296839569138 - 0.044802140785437379 * t0) * (g_5 *
+        (0.95298770316043091 * t0 + 0.95298770316043091) + 1.0) / (c + delta_5);
+    const double t5 = 1.0 - 0.90818556237499348 * t0;
+    const double tangent_5 = 3.6327422494999739 * t0 / (t5 * t5);
+    const double term_6 = f_6 * g_6 * (0.068613309293445668 - 0.063905523081247625 * t0) * (g_6 *
+        (0.93138669070655433 * t0 + 0.93138669070655433) + 1.0) / (c + delta_6);
+    const double t6 = 1.0 - 0.86748116762530669 * t0;
+    const double tangent_6 = 3.4699246705012268 * t0 / (t6 * t6);
+    const double term_7 = f_7 * g_7 * (0.094120863284430326 - 0.085262126379023903 * t0) * (g_7 *
+        (0.90587913671556963 * t0 + 0.90587913671556963) + 1.0) / (c + delta_7);
+    const double t7 = 1.0 - 0.82061701033654577 * t0;
+    const double tangent_7 = 3.2824680413461831 * t0 / (t7 * t7);
+    const double term_8 = f_8 * g_8 * (0.12342797972575212 - 0.10819351354657145 * t0) * (g_8 * (0.87657202027424785
+        * t0 + 0.87657202027424785) + 1.0) / (c + delta_8);
+    const double t8 = 1.0 - 0.76837850672767649 * t0;
+    const double tangent_8 = 3.073514026910706 * t0 / (t8 * t8);
+    const double term_9 = f_9 * g_9 * (0.15641173837560646 - 0.13194710647392729 * t0) * (g_9 * (0.84358826162439349
+        * t0 + 0.84358826162439349) + 1.0) / (c + delta_9);
+    const double t9 = 1.0 - 0.71164115515046622 * t0;
+    const double tangent_9 = 2.8465646206018649 * t0 / (t9 * t9);
+    const double term_10 = f_10 * g_10 * (0.19293379597055738 - 0.15571034634294872 * t0) * (g_10 *
+        (0.80706620402944262 * t0 + 0.80706620402944262) + 1.0) / (c + delta_10);
+    const double t10 = 1.0 - 0.65135585768649396 * t0;
+    const double tangent_10 = 2.6054234307459758 * t0 / (t10 * t10);
+    const double term_11 = f_11 * g_11 * (0.23284096748425967 - 0.17862605134525358 * t0) * (g_11 *
+        (0.76715903251574036 * t0 + 0.76715903251574036) + 1.0) / (c + delta_11);
+    const double t11 = 1.0 - 0.58853298117048669 * t0;
+    const double tangent_11 = 2.3541319246819468 * t0 / (t11 * t11);
+    const double term_12 = f_12 * g_12 * (0.27596586907618537 - 0.19980870818121108 * t0) * (g_12 *
+        (0.72403413092381463 * t0 + 0.72403413092381463) + 1.0) / (c + delta_12);
+    const double t12 = 1.0 - 0.52422542274260353 * t0;
+    const double tangent_12 = 2.0969016909704141 * t0 / (t12 * t12);
+    const double term_13 = f_13 * g_13 * (0.32212762036733611 - 0.2183614165638135 * t0) * (g_13 *
+        (0.67787237963266389 * t0 + 0.67787237963266389) + 1.0) / (c + delta_13);
+    const double t13 = 1.0 - 0.45951096306885042 * t0;
+    const double tangent_13 = 1.8380438522754017 * t0 / (t13 * t13);
+    const double term_14 = f_14 * g_14 * (0.3711326032234864 - 0.23339319404804459 * t0) * (g_14 *
+        (0.6288673967765136 * t0 + 0.6288673967765136) + 1.0) / (c + delta_14);
+    const double t14 = 1.0 - 0.395474202728469 * t0;
+    const double tangent_14 = 1.581896810913876 * t0 / (t14 * t14);
+    const double term_15 = f_15 * g_15 * (0.42277527391602732 - 0.24403634168125538 * t0) * (g_15 *
+        (0.57722472608397268 * t0 + 0.57722472608397268) + 1.0) / (c + delta_15);
+    const double t15 = 1.0 - 0.33318838440271731 * t0;
+    const double tangent_15 = 1.3327535376108692 * t0 / (t15 * t15);
+    const double term_16 = f_16 * g_16 * (0.47683902527776695 - 0.24946356924991608 * t0) * (g_16 *
+        (0.523160974722233 * t0 + 0.523160974722233) + 1.0) / (c + delta_16);
+    const double t16 = 1.0 - 0.27369740547231697 * t0;
+    const double tangent_16 = 1.0947896218892679 * t0 / (t16 * t16);
+    const double term_17 = f_17 * g_17 * (0.53309709524904159 - 0.24890458228607587 * t0) * (g_17 *
+        (0.46690290475095841 * t0 + 0.46690290475095841) + 1.0) / (c + delta_17);
+    const double t17 = 1.0 - 0.21799832246488254 * t0;
+    const double tangent_17 = 0.87199328985953017 * t0 / (t17 * t17);
+    const double term_18 = f_18 * g_18 * (0.59131351800928322 - 0.24166184142876829 * t0) * (g_18 *
+        (0.40868648199071672 * t0 + 0.40868648199071672) + 1.0) / (c + delta_18);
+    const double t18 = 1.0 - 0.16702464056194843 * t0;
+    const double tangent_18 = 0.66809856224779374 * t0 / (t18 * t18);
+    const double term_19 = f_19 * g_19 * (0.6512441137078393 - 0.22712521806873018 * t0) * (g_19 *
+        (0.34875588629216075 * t0 + 0.34875588629216075) + 1.0) / (c + delta_19);
+    const double t19 = 1.0 - 0.12163066822343055 * t0;
+    const double tangent_19 = 0.4865226728937222 * t0 / (t19 * t19);
+    const double term_20 = f_20 * g_20 * (0.71263751264454445 - 0.2047852882163412 * t0) * (g_20 *
+        (0.28736248735545555 * t0 + 0.28736248735545555) + 1.0) / (c + delta_20);
+    const double t20 = 1.0 - 0.082577199139114363 * t0;
+    const double tangent_20 = 0.33030879655645745 * t0 / (t20 * t20);
+    const double term_21 = f_21 * g_21 * (0.77523620960531092 - 0.17424502892210134 * t0) * (g_21 *
+        (0.22476379039468905 * t0 + 0.22476379039468905) + 1.0) / (c + delta_21);
+    const double t21 = 1.0 - 0.050518761472587721 * t0;
+    const double tangent_21 = 0.20207504589035089 * t0 / (t21 * t21);
+    const double term_22 = f_22 * g_22 * (0.83877764393110832 - 0.13522970797248721 * t0) * (g_22 *
+        (0.16122235606889171 * t0 + 0.16122235606889171) + 1.0) / (c + delta_22);
+    const double t22 = 1.0 - 0.025992648096404506 * t0;
+    const double tangent_22 = 0.10397059238561802 * t0 / (t22 * t22);
+    const double term_23 = f_23 * g_23 * (0.90299530079053725 - 0.087594787540744359 * t0) * (g_23 *
+        (0.097004699209462697 * t0 + 0.097004699209462697) + 1.0) / (c + delta_23);
+    const double t23 = 1.0 - 0.0094099116687183324 * t0;
+    const double tangent_23 = 0.03763964667487333 * t0 / (t23 * t23);
+    const double term_24 = f_24 * g_24 * (0.96761982903713062 - 0.031331695491284714 * t0) * (g_24 *
+        (0.03238017096286936 * t0 + 0.03238017096286936) + 1.0) / (c + delta_24);
+    const double t24 = 1.0 - 0.0010484754715846482 * t0;
+    const double tangent_24 = 0.0041939018863385927 * t0 / (t24 * t24);
+    const double sum_0 = term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_16 + term_17 +
+        term_18 + term_19 + term_2 + term_20 + term_21 + term_22 + term_23 + term_24 + term_3 + term_4 + term_5 +
+        term_6 + term_7 + term_8 + term_9;
+    const double sum_1 = tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 +
+        tangent_13 * term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_16 * term_16 + tangent_17 *
+        term_17 + tangent_18 * term_18 + tangent_19 * term_19 + tangent_2 * term_2 + tangent_20 * term_20 +
+        tangent_21 * term_21 + tangent_22 * term_22 + tangent_23 * term_23 + tangent_24 * term_24 + tangent_3 *
+        term_3 + tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 *
+        term_8 + tangent_9 * term_9;
+    const double tangent_1_2 = tangent_1 * tangent_1;
+    const double tangent_10_2 = tangent_10 * tangent_10;
+    const double tangent_11_2 = tangent_11 * tangent_11;
+    const double tangent_12_2 = tangent_12 * tangent_12;
+    const double tangent_13_2 = tangent_13 * tangent_13;
+    const double tangent_14_2 = tangent_14 * tangent_14;
+    const double tangent_15_2 = tangent_15 * tangent_15;
+    const double tangent_16_2 = tangent_16 * tangent_16;
+    const double tangent_17_2 = tangent_17 * tangent_17;
+    const double tangent_18_2 = tangent_18 * tangent_18;
+    const double tangent_19_2 = tangent_19 * tangent_19;
+    const double tangent_2_2 = tangent_2 * tangent_2;
+    const double tangent_20_2 = tangent_20 * tangent_20;
+    const double tangent_21_2 = tangent_21 * tangent_21;
+    const double tangent_22_2 = tangent_22 * tangent_22;
+    const double tangent_23_2 = tangent_23 * tangent_23;
+    const double tangent_24_2 = tangent_24 * tangent_24;
+    const double tangent_3_2 = tangent_3 * tangent_3;
+    const double tangent_4_2 = tangent_4 * tangent_4;
+    const double tangent_5_2 = tangent_5 * tangent_5;
+    const double tangent_6_2 = tangent_6 * tangent_6;
+    const double tangent_7_2 = tangent_7 * tangent_7;
+    const double tangent_8_2 = tangent_8 * tangent_8;
+    const double tangent_9_2 = tangent_9 * tangent_9;
+    const double sum_2 = tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 + tangent_13_2 *
+        term_13 + tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_16_2 * term_16 + tangent_17_2 * term_17
+        + tangent_18_2 * term_18 + tangent_19_2 * term_19 + tangent_1_2 * term_1 + tangent_20_2 * term_20 +
+        tangent_21_2 * term_21 + tangent_22_2 * term_22 + tangent_23_2 * term_23 + tangent_24_2 * term_24 +
+        tangent_2_2 * term_2 + tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 *
+        term_6 + tangent_7_2 * term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9;
+    const double tangent_1_3 = tangent_1 * tangent_1_2;
+    const double tangent_10_3 = tangent_10 * tangent_10_2;
+    const double tangent_11_3 = tangent_11 * tangent_11_2;
+    const double tangent_12_3 = tangent_12 * tangent_12_2;
+    const double tangent_13_3 = tangent_13 * tangent_13_2;
+    const double tangent_14_3 = tangent_14 * tangent_14_2;
+    const double tangent_15_3 = tangent_15 * tangent_15_2;
+    const double tangent_16_3 = tangent_16 * tangent_16_2;
+    const double tangent_17_3 = tangent_17 * tangent_17_2;
+    const double tangent_18_3 = tangent_18 * tangent_18_2;
+    const double tangent_19_3 = tangent_19 * tangent_19_2;
+    const double tangent_2_3 = tangent_2 * tangent_2_2;
+    const double tangent_20_3 = tangent_20 * tangent_20_2;
+    const double tangent_21_3 = tangent_21 * tangent_21_2;
+    const double tangent_22_3 = tangent_22 * tangent_22_2;
+    const double tangent_23_3 = tangent_23 * tangent_23_2;
+    const double tangent_24_3 = tangent_24 * tangent_24_2;
+    const double tangent_3_3 = tangent_3 * tangent_3_2;
+    const double tangent_4_3 = tangent_4 * tangent_4_2;
+    const double tangent_5_3 = tangent_5 * tangent_5_2;
+    const double tangent_6_3 = tangent_6 * tangent_6_2;
+    const double tangent_7_3 = tangent_7 * tangent_7_2;
+    const double tangent_8_3 = tangent_8 * tangent_8_2;
+    const double tangent_9_3 = tangent_9 * tangent_9_2;
+    const double sum_3 = tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 + tangent_13_3 *
+        term_13 + tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_16_3 * term_16 + tangent_17_3 * term_17
+        + tangent_18_3 * term_18 + tangent_19_3 * term_19 + tangent_1_3 * term_1 + tangent_20_3 * term_20 +
+        tangent_21_3 * term_21 + tangent_22_3 * term_22 + tangent_23_3 * term_23 + tangent_24_3 * term_24 +
+        tangent_2_3 * term_2 + tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 *
+        term_6 + tangent_7_3 * term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0;
+    out[2] = 2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 *
+        T3 * sum_2 * u_cr2 / c) / A;
+    out[3] = 2.5464790894703255 * beta * (-192.0 * T3 * sum_0 * u_cr2 / c - 384.0 * T3 * sum_1 * u_cr2 / c - 360.0
+        * T3 * sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2;
+    out[4] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c;
+    out[5] = 2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c);
+    out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c);
+}
+
 static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
-    const double u_cr = p[2];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
+    const double c2 = c * c;
+    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
+    const double half = 0.5 * (A - u_cr) * (A + u_cr);
+    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
@@ -533,14 +921,13 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
     const double x2 = u_cr * u_cr / A2;
     const double y2 = root * root / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
-    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
     const double a0_half_0 = 0.5 / a0_0;
     const double a0_half_0_2 = a0_half_0 * a0_half_0;
     const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
     const double a02_0 = -a0_half_0_3;
     const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
-    const double b0_0 = sqrt(Y_0);
+    const double b0_0 = sqrt(c2);
     const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
     const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
     const double lam0_2 = a02_0 * b0_0 + a02_0;
@@ -554,7 +941,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
     const double X0_1 = 0.25 * lam0_1 + 0.25;
     const double X0_2 = 0.25 * lam0_2;
     const double X0_3 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
     const double Y0_1 = 0.25 * lam0_1;
     const double Y0_2 = 0.25 * lam0_2;
     const double Y0_3 = 0.25 * lam0_3;
@@ -1011,12 +1398,400 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 / c + 8.0 * T3 * sum_1 / c - 3.0 * V2 - V4);
 }
 
+static inline void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
+    const double c2 = c * c;
+    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
+    const double half = 0.5 * (A - u_cr) * (A + u_cr);
+    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
+    const double A2 = A * A;
+    const double x2 = u_cr * u_cr / A2;
+    const double y2 = root * root / A2;
+    const double third = 0.33333333333333331 * u_cr * x2 / A;
+    const double a0_0 = sqrt(y2);
+    const double a0_half_0 = 0.5 / a0_0;
+    const double a0_half_0_2 = a0_half_0 * a0_half_0;
+    const double a0_half_0_3 = a0_half_0 * a0_half_0_2;
+    const double a02_0 = -a0_half_0_3;
+    const double a03_0 = -2.0 * a02_0 * a0_half_0_2;
+    const double b0_0 = sqrt(c2);
+    const double lam0_0 = a0_0 * b0_0 + a0_0 + b0_0;
+    const double lam0_1 = a0_half_0 * b0_0 + a0_half_0;
+    const double lam0_2 = a02_0 * b0_0 + a02_0;
+    const double lam0_3 = a03_0 * b0_0 + a03_0;
+    const double q0_0 = lam0_0 + 1.0;
+    const double term0_0 = 1.0 / q0_0;
+    const double term01_0 = -lam0_1 * term0_0 * term0_0;
+    const double term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0);
+    const double term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0);
+    const double X0_0 = 0.25 * lam0_0 + 0.25 * y2;
+    const double X0_1 = 0.25 * lam0_1 + 0.25;
+    const double X0_2 = 0.25 * lam0_2;
+    const double X0_3 = 0.25 * lam0_3;
+    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
+    const double Y0_1 = 0.25 * lam0_1;
+    const double Y0_2 = 0.25 * lam0_2;
+    const double Y0_3 = 0.25 * lam0_3;
+    const double Z0_0 = 0.25 * lam0_0 + 0.25;
+    const double Z0_1 = 0.25 * lam0_1;
+    const double Z0_2 = 0.25 * lam0_2;
+    const double Z0_3 = 0.25 * lam0_3;
+    const double a1_0 = sqrt(X0_0);
+    const double a1_half_0 = 0.5 / a1_0;
+    const double a11_0 = X0_1 * a1_half_0;
+    const double a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0);
+    const double a13_0 = a1_half_0 * (X0_3 - 2.0 * a11_0 * a12_0);
+    const double b1_0 = sqrt(Y0_0);
+    const double b1_half_0 = 0.5 / b1_0;
+    const double b11_0 = Y0_1 * b1_half_0;
+    const double b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0);
+    const double b13_0 = b1_half_0 * (Y0_3 - 2.0 * b11_0 * b12_0);
+    const double c1_0 = sqrt(Z0_0);
+    const double c1_half_0 = 0.5 / c1_0;
+    const double c11_0 = Z0_1 * c1_half_0;
+    const double c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0);
+    const double c13_0 = c1_half_0 * (Z0_3 - 2.0 * c11_0 * c12_0);
+    const double lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0);
+    const double lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0);
+    const double lam1_2 = a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 +
+        b1_0) + c1_0 * (a12_0 + b12_0);
+    const double lam1_3 = a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * (a12_0 + b12_0) +
+        c12_0 * (a11_0 + b11_0) + c13_0 * (a1_0 + b1_0) + c1_0 * (a13_0 + b13_0);
+    const double q1_0 = Z0_0 + lam1_0;
+    const double q1_1 = Z0_1 + lam1_1;
+    const double q1_2 = Z0_2 + lam1_2;
+    const double q1_3 = Z0_3 + lam1_3;
+    const double below1_0 = c1_0 * q1_0;
+    const double below1_1 = c11_0 * q1_0 + c1_0 * q1_1;
+    const double below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2;
+    const double below1_3 = c11_0 * q1_2 + c12_0 * q1_1 + c13_0 * q1_0 + c1_0 * q1_3;
+    const double term1_0 = 1.0 / below1_0;
+    const double term11_0 = -below1_1 * term1_0 * term1_0;
+    const double term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0);
+    const double term13_0 = -term1_0 * (below1_1 * term12_0 + below1_2 * term11_0 + below1_3 * term1_0);
+    const double X1_0 = 0.25 * X0_0 + 0.25 * lam1_0;
+    const double X1_1 = 0.25 * X0_1 + 0.25 * lam1_1;
+    const double X1_2 = 0.25 * X0_2 + 0.25 * lam1_2;
+    const double X1_3 = 0.25 * X0_3 + 0.25 * lam1_3;
+    const double Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0;
+    const double Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1;
+    const double Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2;
+    const double Y1_3 = 0.25 * Y0_3 + 0.25 * lam1_3;
+    const double Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0;
+    const double Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1;
+    const double Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2;
+    const double Z1_3 = 0.25 * Z0_3 + 0.25 * lam1_3;
+    const double a2_0 = sqrt(X1_0);
+    const double a2_half_0 = 0.5 / a2_0;
+    const double a21_0 = X1_1 * a2_half_0;
+    const double a22_0 = a2_half_0 * (X1_2 - a21_0 * a21_0);
+    const double a23_0 = a2_half_0 * (X1_3 - 2.0 * a21_0 * a22_0);
+    const double b2_0 = sqrt(Y1_0);
+    const double b2_half_0 = 0.5 / b2_0;
+    const double b21_0 = Y1_1 * b2_half_0;
+    const double b22_0 = b2_half_0 * (Y1_2 - b21_0 * b21_0);
+    const double b23_0 = b2_half_0 * (Y1_3 - 2.0 * b21_0 * b22_0);
+    const double c2_0 = sqrt(Z1_0);
+    const double c2_half_0 = 0.5 / c2_0;
+    const double c21_0 = Z1_1 * c2_half_0;
+    const double c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0);
+    const double c23_0 = c2_half_0 * (Z1_3 - 2.0 * c21_0 * c22_0);
+    const double lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0);
+    const double lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0);
+    const double lam2_2 = a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 +
+        b2_0) + c2_0 * (a22_0 + b22_0);
+    const double lam2_3 = a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * (a22_0 + b22_0) +
+        c22_0 * (a21_0 + b21_0) + c23_0 * (a2_0 + b2_0) + c2_0 * (a23_0 + b23_0);
+    const double q2_0 = Z1_0 + lam2_0;
+    const double q2_1 = Z1_1 + lam2_1;
+    const double q2_2 = Z1_2 + lam2_2;
+    const double q2_3 = Z1_3 + lam2_3;
+    const double below2_0 = c2_0 * q2_0;
+    const double below2_1 = c21_0 * q2_0 + c2_0 * q2_1;
+    const double below2_2 = c21_0 * q2_1 + c22_0 * q2_0 + c2_0 * q2_2;
+    const double below2_3 = c21_0 * q2_2 + c22_0 * q2_1 + c23_0 * q2_0 + c2_0 * q2_3;
+    const double term2_0 = 1.0 / below2_0;
+    const double term21_0 = -below2_1 * term2_0 * term2_0;
+    const double term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0);
+    const double term23_0 = -term2_0 * (below2_1 * term22_0 + below2_2 * term21_0 + below2_3 * term2_0);
+    const double X2_0 = 0.25 * X1_0 + 0.25 * lam2_0;
+    const double X2_1 = 0.25 * X1_1 + 0.25 * lam2_1;
+    const double X2_2 = 0.25 * X1_2 + 0.25 * lam2_2;
+    const double X2_3 = 0.25 * X1_3 + 0.25 * lam2_3;
+    const double Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0;
+    const double Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1;
+    const double Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2;
+    const double Y2_3 = 0.25 * Y1_3 + 0.25 * lam2_3;
+    const double Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0;
+    const double Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1;
+    const double Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2;
+    const double Z2_3 = 0.25 * Z1_3 + 0.25 * lam2_3;
+    const double a3_0 = sqrt(X2_0);
+    const double a3_half_0 = 0.5 / a3_0;
+    const double a31_0 = X2_1 * a3_half_0;
+    const double a32_0 = a3_half_0 * (X2_2 - a31_0 * a31_0);
+    const double a33_0 = a3_half_0 * (X2_3 - 2.0 * a31_0 * a32_0);
+    const double b3_0 = sqrt(Y2_0);
+    const double b3_half_0 = 0.5 / b3_0;
+    const double b31_0 = Y2_1 * b3_half_0;
+    const double b32_0 = b3_half_0 * (Y2_2 - b31_0 * b31_0);
+    const double b33_0 = b3_half_0 * (Y2_3 - 2.0 * b31_0 * b32_0);
+    const double c3_0 = sqrt(Z2_0);
+    const double c3_half_0 = 0.5 / c3_0;
+    const double c31_0 = Z2_1 * c3_half_0;
+    const double c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0);
+    const double c33_0 = c3_half_0 * (Z2_3 - 2.0 * c31_0 * c32_0);
+    const double lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0);
+    const double lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0);
+    const double lam3_2 = a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 +
+        b3_0) + c3_0 * (a32_0 + b32_0);
+    const double lam3_3 = a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * (a32_0 + b32_0) +
+        c32_0 * (a31_0 + b31_0) + c33_0 * (a3_0 + b3_0) + c3_0 * (a33_0 + b33_0);
+    const double q3_0 = Z2_0 + lam3_0;
+    const double q3_1 = Z2_1 + lam3_1;
+    const double q3_2 = Z2_2 + lam3_2;
+    const double q3_3 = Z2_3 + lam3_3;
+    const double below3_0 = c3_0 * q3_0;
+    const double below3_1 = c31_0 * q3_0 + c3_0 * q3_1;
+    const double below3_2 = c31_0 * q3_1 + c32_0 * q3_0 + c3_0 * q3_2;
+    const double below3_3 = c31_0 * q3_2 + c32_0 * q3_1 + c33_0 * q3_0 + c3_0 * q3_3;
+    const double term3_0 = 1.0 / below3_0;
+    const double term31_0 = -below3_1 * term3_0 * term3_0;
+    const double term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0);
+    const double term33_0 = -term3_0 * (below3_1 * term32_0 + below3_2 * term31_0 + below3_3 * term3_0);
+    const double X3_0 = 0.25 * X2_0 + 0.25 * lam3_0;
+    const double X3_1 = 0.25 * X2_1 + 0.25 * lam3_1;
+    const double X3_2 = 0.25 * X2_2 + 0.25 * lam3_2;
+    const double X3_3 = 0.25 * X2_3 + 0.25 * lam3_3;
+    const double Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0;
+    const double Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1;
+    const double Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2;
+    const double Y3_3 = 0.25 * Y2_3 + 0.25 * lam3_3;
+    const double Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0;
+    const double Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1;
+    const double Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2;
+    const double Z3_3 = 0.25 * Z2_3 + 0.25 * lam3_3;
+    const double a4_0 = sqrt(X3_0);
+    const double a4_half_0 = 0.5 / a4_0;
+    const double a41_0 = X3_1 * a4_half_0;
+    const double a42_0 = a4_half_0 * (X3_2 - a41_0 * a41_0);
+    const double a43_0 = a4_half_0 * (X3_3 - 2.0 * a41_0 * a42_0);
+    const double b4_0 = sqrt(Y3_0);
+    const double b4_half_0 = 0.5 / b4_0;
+    const double b41_0 = Y3_1 * b4_half_0;
+    const double b42_0 = b4_half_0 * (Y3_2 - b41_0 * b41_0);
+    const double b43_0 = b4_half_0 * (Y3_3 - 2.0 * b41_0 * b42_0);
+    const double c4_0 = sqrt(Z3_0);
+    const double c4_half_0 = 0.5 / c4_0;
+    const double c41_0 = Z3_1 * c4_half_0;
+    const double c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0);
+    const double c43_0 = c4_half_0 * (Z3_3 - 2.0 * c41_0 * c42_0);
+    const double lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0);
+    const double lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0);
+    const double lam4_2 = a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 +
+        b4_0) + c4_0 * (a42_0 + b42_0);
+    const double lam4_3 = a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * (a42_0 + b42_0) +
+        c42_0 * (a41_0 + b41_0) + c43_0 * (a4_0 + b4_0) + c4_0 * (a43_0 + b43_0);
+    const double q4_0 = Z3_0 + lam4_0;
+    const double q4_1 = Z3_1 + lam4_1;
+    const double q4_2 = Z3_2 + lam4_2;
+    const double q4_3 = Z3_3 + lam4_3;
+    const double below4_0 = c4_0 * q4_0;
+    const double below4_1 = c41_0 * q4_0 + c4_0 * q4_1;
+    const double below4_2 = c41_0 * q4_1 + c42_0 * q4_0 + c4_0 * q4_2;
+    const double below4_3 = c41_0 * q4_2 + c42_0 * q4_1 + c43_0 * q4_0 + c4_0 * q4_3;
+    const double term4_0 = 1.0 / below4_0;
+    const double term41_0 = -below4_1 * term4_0 * term4_0;
+    const double term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0);
+    const double term43_0 = -term4_0 * (below4_1 * term42_0 + below4_2 * term41_0 + below4_3 * term4_0);
+    const double X4_0 = 0.25 * X3_0 + 0.25 * lam4_0;
+    const double X4_1 = 0.25 * X3_1 + 0.25 * lam4_1;
+    const double X4_2 = 0.25 * X3_2 + 0.25 * lam4_2;
+    const double X4_3 = 0.25 * X3_3 + 0.25 * lam4_3;
+    const double Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0;
+    const double Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1;
+    const double Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2;
+    const double Y4_3 = 0.25 * Y3_3 + 0.25 * lam4_3;
+    const double Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0;
+    const double Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1;
+    const double Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2;
+    const double Z4_3 = 0.25 * Z3_3 + 0.25 * lam4_3;
+    const double a5_0 = sqrt(X4_0);
+    const double a5_half_0 = 0.5 / a5_0;
+    const double a51_0 = X4_1 * a5_half_0;
+    const double a52_0 = a5_half_0 * (X4_2 - a51_0 * a51_0);
+    const double a53_0 = a5_half_0 * (X4_3 - 2.0 * a51_0 * a52_0);
+    const double b5_0 = sqrt(Y4_0);
+    const double b5_half_0 = 0.5 / b5_0;
+    const double b51_0 = Y4_1 * b5_half_0;
+    const double b52_0 = b5_half_0 * (Y4_2 - b51_0 * b51_0);
+    const double b53_0 = b5_half_0 * (Y4_3 - 2.0 * b51_0 * b52_0);
+    const double c5_0 = sqrt(Z4_0);
+    const double c5_half_0 = 0.5 / c5_0;
+    const double c51_0 = Z4_1 * c5_half_0;
+    const double c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0);
+    const double c53_0 = c5_half_0 * (Z4_3 - 2.0 * c51_0 * c52_0);
+    const double lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0);
+    const double lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0);
+    const double lam5_2 = a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 +
+        b5_0) + c5_0 * (a52_0 + b52_0);
+    const double lam5_3 = a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * (a52_0 + b52_0) +
+        c52_0 * (a51_0 + b51_0) + c53_0 * (a5_0 + b5_0) + c5_0 * (a53_0 + b53_0);
+    const double q5_0 = Z4_0 + lam5_0;
+    const double q5_1 = Z4_1 + lam5_1;
+    const double q5_2 = Z4_2 + lam5_2;
+    const double q5_3 = Z4_3 + lam5_3;
+    const double below5_0 = c5_0 * q5_0;
+    const double below5_1 = c51_0 * q5_0 + c5_0 * q5_1;
+    const double below5_2 = c51_0 * q5_1 + c52_0 * q5_0 + c5_0 * q5_2;
+    const double below5_3 = c51_0 * q5_2 + c52_0 * q5_1 + c53_0 * q5_0 + c5_0 * q5_3;
+    const double term5_0 = 1.0 / below5_0;
+    const double term51_0 = -below5_1 * term5_0 * term5_0;
+    const double term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0);
+    const double term53_0 = -term5_0 * (below5_1 * term52_0 + below5_2 * term51_0 + below5_3 * term5_0);
+    const double X5_0 = 0.25 * X4_0 + 0.25 * lam5_0;
+    const double X5_1 = 0.25 * X4_1 + 0.25 * lam5_1;
+    const double X5_2 = 0.25 * X4_2 + 0.25 * lam5_2;
+    const double X5_3 = 0.25 * X4_3 + 0.25 * lam5_3;
+    const double Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0;
+    const double Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1;
+    const double Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2;
+    const double Y5_3 = 0.25 * Y4_3 + 0.25 * lam5_3;
+    const double Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0;
+    const double Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1;
+    const double Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2;
+    const double Z5_3 = 0.25 * Z4_3 + 0.25 * lam5_3;
+    const double mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0;
+    const double mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1;
+    const double mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2;
+    const double mean_3 = 0.20000000000000001 * X5_3 + 0.20000000000000001 * Y5_3 + 0.59999999999999998 * Z5_3;
+    const double over_0 = 1.0 / mean_0;
+    const double over1_0 = -mean_1 * over_0 * over_0;
+    const double over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0);
+    const double over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0);
+    const double dx_0 = over_0 * (-X5_0 + mean_0);
+    const double dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1);
+    const double dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2);
+    const double dx_3 = over1_0 * (-X5_2 + mean_2) + over2_0 * (-X5_1 + mean_1) + over3_0 * (-X5_0 + mean_0) +
+        over_0 * (-X5_3 + mean_3);
+    const double dy_0 = over_0 * (-Y5_0 + mean_0);
+    const double dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1);
+    const double dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2);
+    const double dy_3 = over1_0 * (-Y5_2 + mean_2) + over2_0 * (-Y5_1 + mean_1) + over3_0 * (-Y5_0 + mean_0) +
+        over_0 * (-Y5_3 + mean_3);
+    const double dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0;
+    const double dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1;
+    const double dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2;
+    const double dz_3 = -0.33333333333333331 * dx_3 - 0.33333333333333331 * dy_3;
+    const double xy_0 = dx_0 * dy_0;
+    const double xy_1 = dx_0 * dy_1 + dx_1 * dy_0;
+    const double xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0;
+    const double xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0;
+    const double zz_0 = dz_0 * dz_0;
+    const double zz_1 = 2.0 * dz_0 * dz_1;
+    const double zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1;
+    const double zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2;
+    const double E2_0 = xy_0 - 6.0 * zz_0;
+    const double E2_1 = xy_1 - 6.0 * zz_1;
+    const double E2_2 = xy_2 - 6.0 * zz_2;
+    const double E2_3 = xy_3 - 6.0 * zz_3;
+    const double E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E3_2 = dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 -
+        8.0 * zz_0);
+    const double E3_3 = dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 -
+        8.0 * zz_1) + dz_3 * (3.0 * xy_0 - 8.0 * zz_0);
+    const double E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E4_2 = zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 -
+        3.0 * zz_0);
+    const double E4_3 = zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 -
+        3.0 * zz_1) + zz_3 * (3.0 * xy_0 - 3.0 * zz_0);
+    const double E5_0 = dz_0 * xy_0 * zz_0;
+    const double E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0;
+    const double E5_2 = dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2
+        * xy_0 * zz_0;
+    const double E5_3 = dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1
+        * zz_1 + xy_2 * zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0;
+    const double series_0 = 0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 -
+        0.21428571428571427 * E2_0 + 0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 *
+        E5_0 + 1.0;
+    const double series_1 = 0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 -
+        0.17307692307692307 * E2_1 * E3_0 - 0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 -
+        0.13636363636363635 * E4_1 + 0.11538461538461539 * E5_1;
+    const double series_2 = 0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 +
+        0.10227272727272728 * E2_1 * E2_1 - 0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 -
+        0.21428571428571427 * E2_2 + 0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 *
+        E5_2;
+    const double series_3 = 0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 +
+        0.20454545454545456 * E2_1 * E2_2 - 0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 -
+        0.17307692307692307 * E2_3 * E3_0 - 0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 -
+        0.13636363636363635 * E4_3 + 0.11538461538461539 * E5_3;
+    const double sq_0 = sqrt(over_0);
+    const double sq_half_0 = 0.5 / sq_0;
+    const double sq1_0 = over1_0 * sq_half_0;
+    const double sq2_0 = sq_half_0 * (over2_0 - sq1_0 * sq1_0);
+    const double sq3_0 = sq_half_0 * (over3_0 - 2.0 * sq1_0 * sq2_0);
+    const double power_0 = over_0 * sq_0;
+    const double power_1 = over1_0 * sq_0 + over_0 * sq1_0;
+    const double power_2 = over1_0 * sq1_0 + over2_0 * sq_0 + over_0 * sq2_0;
+    const double power_3 = over1_0 * sq2_0 + over2_0 * sq1_0 + over3_0 * sq_0 + over_0 * sq3_0;
+    const double last_0 = power_0 * series_0;
+    const double last_1 = power_0 * series_1 + power_1 * series_0;
+    const double last_2 = power_0 * series_2 + power_1 * series_1 + power_2 * series_0;
+    const double last_3 = power_0 * series_3 + power_1 * series_2 + power_2 * series_1 + power_3 * series_0;
+    const double R_0 = 0.000244140625 * last_0 + 3.0 * term0_0 + 0.75 * term1_0 + 0.1875 * term2_0 + 0.046875 *
+        term3_0 + 0.01171875 * term4_0 + 0.0029296875 * term5_0;
+    const double R_1 = 0.000244140625 * last_1 + 3.0 * term01_0 + 0.75 * term11_0 + 0.1875 * term21_0 + 0.046875 *
+        term31_0 + 0.01171875 * term41_0 + 0.0029296875 * term51_0;
+    const double R_2 = 0.000244140625 * last_2 + 3.0 * term02_0 + 0.75 * term12_0 + 0.1875 * term22_0 + 0.046875 *
+        term32_0 + 0.01171875 * term42_0 + 0.0029296875 * term52_0;
+    const double R_3 = 0.000244140625 * last_3 + 3.0 * term03_0 + 0.75 * term13_0 + 0.1875 * term23_0 + 0.046875 *
+        term33_0 + 0.01171875 * term43_0 + 0.0029296875 * term53_0;
+    const double V2 = R_0 * third;
+    const double V4 = -2.0 * R_1 * third * x2;
+    const double x2_2 = x2 * x2;
+    const double V6 = 2.6666666666666665 * R_2 * third * x2_2;
+    const double x2_3 = x2 * x2_2;
+    const double V8 = -3.2000000000000002 * R_3 * third * x2_3;
+    const double theta = angles_atan2_swapped(root, u_cr);
+    const double tangent = u_cr / root;
+    const double sum_0 = 0.5 * theta - 0.5 * root * u_cr / A2;
+    const double tangents_1 = tangent - theta;
+    const double sum_1 = -sum_0 + tangents_1;
+    const double tangent2 = tangent * tangent;
+    const double tangent3 = tangent * tangent2;
+    const double tangents_2 = 0.33333333333333331 * tangent3 - tangents_1;
+    const double sum_2 = -sum_1 + tangents_2;
+    const double tangent4 = tangent2 * tangent2;
+    const double tangent5 = tangent * tangent4;
+    const double tangents_3 = 0.20000000000000001 * tangent5 - tangents_2;
+    const double sum_3 = -sum_2 + tangents_3;
+    out[0] = 2.5464790894703255 * A * beta * (-V2 + sum_0 / c) - A;
+    out[1] = 2.5464790894703255 * beta * (2.0 * V2 + V4 - 2.0 * sum_0 / c - sum_1 / c) - 1.0;
+    out[2] = 2.5464790894703255 * beta * (-6.0 * V2 - 7.0 * V4 - 3.0 * V6 + 6.0 * sum_0 / c + 7.0 * sum_1 / c +
+        3.0 * sum_2 / c) / A;
+    out[3] = 2.5464790894703255 * beta * (24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8 - 24.0 * sum_0 / c - 48.0
+        * sum_1 / c - 45.0 * sum_2 / c - 15.0 * sum_3 / c) / A2;
+    out[4] = 2.5464790894703255 * A * beta * (-V2 + sum_0 / c);
+    out[5] = 2.5464790894703255 * beta * (2.0 * V2 + V4 - 2.0 * sum_0 / c - sum_1 / c);
+    out[6] = 2.5464790894703255 * A * beta * (-3.0 * V2 - V4 + 3.0 * sum_0 / c + sum_1 / c);
+}
+
 static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out)
 {
     const double beta = p[1];
-    const double u_cr = p[2];
-    const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
+    const double c2 = c * c;
+    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
+    const double half = 0.5 * (A - u_cr) * (A + u_cr);
+    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
     const double T = u_cr / (A + root);
     const double t0 = T * T;
     const double g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0);
@@ -1040,9 +1815,8 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
     const double root2 = root * root;
     const double y2 = root2 / A2;
     const double third = 0.33333333333333331 * u_cr * x2 / A;
-    const double Y_0 = (1.0 - u_cr) * (u_cr + 1.0);
     const double a0_0 = sqrt(y2);
-    const double b0_0 = sqrt(Y_0);
+    const double b0_0 = sqrt(c2);
     const double b0_half_0 = 0.5 / b0_0;
     const double b0_half_0_2 = b0_half_0 * b0_half_0;
     const double b0_half_0_3 = b0_half_0 * b0_half_0_2;
@@ -1061,7 +1835,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
     const double X0_1 = 0.25 * lam0_1;
     const double X0_2 = 0.25 * lam0_2;
     const double X0_3 = 0.25 * lam0_3;
-    const double Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0;
+    const double Y0_0 = 0.25 * c2 + 0.25 * lam0_0;
     const double Y0_1 = 0.25 * lam0_1 + 0.25;
     const double Y0_2 = 0.25 * lam0_2;
     const double Y0_3 = 0.25 * lam0_3;
@@ -1438,7 +2212,6 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
     const double u_cr4 = u_cr2 * u_cr2;
     const double u_cr5 = u_cr * u_cr4;
     const double A3 = A * A2;
-    const double c2 = c * c;
     const double c3 = c * c2;
     const double root3 = root * root2;
     const double A4 = A2 * A2;
@@ -1456,25 +2229,37 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
 
 static inline void rod_spring_untruncated_averaged_all(double A, const double *p, double *out)
 {
-    const double u_cr = p[2];
-    if ((A <= u_cr) && (A <= 0.69999999999999996)) {
+    const double delta_h = p[2];
+    if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)) {
+        rod_spring_untruncated_averaged_all_passed_0_end(A, p, out);
+        return;
+    }
+    if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (A <= 0.69999999999999996)) {
         rod_spring_untruncated_averaged_all_passed_0(A, p, out);
         return;
     }
-    if (A <= u_cr) {
+    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
         rod_spring_untruncated_averaged_all_passed_0_steep(A, p, out);
         return;
     }
-    if ((u_cr <= 0.75) && (1.05 * u_cr <= A)) {
+    if ((sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) && (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)) {
         rod_spring_untruncated_averaged_all_passed_1_far(A, p, out);
         return;
     }
-    if (u_cr <= 0.75) {
+    if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) {
         rod_spring_untruncated_averaged_all_passed_1(A, p, out);
         return;
     }
-    if (1.05 * u_cr <= A) {
+    if ((sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) && (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)) {
+        rod_spring_untruncated_averaged_all_passed_1_steeper_far(A, p, out);
+        return;
+    }
+    if (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A) {
         rod_spring_untruncated_averaged_all_passed_1_steep_far(A, p, out);
+        return;
+    }
+    if (sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A) {
+        rod_spring_untruncated_averaged_all_passed_1_steep_away(A, p, out);
         return;
     }
     rod_spring_untruncated_averaged_all_passed_1_steep(A, p, out);
@@ -1483,7 +2268,7 @@ static inline void rod_spring_untruncated_averaged_all(double A, const double *p
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.
    Operations where passed_0: 3592 structured, 2534 common subexpressions, 1528 power chains
-   Operations where passed_1: 4335 structured, 4335 common subexpressions, 3502 power chains
+   Operations where passed_1: 4336 structured, 4336 common subexpressions, 3503 power chains
  */
 static inline void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
 {
@@ -2065,9 +2850,10 @@ static inline void rod_spring_untruncated_harmonics_passed_0(double A, const dou
 static inline void rod_spring_untruncated_harmonics_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
-    const double u_cr = p[2];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
     const double root = sqrt((A - u_cr) * (A + u_cr));
-    const double c = sqrt((1.0 - u_cr) * (u_cr + 1.0));
     const double T = u_cr / (A + root);
     const double T2 = T * T;
     const double g_1 = 1.0 / (0.99680179919950185 * T2 + 1.0);
@@ -2661,34 +3447,34 @@ static inline void rod_spring_untruncated_harmonics_passed_1(double A, const dou
 
 static inline void rod_spring_untruncated_harmonics(double A, const double *p, double *out)
 {
-    const double u_cr = p[2];
-    if (A <= u_cr) {
+    const double delta_h = p[2];
+    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
         rod_spring_untruncated_harmonics_passed_0(A, p, out);
         return;
     }
     rod_spring_untruncated_harmonics_passed_1(A, p, out);
 }
 
-/* The parameters alpha, beta, u_cr from the design.
+/* The parameters alpha, beta, delta_h from the design.
    Equation (5), (7). Domain: any design.
-   Operations: 11 structured, 10 common subexpressions, 10 power chains
+   Operations: 7 structured, 6 common subexpressions, 6 power chains
  */
 static inline void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
     out[0] = -delta_h * t0 + 1.0;
     out[1] = -0.5 * t0 * (delta_h - 1.0);
-    out[2] = sqrt(delta_h) * sqrt(2.0 - delta_h);
+    out[2] = delta_h;
 }
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Operations: 4 structured, 4 common subexpressions, 4 power chains
  */
 static inline void rod_spring_untruncated_breakpoints(const double *p, double *out)
 {
-    const double u_cr = p[2];
-    out[0] = u_cr;
+    const double delta_h = p[2];
+    out[0] = sqrt(-delta_h * delta_h + 2.0 * delta_h);
 }
 
 /* What the force loses at each breakpoint: f below less f above.
@@ -2715,9 +3501,9 @@ static inline void rod_spring_untruncated_hardening(const double *p, double *out
    Equation (3), (5). Domain: where it holds.
    Operations: 16 structured, 12 common subexpressions, 12 power chains
  */
-static inline double rod_spring_untruncated_force_1(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h)
 {
-    (void)(u_cr);
+    (void)(delta_h);
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
 }
@@ -2726,9 +3512,9 @@ static inline double rod_spring_untruncated_force_1(double u, double alpha, doub
    Equation (3), (5). Domain: where it holds.
    Operations: 30 structured, 23 common subexpressions, 23 power chains
  */
-static inline double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h)
 {
-    (void)(u_cr);
+    (void)(delta_h);
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
     const double t0 = root_1 + 1.0;
     const double t1 = 1.0 / t0;
@@ -2742,11 +3528,11 @@ static inline double rod_spring_untruncated_force_1_u(double u, double alpha, do
    Equation (3), (5). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline double rod_spring_untruncated_force_2(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h)
 {
     (void)(alpha);
     (void)(beta);
-    (void)(u_cr);
+    (void)(delta_h);
     return u;
 }
 
@@ -2754,29 +3540,29 @@ static inline double rod_spring_untruncated_force_2(double u, double alpha, doub
    Equation (3), (5). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h)
 {
     (void)(u);
     (void)(alpha);
     (void)(beta);
-    (void)(u_cr);
+    (void)(delta_h);
     return 1.0;
 }
 
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
    Equation (3), (5). Domain: |u| < 1.
-   Operations where force_1: 16 structured, 12 common subexpressions, 12 power chains
    Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
+   Operations where force_1: 16 structured, 12 common subexpressions, 12 power chains
  */
-static inline double rod_spring_untruncated_force(double u, double alpha, double beta, double u_cr)
+static inline double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)
 {
-    if (fabs(u) <= u_cr)
-        return rod_spring_untruncated_force_1(u, alpha, beta, u_cr);
-    return rod_spring_untruncated_force_2(u, alpha, beta, u_cr);
+    if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= fabs(u))
+        return rod_spring_untruncated_force_2(u, alpha, beta, delta_h);
+    return rod_spring_untruncated_force_1(u, alpha, beta, delta_h);
 }
 
 /* h, h_A, h_AA, h_AAA together.
-   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
+   Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
     double values[7];
@@ -2788,7 +3574,7 @@ static inline void rod_spring_untruncated_averaged(double A, const double *p, do
 }
 
 /* h, h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
+   Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
     double values[7];
@@ -2798,7 +3584,7 @@ static inline void rod_spring_untruncated_averaged_2(double A, const double *p, 
 }
 
 /* H, H_A together.
-   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
+   Equation (20)-(22), (31). Domain: A >= 0. */
 static inline void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
     double values[7];
@@ -2808,80 +3594,80 @@ static inline void rod_spring_untruncated_averaged_H(double A, const double *p, 
 }
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_intercept(double A, double alpha, double beta, double u_cr)
+   Equation (20)-(22), (31). Domain: A >= 0. */
+static inline double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
     return values[6];
 }
 
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double u_cr)
+   Equation (20)-(22). Domain: A >= 0. */
+static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[2];
     rod_spring_untruncated_averaged_2(A, p, values);
     return values[0];
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_h_A(double A, double alpha, double beta, double u_cr)
+   Equation (31). Domain: A >= 0. */
+static inline double rod_spring_untruncated_h_A(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[2];
     rod_spring_untruncated_averaged_2(A, p, values);
     return values[1];
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double u_cr)
+   Equation from (31). Domain: A >= 0. */
+static inline double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[4];
     rod_spring_untruncated_averaged(A, p, values);
     return values[2];
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double u_cr)
+   Equation from (31). Domain: A >= 0. */
+static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[4];
     rod_spring_untruncated_averaged(A, p, values);
     return values[3];
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_H(double A, double alpha, double beta, double u_cr)
+   Equation (20)-(22). Domain: A >= 0. */
+static inline double rod_spring_untruncated_H(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[2];
     rod_spring_untruncated_averaged_H(A, p, values);
     return values[0];
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_H_A(double A, double alpha, double beta, double u_cr)
+   Equation (31). Domain: A >= 0. */
+static inline double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[2];
     rod_spring_untruncated_averaged_H(A, p, values);
     return values[1];
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998. */
-static inline double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double u_cr)
+   Equation from (31). Domain: A >= 0. */
+static inline double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double delta_h)
 {
-    const double p[] = {alpha, beta, u_cr};
+    const double p[] = {alpha, beta, delta_h};
     double values[4];
     rod_spring_untruncated_averaged(A, p, values);
     return values[2];

@@ -403,6 +403,20 @@ static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, 
     out[3] = sqrt(A * t1 + R * k + m * m);
 }
 
+/* Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
+   Equation from (30). Domain: A > 0, X > 0, T not 0.
+   Operations: 19 structured, 14 common subexpressions, 14 power chains
+ */
+static inline void slow_flow_cusp_balance(double A, double m, double zeta, double h, double k, double X, double T, double *out)
+{
+    const double w = sqrt(X);
+    const double t0 = 2.0 * w * zeta;
+    const double t1 = A * t0;
+    const double R = t0 * (-m - t1) / T;
+    out[0] = (R - h) / A;
+    out[1] = R * k + m * m + m * t1;
+}
+
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
    Equation from (24), (34). Domain: Omega > 0, A > 0.
    Operations: 19 structured, 18 common subexpressions, 18 power chains

@@ -8,6 +8,18 @@
 
 #include "kernels.h"
 
+static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_end_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
+        double values[7];
+        rod_spring_untruncated_averaged_all_passed_0_end(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
+    }
+}
+
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -56,6 +68,18 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_loop(ptrdiff_t 
     }
 }
 
+static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steeper_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
+        double values[7];
+        rod_spring_untruncated_averaged_all_passed_1_steeper_far(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
+    }
+}
+
 static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_far_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -63,6 +87,18 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_far_loop(
         const double p[] = {in[1][i], in[2][i], in[3][i]};
         double values[7];
         rod_spring_untruncated_averaged_all_passed_1_steep_far(A, p, values);
+        for (int k = 0; k < 7; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_away_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i];
+        const double p[] = {in[1][i], in[2][i], in[3][i]};
+        double values[7];
+        rod_spring_untruncated_averaged_all_passed_1_steep_away(A, p, values);
         for (int k = 0; k < 7; k++)
             out[k][i] = values[k];
     }
@@ -83,20 +119,23 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_passed_1_steep_loop(ptrd
 static SF_WIDE void rod_spring_untruncated_averaged_all_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     /* a char may alias the table of arrays */
-    const double *A_ = in[0], *u_cr_ = in[3];
+    const double *A_ = in[0], *delta_h_ = in[3];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr && A <= 0.69999999999999996 ? 0 : A <= u_cr ? 1 : u_cr <= 0.75 && 1.05 * u_cr <= A ? 2 : u_cr <= 0.75 ? 3 : 1.05 * u_cr <= A ? 4 : 5;
+        const double A = A_[i], delta_h = delta_h_[i];
+        regime[i] = A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) && sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 0 : A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) && A <= 0.69999999999999996 ? 1 : A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 2 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75 && 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 3 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75 ? 4 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004 && 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 5 : 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 6 : sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A ? 7 : 8;
     }
 }
 
 static const sf_loop rod_spring_untruncated_averaged_all_loops[] = {
+    rod_spring_untruncated_averaged_all_passed_0_end_loop,
     rod_spring_untruncated_averaged_all_passed_0_loop,
     rod_spring_untruncated_averaged_all_passed_0_steep_loop,
     rod_spring_untruncated_averaged_all_passed_1_far_loop,
     rod_spring_untruncated_averaged_all_passed_1_loop,
+    rod_spring_untruncated_averaged_all_passed_1_steeper_far_loop,
     rod_spring_untruncated_averaged_all_passed_1_steep_far_loop,
+    rod_spring_untruncated_averaged_all_passed_1_steep_away_loop,
     rod_spring_untruncated_averaged_all_passed_1_steep_loop,
 };
 
@@ -127,11 +166,11 @@ static SF_WIDE void rod_spring_untruncated_harmonics_passed_1_loop(ptrdiff_t n, 
 static SF_WIDE void rod_spring_untruncated_harmonics_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     /* a char may alias the table of arrays */
-    const double *A_ = in[0], *u_cr_ = in[3];
+    const double *A_ = in[0], *delta_h_ = in[3];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : 1;
+        const double A = A_[i], delta_h = delta_h_[i];
+        regime[i] = A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 0 : 1;
     }
 }
 
@@ -200,36 +239,36 @@ static const sf_loop rod_spring_untruncated_hardening_loops[] = {
     rod_spring_untruncated_hardening_loop,
 };
 
-static SF_WIDE void rod_spring_untruncated_force_force_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    SF_EACH(i, n) {
-        const double u = in[0][i], alpha = in[1][i], beta = in[2][i], u_cr = in[3][i];
-        out[0][i] = rod_spring_untruncated_force_1(u, alpha, beta, u_cr);
-    }
-}
-
 static SF_WIDE void rod_spring_untruncated_force_force_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
-        const double u = in[0][i], alpha = in[1][i], beta = in[2][i], u_cr = in[3][i];
-        out[0][i] = rod_spring_untruncated_force_2(u, alpha, beta, u_cr);
+        const double u = in[0][i], alpha = in[1][i], beta = in[2][i], delta_h = in[3][i];
+        out[0][i] = rod_spring_untruncated_force_2(u, alpha, beta, delta_h);
+    }
+}
+
+static SF_WIDE void rod_spring_untruncated_force_force_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double u = in[0][i], alpha = in[1][i], beta = in[2][i], delta_h = in[3][i];
+        out[0][i] = rod_spring_untruncated_force_1(u, alpha, beta, delta_h);
     }
 }
 
 static SF_WIDE void rod_spring_untruncated_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
 {
     /* a char may alias the table of arrays */
-    const double *u_ = in[0], *u_cr_ = in[3];
+    const double *u_ = in[0], *delta_h_ = in[3];
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        const double u = u_[i], u_cr = u_cr_[i];
-        regime[i] = fabs(u) <= u_cr ? 0 : 1;
+        const double u = u_[i], delta_h = delta_h_[i];
+        regime[i] = sqrt(-delta_h * delta_h + 2.0 * delta_h) <= fabs(u) ? 0 : 1;
     }
 }
 
 static const sf_loop rod_spring_untruncated_force_loops[] = {
-    rod_spring_untruncated_force_force_1_loop,
     rod_spring_untruncated_force_force_2_loop,
+    rod_spring_untruncated_force_force_1_loop,
 };
 
 static SF_WIDE void rod_spring_untruncated_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -258,15 +297,14 @@ static const sf_loop rod_spring_untruncated_equivalent_damping_loops[] = {
 
 static const sf_kernel kernels[] = {
     {"averaged_all",
-     "h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together. Equation (20)-(22), (31). Domain: A >= 0; digits are lost for "
-     "u_cr > 0.9998.",
-     4, 7, 6, rod_spring_untruncated_averaged_all_regime, rod_spring_untruncated_averaged_all_loops},
+     "h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together. Equation (20)-(22), (31). Domain: A >= 0.",
+     4, 7, 9, rod_spring_untruncated_averaged_all_regime, rod_spring_untruncated_averaged_all_loops},
     {"harmonics",
      "Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA. "
      "Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.",
      4, 8, 2, rod_spring_untruncated_harmonics_regime, rod_spring_untruncated_harmonics_loops},
     {"coefficients",
-     "The parameters alpha, beta, u_cr from the design. Equation (5), (7). Domain: any design.",
+     "The parameters alpha, beta, delta_h from the design. Equation (5), (7). Domain: any design.",
      3, 3, 1, NULL, rod_spring_untruncated_coefficients_loops},
     {"breakpoints",
      "The |u| at which a piece of the force ends. Equation (5). Domain: any parameters.",

@@ -419,6 +419,22 @@ static const sf_loop slow_flow_cusp_loops[] = {
     slow_flow_cusp_loop,
 };
 
+static SF_WIDE void slow_flow_cusp_balance_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i], k = in[4][i], X = in[5][i], T =
+            in[6][i];
+        double values[2];
+        slow_flow_cusp_balance(A, m, zeta, h, k, X, T, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop slow_flow_cusp_balance_loops[] = {
+    slow_flow_cusp_balance_loop,
+};
+
 static SF_WIDE void slow_flow_peak_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -655,6 +671,10 @@ static const sf_kernel kernels[] = {
      "Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0. "
      "Equation from (33). Domain: A > 0, X > 0.",
      10, 4, 1, NULL, slow_flow_cusp_loops},
+    {"cusp_balance",
+     "Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`). "
+     "Equation from (30). Domain: A > 0, X > 0, T not 0.",
+     7, 2, 1, NULL, slow_flow_cusp_balance_loops},
     {"peak",
      "F where F_Omega = 0: an extremum of F over Omega, and its slope along A. Equation from (24), (34). Domain: "
      "Omega > 0, A > 0.",

@@ -80,7 +80,7 @@ COARSEST = 10000.0
 ENDLESS = 1.152921504606847e+18
 # relative error that is taken for granted in a kernel's value
 DOUBT = 3.5527136788005009e-15
-# share of h below which h - A h_A has lost digits as a difference
+# share of its first term below which a sum of two has lost digits
 CANCELLED = 0.25
 # share of |h| below which A h_A may have lost digits, and Omega^2 = h_A with it
 SOFT = 0.01

@@ -565,7 +565,6 @@ MECHANISM = Mechanism(
     intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=float("inf"),
-    digits_up_to=float("inf"),
     reach=float("inf"),
     reach_reason="",
     truncated=False,

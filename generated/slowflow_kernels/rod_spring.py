@@ -1307,7 +1307,6 @@ MECHANISM = Mechanism(
     intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=float("inf"),
-    digits_up_to=float("inf"),
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=True,

@@ -2,7 +2,7 @@
 truncated.
 
 Written by `make derive`; never edit.
-Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 d01fb3e6e496d2753f4eb35c9c90a319cc531fe39a09da3bea4bf707827267cc
+Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f9f892242cfe193b7bb6d648ba5e980491479e0dbe8cfd9fa
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
@@ -61,7 +61,77 @@ __all__ = [
 ]
 
 
-def _averaged_all_passed_0(A, alpha, beta, u_cr):
+def _averaged_all_passed_0_end(A, alpha, beta, delta_h):
+    # operations: 184 structured, 155 common subexpressions, 154 power chains
+    m = A * A
+    k_c = 1.0 - delta_h
+    k = k_c * k_c
+    a_1 = 0.5 * k_c + 0.5
+    b_1 = np.sqrt(k_c)
+    e_1 = 0.25 / a_1
+    a_2 = 0.5 * a_1 + 0.5 * b_1
+    b_2 = np.sqrt(a_1) * np.sqrt(b_1)
+    t0 = e_1 * e_1
+    t1 = 0.25 * m
+    e_2 = t0 * t1 / a_2
+    a_3 = 0.5 * a_2 + 0.5 * b_2
+    b_3 = np.sqrt(a_2) * np.sqrt(b_2)
+    t2 = e_2 * e_2
+    e_3 = t1 * t2 / a_3
+    a_4 = 0.5 * a_3 + 0.5 * b_3
+    b_4 = np.sqrt(a_3) * np.sqrt(b_3)
+    t3 = e_3 * e_3
+    e_4 = t1 * t3 / a_4
+    a_5 = 0.5 * a_4 + 0.5 * b_4
+    b_5 = np.sqrt(a_4) * np.sqrt(b_4)
+    t4 = e_4 * e_4
+    e_5 = t1 * t4 / a_5
+    a_6 = 0.5 * a_5 + 0.5 * b_5
+    b_6 = np.sqrt(a_5) * np.sqrt(b_5)
+    t5 = e_5 * e_5
+    e_6 = t1 * t5 / a_6
+    a_7 = 0.5 * a_6 + 0.5 * b_6
+    b_7 = np.sqrt(a_6) * np.sqrt(b_6)
+    t6 = e_6 * e_6
+    e_7 = t1 * t6 / a_7
+    a_8 = 0.5 * a_7 + 0.5 * b_7
+    b_8 = np.sqrt(a_7) * np.sqrt(b_7)
+    t7 = e_7 * e_7
+    e_8 = t1 * t7 / a_8
+    a_9 = 0.5 * a_8 + 0.5 * b_8
+    t8 = e_8 * e_8
+    t9 = 1.0 / a_9
+    t10 = m * t9
+    e_9 = 0.25 * t10 * t8
+    e = e_1 + e_2 + e_3 + e_4 + e_5 + e_6 + e_7 + e_8 + e_9
+    tau = (
+        512.0 * e_9 * e_9 + 2.0 * t0 + 4.0 * t2 + 8.0 * t3 + 16.0 * t4 + 32.0 * t5 + 64.0 * t6 + 128.0 * t7 + 256.0
+        * t8
+    )
+    P = t10 * (e + tau)
+    B = t9 * (-m * tau + 1.0)
+    C = 2.0 * t9 * tau
+    t11 = 2.0 * beta
+    t12 = A * t11
+    t13 = P * t12
+    t14 = 1.0 / k
+    t15 = B * t14
+    t16 = alpha + t11 * (-C * m + P + m * t15)
+    k2 = k * k
+    t17 = 1.0 / k2
+    k3 = k * k2
+    return (
+        -A * alpha - t13,
+        -t16,
+        -t12 * (2.0 * B * t17 + C * t14),
+        -t11 * (B * (5.0 * m + 3.0) / k3 + C * t17 * (7.0 * m - 3.0)),
+        -A * (alpha - 1.0) - t13,
+        1.0 - t16,
+        4.0 * A * beta * m * (-0.5 * C + 0.5 * t15),
+    )
+
+
+def _averaged_all_passed_0(A, alpha, beta, delta_h):
     # operations: 120 structured, 99 common subexpressions, 98 power chains
     m = A * A
     t0 = A + 1.0
@@ -110,7 +180,7 @@ def _averaged_all_passed_0(A, alpha, beta, u_cr):
     )
 
 
-def _averaged_all_passed_0_steep(A, alpha, beta, u_cr):
+def _averaged_all_passed_0_steep(A, alpha, beta, delta_h):
     # operations: 176 structured, 147 common subexpressions, 146 power chains
     m = A * A
     t0 = A + 1.0
@@ -175,10 +245,11 @@ def _averaged_all_passed_0_steep(A, alpha, beta, u_cr):
     )
 
 
-def _averaged_all_passed_1_far(A, alpha, beta, u_cr):
-    # operations: 714 structured, 714 common subexpressions, 639 power chains
+def _averaged_all_passed_1_far(A, alpha, beta, delta_h):
+    # operations: 715 structured, 715 common subexpressions, 640 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
     t0 = T * T
     g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0)
@@ -415,10 +486,11 @@ def _averaged_all_passed_1_far(A, alpha, beta, u_cr):
     )
 
 
-def _averaged_all_passed_1(A, alpha, beta, u_cr):
-    # operations: 674 structured, 674 common subexpressions, 614 power chains
+def _averaged_all_passed_1(A, alpha, beta, delta_h):
+    # operations: 675 structured, 675 common subexpressions, 615 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
     t0 = T * T
     g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0)
@@ -583,10 +655,379 @@ def _averaged_all_passed_1(A, alpha, beta, u_cr):
     )
 
 
-def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
-    # operations: 1708 structured, 1708 common subexpressions, 1645 power chains
+def _averaged_all_passed_1_steeper_far(A, alpha, beta, delta_h):
+    # operations: 1057 structured, 1057 common subexpressions, 964 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
+    T = u_cr / (A + root)
+    t0 = T * T
+    g_1 = 1.0 / (0.99754352492802578 * t0 + 1.0)
+    g_2 = 1.0 / (0.98710220320360464 * t0 + 1.0)
+    g_3 = 1.0 / (0.96850119628762721 * t0 + 1.0)
+    g_4 = 1.0 / (0.94204803952146043 * t0 + 1.0)
+    g_5 = 1.0 / (0.90818556237499348 * t0 + 1.0)
+    g_6 = 1.0 / (0.86748116762530669 * t0 + 1.0)
+    g_7 = 1.0 / (0.82061701033654577 * t0 + 1.0)
+    g_8 = 1.0 / (0.76837850672767649 * t0 + 1.0)
+    g_9 = 1.0 / (0.71164115515046622 * t0 + 1.0)
+    g_10 = 1.0 / (0.65135585768649396 * t0 + 1.0)
+    g_11 = 1.0 / (0.58853298117048669 * t0 + 1.0)
+    g_12 = 1.0 / (0.52422542274260353 * t0 + 1.0)
+    g_13 = 1.0 / (0.45951096306885042 * t0 + 1.0)
+    g_14 = 1.0 / (0.395474202728469 * t0 + 1.0)
+    g_15 = 1.0 / (0.33318838440271731 * t0 + 1.0)
+    g_16 = 1.0 / (0.27369740547231697 * t0 + 1.0)
+    g_17 = 1.0 / (0.21799832246488254 * t0 + 1.0)
+    g_18 = 1.0 / (0.16702464056194843 * t0 + 1.0)
+    g_19 = 1.0 / (0.12163066822343055 * t0 + 1.0)
+    g_20 = 1.0 / (0.082577199139114363 * t0 + 1.0)
+    g_21 = 1.0 / (0.050518761472587721 * t0 + 1.0)
+    g_22 = 1.0 / (0.025992648096404506 * t0 + 1.0)
+    g_23 = 1.0 / (0.0094099116687183324 * t0 + 1.0)
+    g_24 = 1.0 / (0.0010484754715846482 * t0 + 1.0)
+    A2 = A * A
+    U2 = 4.0 * A2 * t0
+    v2_1 = 0.99754352492802578 * g_1 * g_1
+    square_1 = -U2 * v2_1 + 1.0
+    delta_1 = np.sqrt(square_1)
+    f_1 = 0.0031533460523058385 * g_1 * v2_1 / delta_1
+    v2_2 = 0.98710220320360464 * g_2 * g_2
+    square_2 = -U2 * v2_2 + 1.0
+    delta_2 = np.sqrt(square_2)
+    f_2 = 0.0073275539012762625 * g_2 * v2_2 / delta_2
+    v2_3 = 0.96850119628762721 * g_3 * g_3
+    square_3 = -U2 * v2_3 + 1.0
+    delta_3 = np.sqrt(square_3)
+    f_3 = 0.01147723457923454 * g_3 * v2_3 / delta_3
+    v2_4 = 0.94204803952146043 * g_4 * g_4
+    square_4 = -U2 * v2_4 + 1.0
+    delta_4 = np.sqrt(square_4)
+    f_4 = 0.015579315722943849 * g_4 * v2_4 / delta_4
+    v2_5 = 0.90818556237499348 * g_5 * g_5
+    square_5 = -U2 * v2_5 + 1.0
+    delta_5 = np.sqrt(square_5)
+    f_5 = 0.019616160457355529 * g_5 * v2_5 / delta_5
+    v2_6 = 0.86748116762530669 * g_6 * g_6
+    square_6 = -U2 * v2_6 + 1.0
+    delta_6 = np.sqrt(square_6)
+    f_6 = 0.02357076083932438 * g_6 * v2_6 / delta_6
+    v2_7 = 0.82061701033654577 * g_7 * g_7
+    square_7 = -U2 * v2_7 + 1.0
+    delta_7 = np.sqrt(square_7)
+    f_7 = 0.027426509708356948 * g_7 * v2_7 / delta_7
+    v2_8 = 0.76837850672767649 * g_8 * g_8
+    square_8 = -U2 * v2_8 + 1.0
+    delta_8 = np.sqrt(square_8)
+    f_8 = 0.03116722783279809 * g_8 * v2_8 / delta_8
+    v2_9 = 0.71164115515046622 * g_9 * g_9
+    square_9 = -U2 * v2_9 + 1.0
+    delta_9 = np.sqrt(square_9)
+    f_9 = 0.034777222564770442 * g_9 * v2_9 / delta_9
+    v2_10 = 0.65135585768649396 * g_10 * g_10
+    square_10 = -U2 * v2_10 + 1.0
+    delta_10 = np.sqrt(square_10)
+    f_10 = 0.038241351065830709 * g_10 * v2_10 / delta_10
+    v2_11 = 0.58853298117048669 * g_11 * g_11
+    square_11 = -U2 * v2_11 + 1.0
+    delta_11 = np.sqrt(square_11)
+    f_11 = 0.041545082943464748 * g_11 * v2_11 / delta_11
+    v2_12 = 0.52422542274260353 * g_12 * g_12
+    square_12 = -U2 * v2_12 + 1.0
+    delta_12 = np.sqrt(square_12)
+    f_12 = 0.04467456085669428 * g_12 * v2_12 / delta_12
+    v2_13 = 0.45951096306885042 * g_13 * g_13
+    square_13 = -U2 * v2_13 + 1.0
+    delta_13 = np.sqrt(square_13)
+    f_13 = 0.047616658492490478 * g_13 * v2_13 / delta_13
+    v2_14 = 0.395474202728469 * g_14 * g_14
+    square_14 = -U2 * v2_14 + 1.0
+    delta_14 = np.sqrt(square_14)
+    f_14 = 0.050359035553854473 * g_14 * v2_14 / delta_14
+    v2_15 = 0.33318838440271731 * g_15 * g_15
+    square_15 = -U2 * v2_15 + 1.0
+    delta_15 = np.sqrt(square_15)
+    f_15 = 0.052890189485193667 * g_15 * v2_15 / delta_15
+    v2_16 = 0.27369740547231697 * g_16 * g_16
+    square_16 = -U2 * v2_16 + 1.0
+    delta_16 = np.sqrt(square_16)
+    f_16 = 0.055199503699984165 * g_16 * v2_16 / delta_16
+    v2_17 = 0.21799832246488254 * g_17 * g_17
+    square_17 = -U2 * v2_17 + 1.0
+    delta_17 = np.sqrt(square_17)
+    f_17 = 0.057277292100403214 * g_17 * v2_17 / delta_17
+    v2_18 = 0.16702464056194843 * g_18 * g_18
+    square_18 = -U2 * v2_18 + 1.0
+    delta_18 = np.sqrt(square_18)
+    f_18 = 0.059114839698395635 * g_18 * v2_18 / delta_18
+    v2_19 = 0.12163066822343055 * g_19 * g_19
+    square_19 = -U2 * v2_19 + 1.0
+    delta_19 = np.sqrt(square_19)
+    f_19 = 0.060704439165893881 * g_19 * v2_19 / delta_19
+    v2_20 = 0.082577199139114363 * g_20 * g_20
+    square_20 = -U2 * v2_20 + 1.0
+    delta_20 = np.sqrt(square_20)
+    f_20 = 0.062039423159892665 * g_20 * v2_20 / delta_20
+    v2_21 = 0.050518761472587721 * g_21 * g_21
+    square_21 = -U2 * v2_21 + 1.0
+    delta_21 = np.sqrt(square_21)
+    f_21 = 0.06311419228625402 * g_21 * v2_21 / delta_21
+    v2_22 = 0.025992648096404506 * g_22 * g_22
+    square_22 = -U2 * v2_22 + 1.0
+    delta_22 = np.sqrt(square_22)
+    f_22 = 0.063924238584648185 * g_22 * v2_22 / delta_22
+    v2_23 = 0.0094099116687183324 * g_23 * g_23
+    square_23 = -U2 * v2_23 + 1.0
+    delta_23 = np.sqrt(square_23)
+    f_23 = 0.064466164435950088 * g_23 * v2_23 / delta_23
+    v2_24 = 0.0010484754715846482 * g_24 * g_24
+    square_24 = -U2 * v2_24 + 1.0
+    delta_24 = np.sqrt(square_24)
+    f_24 = 0.064737696812683918 * g_24 * v2_24 / delta_24
+    term_1 = (
+        f_1 * g_1 * (0.0012289927475738814 - 0.0012274823244002922 * t0) * (g_1 * (0.99877100725242607 * t0 +
+        0.99877100725242607) + 1.0) / (c + delta_1)
+    )
+    t1 = 1.0 - 0.99754352492802578 * t0
+    tangent_1 = 3.9901740997121031 * t0 / (t1 * t1)
+    term_2 = (
+        f_2 * g_2 * (0.0064698277336492421 - 0.0064279690627461455 * t0) * (g_2 * (0.99353017226635076 * t0 +
+        0.99353017226635076) + 1.0) / (c + delta_2)
+    )
+    t2 = 1.0 - 0.98710220320360464 * t0
+    tangent_2 = 3.9484088128144186 * t0 / (t2 * t2)
+    term_3 = (
+        f_3 * g_3 * (0.015875416277173142 - 0.015623387435199608 * t0) * (g_3 * (0.98412458372282685 * t0 +
+        0.98412458372282685) + 1.0) / (c + delta_3)
+    )
+    t3 = 1.0 - 0.96850119628762721 * t0
+    tangent_3 = 3.8740047851505088 * t0 / (t3 * t3)
+    term_4 = (
+        f_4 * g_4 * (0.029408407453752748 - 0.028543553024786811 * t0) * (g_4 * (0.97059159254624727 * t0 +
+        0.97059159254624727) + 1.0) / (c + delta_4)
+    )
+    t4 = 1.0 - 0.94204803952146043 * t0
+    tangent_4 = 3.7681921580858417 * t0 / (t4 * t4)
+    term_5 = (
+        f_5 * g_5 * (0.047012296839569138 - 0.044802140785437379 * t0) * (g_5 * (0.95298770316043091 * t0 +
+        0.95298770316043091) + 1.0) / (c + delta_5)
+    )
+    t5 = 1.0 - 0.90818556237499348 * t0
+    tangent_5 = 3.6327422494999739 * t0 / (t5 * t5)
+    term_6 = (
+        f_6 * g_6 * (0.068613309293445668 - 0.063905523081247625 * t0) * (g_6 * (0.93138669070655433 * t0 +
+        0.93138669070655433) + 1.0) / (c + delta_6)
+    )
+    t6 = 1.0 - 0.86748116762530669 * t0
+    tangent_6 = 3.4699246705012268 * t0 / (t6 * t6)
+    term_7 = (
+        f_7 * g_7 * (0.094120863284430326 - 0.085262126379023903 * t0) * (g_7 * (0.90587913671556963 * t0 +
+        0.90587913671556963) + 1.0) / (c + delta_7)
+    )
+    t7 = 1.0 - 0.82061701033654577 * t0
+    tangent_7 = 3.2824680413461831 * t0 / (t7 * t7)
+    term_8 = (
+        f_8 * g_8 * (0.12342797972575212 - 0.10819351354657145 * t0) * (g_8 * (0.87657202027424785 * t0 +
+        0.87657202027424785) + 1.0) / (c + delta_8)
+    )
+    t8 = 1.0 - 0.76837850672767649 * t0
+    tangent_8 = 3.073514026910706 * t0 / (t8 * t8)
+    term_9 = (
+        f_9 * g_9 * (0.15641173837560646 - 0.13194710647392729 * t0) * (g_9 * (0.84358826162439349 * t0 +
+        0.84358826162439349) + 1.0) / (c + delta_9)
+    )
+    t9 = 1.0 - 0.71164115515046622 * t0
+    tangent_9 = 2.8465646206018649 * t0 / (t9 * t9)
+    term_10 = (
+        f_10 * g_10 * (0.19293379597055738 - 0.15571034634294872 * t0) * (g_10 * (0.80706620402944262 * t0 +
+        0.80706620402944262) + 1.0) / (c + delta_10)
+    )
+    t10 = 1.0 - 0.65135585768649396 * t0
+    tangent_10 = 2.6054234307459758 * t0 / (t10 * t10)
+    term_11 = (
+        f_11 * g_11 * (0.23284096748425967 - 0.17862605134525358 * t0) * (g_11 * (0.76715903251574036 * t0 +
+        0.76715903251574036) + 1.0) / (c + delta_11)
+    )
+    t11 = 1.0 - 0.58853298117048669 * t0
+    tangent_11 = 2.3541319246819468 * t0 / (t11 * t11)
+    term_12 = (
+        f_12 * g_12 * (0.27596586907618537 - 0.19980870818121108 * t0) * (g_12 * (0.72403413092381463 * t0 +
+        0.72403413092381463) + 1.0) / (c + delta_12)
+    )
+    t12 = 1.0 - 0.52422542274260353 * t0
+    tangent_12 = 2.0969016909704141 * t0 / (t12 * t12)
+    term_13 = (
+        f_13 * g_13 * (0.32212762036733611 - 0.2183614165638135 * t0) * (g_13 * (0.67787237963266389 * t0 +
+        0.67787237963266389) + 1.0) / (c + delta_13)
+    )
+    t13 = 1.0 - 0.45951096306885042 * t0
+    tangent_13 = 1.8380438522754017 * t0 / (t13 * t13)
+    term_14 = (
+        f_14 * g_14 * (0.3711326032234864 - 0.23339319404804459 * t0) * (g_14 * (0.6288673967765136 * t0 +
+        0.6288673967765136) + 1.0) / (c + delta_14)
+    )
+    t14 = 1.0 - 0.395474202728469 * t0
+    tangent_14 = 1.581896810913876 * t0 / (t14 * t14)
+    term_15 = (
+        f_15 * g_15 * (0.42277527391602732 - 0.24403634168125538 * t0) * (g_15 * (0.57722472608397268 * t0 +
+        0.57722472608397268) + 1.0) / (c + delta_15)
+    )
+    t15 = 1.0 - 0.33318838440271731 * t0
+    tangent_15 = 1.3327535376108692 * t0 / (t15 * t15)
+    term_16 = (
+        f_16 * g_16 * (0.47683902527776695 - 0.24946356924991608 * t0) * (g_16 * (0.523160974722233 * t0 +
+        0.523160974722233) + 1.0) / (c + delta_16)
+    )
+    t16 = 1.0 - 0.27369740547231697 * t0
+    tangent_16 = 1.0947896218892679 * t0 / (t16 * t16)
+    term_17 = (
+        f_17 * g_17 * (0.53309709524904159 - 0.24890458228607587 * t0) * (g_17 * (0.46690290475095841 * t0 +
+        0.46690290475095841) + 1.0) / (c + delta_17)
+    )
+    t17 = 1.0 - 0.21799832246488254 * t0
+    tangent_17 = 0.87199328985953017 * t0 / (t17 * t17)
+    term_18 = (
+        f_18 * g_18 * (0.59131351800928322 - 0.24166184142876829 * t0) * (g_18 * (0.40868648199071672 * t0 +
+        0.40868648199071672) + 1.0) / (c + delta_18)
+    )
+    t18 = 1.0 - 0.16702464056194843 * t0
+    tangent_18 = 0.66809856224779374 * t0 / (t18 * t18)
+    term_19 = (
+        f_19 * g_19 * (0.6512441137078393 - 0.22712521806873018 * t0) * (g_19 * (0.34875588629216075 * t0 +
+        0.34875588629216075) + 1.0) / (c + delta_19)
+    )
+    t19 = 1.0 - 0.12163066822343055 * t0
+    tangent_19 = 0.4865226728937222 * t0 / (t19 * t19)
+    term_20 = (
+        f_20 * g_20 * (0.71263751264454445 - 0.2047852882163412 * t0) * (g_20 * (0.28736248735545555 * t0 +
+        0.28736248735545555) + 1.0) / (c + delta_20)
+    )
+    t20 = 1.0 - 0.082577199139114363 * t0
+    tangent_20 = 0.33030879655645745 * t0 / (t20 * t20)
+    term_21 = (
+        f_21 * g_21 * (0.77523620960531092 - 0.17424502892210134 * t0) * (g_21 * (0.22476379039468905 * t0 +
+        0.22476379039468905) + 1.0) / (c + delta_21)
+    )
+    t21 = 1.0 - 0.050518761472587721 * t0
+    tangent_21 = 0.20207504589035089 * t0 / (t21 * t21)
+    term_22 = (
+        f_22 * g_22 * (0.83877764393110832 - 0.13522970797248721 * t0) * (g_22 * (0.16122235606889171 * t0 +
+        0.16122235606889171) + 1.0) / (c + delta_22)
+    )
+    t22 = 1.0 - 0.025992648096404506 * t0
+    tangent_22 = 0.10397059238561802 * t0 / (t22 * t22)
+    term_23 = (
+        f_23 * g_23 * (0.90299530079053725 - 0.087594787540744359 * t0) * (g_23 * (0.097004699209462697 * t0 +
+        0.097004699209462697) + 1.0) / (c + delta_23)
+    )
+    t23 = 1.0 - 0.0094099116687183324 * t0
+    tangent_23 = 0.03763964667487333 * t0 / (t23 * t23)
+    term_24 = (
+        f_24 * g_24 * (0.96761982903713062 - 0.031331695491284714 * t0) * (g_24 * (0.03238017096286936 * t0 +
+        0.03238017096286936) + 1.0) / (c + delta_24)
+    )
+    t24 = 1.0 - 0.0010484754715846482 * t0
+    tangent_24 = 0.0041939018863385927 * t0 / (t24 * t24)
+    sum_0 = (
+        term_1 + term_10 + term_11 + term_12 + term_13 + term_14 + term_15 + term_16 + term_17 + term_18 + term_19 +
+        term_2 + term_20 + term_21 + term_22 + term_23 + term_24 + term_3 + term_4 + term_5 + term_6 + term_7 +
+        term_8 + term_9
+    )
+    sum_1 = (
+        tangent_1 * term_1 + tangent_10 * term_10 + tangent_11 * term_11 + tangent_12 * term_12 + tangent_13 *
+        term_13 + tangent_14 * term_14 + tangent_15 * term_15 + tangent_16 * term_16 + tangent_17 * term_17 +
+        tangent_18 * term_18 + tangent_19 * term_19 + tangent_2 * term_2 + tangent_20 * term_20 + tangent_21 *
+        term_21 + tangent_22 * term_22 + tangent_23 * term_23 + tangent_24 * term_24 + tangent_3 * term_3 +
+        tangent_4 * term_4 + tangent_5 * term_5 + tangent_6 * term_6 + tangent_7 * term_7 + tangent_8 * term_8 +
+        tangent_9 * term_9
+    )
+    tangent_1_2 = tangent_1 * tangent_1
+    tangent_10_2 = tangent_10 * tangent_10
+    tangent_11_2 = tangent_11 * tangent_11
+    tangent_12_2 = tangent_12 * tangent_12
+    tangent_13_2 = tangent_13 * tangent_13
+    tangent_14_2 = tangent_14 * tangent_14
+    tangent_15_2 = tangent_15 * tangent_15
+    tangent_16_2 = tangent_16 * tangent_16
+    tangent_17_2 = tangent_17 * tangent_17
+    tangent_18_2 = tangent_18 * tangent_18
+    tangent_19_2 = tangent_19 * tangent_19
+    tangent_2_2 = tangent_2 * tangent_2
+    tangent_20_2 = tangent_20 * tangent_20
+    tangent_21_2 = tangent_21 * tangent_21
+    tangent_22_2 = tangent_22 * tangent_22
+    tangent_23_2 = tangent_23 * tangent_23
+    tangent_24_2 = tangent_24 * tangent_24
+    tangent_3_2 = tangent_3 * tangent_3
+    tangent_4_2 = tangent_4 * tangent_4
+    tangent_5_2 = tangent_5 * tangent_5
+    tangent_6_2 = tangent_6 * tangent_6
+    tangent_7_2 = tangent_7 * tangent_7
+    tangent_8_2 = tangent_8 * tangent_8
+    tangent_9_2 = tangent_9 * tangent_9
+    sum_2 = (
+        tangent_10_2 * term_10 + tangent_11_2 * term_11 + tangent_12_2 * term_12 + tangent_13_2 * term_13 +
+        tangent_14_2 * term_14 + tangent_15_2 * term_15 + tangent_16_2 * term_16 + tangent_17_2 * term_17 +
+        tangent_18_2 * term_18 + tangent_19_2 * term_19 + tangent_1_2 * term_1 + tangent_20_2 * term_20 +
+        tangent_21_2 * term_21 + tangent_22_2 * term_22 + tangent_23_2 * term_23 + tangent_24_2 * term_24 +
+        tangent_2_2 * term_2 + tangent_3_2 * term_3 + tangent_4_2 * term_4 + tangent_5_2 * term_5 + tangent_6_2 *
+        term_6 + tangent_7_2 * term_7 + tangent_8_2 * term_8 + tangent_9_2 * term_9
+    )
+    tangent_1_3 = tangent_1 * tangent_1_2
+    tangent_10_3 = tangent_10 * tangent_10_2
+    tangent_11_3 = tangent_11 * tangent_11_2
+    tangent_12_3 = tangent_12 * tangent_12_2
+    tangent_13_3 = tangent_13 * tangent_13_2
+    tangent_14_3 = tangent_14 * tangent_14_2
+    tangent_15_3 = tangent_15 * tangent_15_2
+    tangent_16_3 = tangent_16 * tangent_16_2
+    tangent_17_3 = tangent_17 * tangent_17_2
+    tangent_18_3 = tangent_18 * tangent_18_2
+    tangent_19_3 = tangent_19 * tangent_19_2
+    tangent_2_3 = tangent_2 * tangent_2_2
+    tangent_20_3 = tangent_20 * tangent_20_2
+    tangent_21_3 = tangent_21 * tangent_21_2
+    tangent_22_3 = tangent_22 * tangent_22_2
+    tangent_23_3 = tangent_23 * tangent_23_2
+    tangent_24_3 = tangent_24 * tangent_24_2
+    tangent_3_3 = tangent_3 * tangent_3_2
+    tangent_4_3 = tangent_4 * tangent_4_2
+    tangent_5_3 = tangent_5 * tangent_5_2
+    tangent_6_3 = tangent_6 * tangent_6_2
+    tangent_7_3 = tangent_7 * tangent_7_2
+    tangent_8_3 = tangent_8 * tangent_8_2
+    tangent_9_3 = tangent_9 * tangent_9_2
+    sum_3 = (
+        tangent_10_3 * term_10 + tangent_11_3 * term_11 + tangent_12_3 * term_12 + tangent_13_3 * term_13 +
+        tangent_14_3 * term_14 + tangent_15_3 * term_15 + tangent_16_3 * term_16 + tangent_17_3 * term_17 +
+        tangent_18_3 * term_18 + tangent_19_3 * term_19 + tangent_1_3 * term_1 + tangent_20_3 * term_20 +
+        tangent_21_3 * term_21 + tangent_22_3 * term_22 + tangent_23_3 * term_23 + tangent_24_3 * term_24 +
+        tangent_2_3 * term_2 + tangent_3_3 * term_3 + tangent_4_3 * term_4 + tangent_5_3 * term_5 + tangent_6_3 *
+        term_6 + tangent_7_3 * term_7 + tangent_8_3 * term_8 + tangent_9_3 * term_9
+    )
+    u_cr2 = u_cr * u_cr
+    T3 = T * t0
+    return (
+        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A,
+        2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c) - 1.0,
+        2.5464790894703255 * beta * (48.0 * T3 * sum_0 * u_cr2 / c + 56.0 * T3 * sum_1 * u_cr2 / c + 24.0 * T3 *
+        sum_2 * u_cr2 / c) / A,
+        2.5464790894703255 * beta * (-192.0 * T3 * sum_0 * u_cr2 / c - 384.0 * T3 * sum_1 * u_cr2 / c - 360.0 * T3 *
+        sum_2 * u_cr2 / c - 120.0 * T3 * sum_3 * u_cr2 / c) / A2,
+        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c,
+        2.5464790894703255 * beta * (-16.0 * T3 * sum_0 * u_cr2 / c - 8.0 * T3 * sum_1 * u_cr2 / c),
+        2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c),
+    )
+
+
+def _averaged_all_passed_1_steep_far(A, alpha, beta, delta_h):
+    # operations: 1722 structured, 1722 common subexpressions, 1658 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
+    c2 = c * c
+    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
+    half = 0.5 * (A - u_cr) * (A + u_cr)
+    root = np.sqrt(2.0 * half - 0.5 * np.abs(half - lacking) + 0.5 * np.abs(half + lacking))
     T = u_cr / (A + root)
     t0 = T * T
     g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0)
@@ -608,14 +1049,13 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
     x2 = u_cr * u_cr / A2
     y2 = root * root / A2
     third = 0.33333333333333331 * u_cr * x2 / A
-    Y_0 = (1.0 - u_cr) * (u_cr + 1.0)
     a0_0 = np.sqrt(y2)
     a0_half_0 = 0.5 / a0_0
     a0_half_0_2 = a0_half_0 * a0_half_0
     a0_half_0_3 = a0_half_0 * a0_half_0_2
     a02_0 = -a0_half_0_3
     a03_0 = -2.0 * a02_0 * a0_half_0_2
-    b0_0 = np.sqrt(Y_0)
+    b0_0 = np.sqrt(c2)
     lam0_0 = a0_0 * b0_0 + a0_0 + b0_0
     lam0_1 = a0_half_0 * b0_0 + a0_half_0
     lam0_2 = a02_0 * b0_0 + a02_0
@@ -629,7 +1069,7 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
     X0_1 = 0.25 * lam0_1 + 0.25
     X0_2 = 0.25 * lam0_2
     X0_3 = 0.25 * lam0_3
-    Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0
+    Y0_0 = 0.25 * c2 + 0.25 * lam0_0
     Y0_1 = 0.25 * lam0_1
     Y0_2 = 0.25 * lam0_2
     Y0_3 = 0.25 * lam0_3
@@ -1143,10 +1583,445 @@ def _averaged_all_passed_1_steep_far(A, alpha, beta, u_cr):
     )
 
 
-def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
-    # operations: 1477 structured, 1477 common subexpressions, 1432 power chains
-    root = np.sqrt((A - u_cr) * (A + u_cr))
-    c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
+def _averaged_all_passed_1_steep_away(A, alpha, beta, delta_h):
+    # operations: 1365 structured, 1365 common subexpressions, 1357 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
+    c2 = c * c
+    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
+    half = 0.5 * (A - u_cr) * (A + u_cr)
+    root = np.sqrt(2.0 * half - 0.5 * np.abs(half - lacking) + 0.5 * np.abs(half + lacking))
+    A2 = A * A
+    x2 = u_cr * u_cr / A2
+    y2 = root * root / A2
+    third = 0.33333333333333331 * u_cr * x2 / A
+    a0_0 = np.sqrt(y2)
+    a0_half_0 = 0.5 / a0_0
+    a0_half_0_2 = a0_half_0 * a0_half_0
+    a0_half_0_3 = a0_half_0 * a0_half_0_2
+    a02_0 = -a0_half_0_3
+    a03_0 = -2.0 * a02_0 * a0_half_0_2
+    b0_0 = np.sqrt(c2)
+    lam0_0 = a0_0 * b0_0 + a0_0 + b0_0
+    lam0_1 = a0_half_0 * b0_0 + a0_half_0
+    lam0_2 = a02_0 * b0_0 + a02_0
+    lam0_3 = a03_0 * b0_0 + a03_0
+    q0_0 = lam0_0 + 1.0
+    term0_0 = 1.0 / q0_0
+    term01_0 = -lam0_1 * term0_0 * term0_0
+    term02_0 = -term0_0 * (lam0_1 * term01_0 + lam0_2 * term0_0)
+    term03_0 = -term0_0 * (lam0_1 * term02_0 + lam0_2 * term01_0 + lam0_3 * term0_0)
+    X0_0 = 0.25 * lam0_0 + 0.25 * y2
+    X0_1 = 0.25 * lam0_1 + 0.25
+    X0_2 = 0.25 * lam0_2
+    X0_3 = 0.25 * lam0_3
+    Y0_0 = 0.25 * c2 + 0.25 * lam0_0
+    Y0_1 = 0.25 * lam0_1
+    Y0_2 = 0.25 * lam0_2
+    Y0_3 = 0.25 * lam0_3
+    Z0_0 = 0.25 * lam0_0 + 0.25
+    Z0_1 = 0.25 * lam0_1
+    Z0_2 = 0.25 * lam0_2
+    Z0_3 = 0.25 * lam0_3
+    a1_0 = np.sqrt(X0_0)
+    a1_half_0 = 0.5 / a1_0
+    a11_0 = X0_1 * a1_half_0
+    a12_0 = a1_half_0 * (X0_2 - a11_0 * a11_0)
+    a13_0 = a1_half_0 * (X0_3 - 2.0 * a11_0 * a12_0)
+    b1_0 = np.sqrt(Y0_0)
+    b1_half_0 = 0.5 / b1_0
+    b11_0 = Y0_1 * b1_half_0
+    b12_0 = b1_half_0 * (Y0_2 - b11_0 * b11_0)
+    b13_0 = b1_half_0 * (Y0_3 - 2.0 * b11_0 * b12_0)
+    c1_0 = np.sqrt(Z0_0)
+    c1_half_0 = 0.5 / c1_0
+    c11_0 = Z0_1 * c1_half_0
+    c12_0 = c1_half_0 * (Z0_2 - c11_0 * c11_0)
+    c13_0 = c1_half_0 * (Z0_3 - 2.0 * c11_0 * c12_0)
+    lam1_0 = a1_0 * b1_0 + c1_0 * (a1_0 + b1_0)
+    lam1_1 = a11_0 * b1_0 + a1_0 * b11_0 + c11_0 * (a1_0 + b1_0) + c1_0 * (a11_0 + b11_0)
+    lam1_2 = (
+        a11_0 * b11_0 + a12_0 * b1_0 + a1_0 * b12_0 + c11_0 * (a11_0 + b11_0) + c12_0 * (a1_0 + b1_0) + c1_0 *
+        (a12_0 + b12_0)
+    )
+    lam1_3 = (
+        a11_0 * b12_0 + a12_0 * b11_0 + a13_0 * b1_0 + a1_0 * b13_0 + c11_0 * (a12_0 + b12_0) + c12_0 * (a11_0 +
+        b11_0) + c13_0 * (a1_0 + b1_0) + c1_0 * (a13_0 + b13_0)
+    )
+    q1_0 = Z0_0 + lam1_0
+    q1_1 = Z0_1 + lam1_1
+    q1_2 = Z0_2 + lam1_2
+    q1_3 = Z0_3 + lam1_3
+    below1_0 = c1_0 * q1_0
+    below1_1 = c11_0 * q1_0 + c1_0 * q1_1
+    below1_2 = c11_0 * q1_1 + c12_0 * q1_0 + c1_0 * q1_2
+    below1_3 = c11_0 * q1_2 + c12_0 * q1_1 + c13_0 * q1_0 + c1_0 * q1_3
+    term1_0 = 1.0 / below1_0
+    term11_0 = -below1_1 * term1_0 * term1_0
+    term12_0 = -term1_0 * (below1_1 * term11_0 + below1_2 * term1_0)
+    term13_0 = -term1_0 * (below1_1 * term12_0 + below1_2 * term11_0 + below1_3 * term1_0)
+    X1_0 = 0.25 * X0_0 + 0.25 * lam1_0
+    X1_1 = 0.25 * X0_1 + 0.25 * lam1_1
+    X1_2 = 0.25 * X0_2 + 0.25 * lam1_2
+    X1_3 = 0.25 * X0_3 + 0.25 * lam1_3
+    Y1_0 = 0.25 * Y0_0 + 0.25 * lam1_0
+    Y1_1 = 0.25 * Y0_1 + 0.25 * lam1_1
+    Y1_2 = 0.25 * Y0_2 + 0.25 * lam1_2
+    Y1_3 = 0.25 * Y0_3 + 0.25 * lam1_3
+    Z1_0 = 0.25 * Z0_0 + 0.25 * lam1_0
+    Z1_1 = 0.25 * Z0_1 + 0.25 * lam1_1
+    Z1_2 = 0.25 * Z0_2 + 0.25 * lam1_2
+    Z1_3 = 0.25 * Z0_3 + 0.25 * lam1_3
+    a2_0 = np.sqrt(X1_0)
+    a2_half_0 = 0.5 / a2_0
+    a21_0 = X1_1 * a2_half_0
+    a22_0 = a2_half_0 * (X1_2 - a21_0 * a21_0)
+    a23_0 = a2_half_0 * (X1_3 - 2.0 * a21_0 * a22_0)
+    b2_0 = np.sqrt(Y1_0)
+    b2_half_0 = 0.5 / b2_0
+    b21_0 = Y1_1 * b2_half_0
+    b22_0 = b2_half_0 * (Y1_2 - b21_0 * b21_0)
+    b23_0 = b2_half_0 * (Y1_3 - 2.0 * b21_0 * b22_0)
+    c2_0 = np.sqrt(Z1_0)
+    c2_half_0 = 0.5 / c2_0
+    c21_0 = Z1_1 * c2_half_0
+    c22_0 = c2_half_0 * (Z1_2 - c21_0 * c21_0)
+    c23_0 = c2_half_0 * (Z1_3 - 2.0 * c21_0 * c22_0)
+    lam2_0 = a2_0 * b2_0 + c2_0 * (a2_0 + b2_0)
+    lam2_1 = a21_0 * b2_0 + a2_0 * b21_0 + c21_0 * (a2_0 + b2_0) + c2_0 * (a21_0 + b21_0)
+    lam2_2 = (
+        a21_0 * b21_0 + a22_0 * b2_0 + a2_0 * b22_0 + c21_0 * (a21_0 + b21_0) + c22_0 * (a2_0 + b2_0) + c2_0 *
+        (a22_0 + b22_0)
+    )
+    lam2_3 = (
+        a21_0 * b22_0 + a22_0 * b21_0 + a23_0 * b2_0 + a2_0 * b23_0 + c21_0 * (a22_0 + b22_0) + c22_0 * (a21_0 +
+        b21_0) + c23_0 * (a2_0 + b2_0) + c2_0 * (a23_0 + b23_0)
+    )
+    q2_0 = Z1_0 + lam2_0
+    q2_1 = Z1_1 + lam2_1
+    q2_2 = Z1_2 + lam2_2
+    q2_3 = Z1_3 + lam2_3
+    below2_0 = c2_0 * q2_0
+    below2_1 = c21_0 * q2_0 + c2_0 * q2_1
+    below2_2 = c21_0 * q2_1 + c22_0 * q2_0 + c2_0 * q2_2
+    below2_3 = c21_0 * q2_2 + c22_0 * q2_1 + c23_0 * q2_0 + c2_0 * q2_3
+    term2_0 = 1.0 / below2_0
+    term21_0 = -below2_1 * term2_0 * term2_0
+    term22_0 = -term2_0 * (below2_1 * term21_0 + below2_2 * term2_0)
+    term23_0 = -term2_0 * (below2_1 * term22_0 + below2_2 * term21_0 + below2_3 * term2_0)
+    X2_0 = 0.25 * X1_0 + 0.25 * lam2_0
+    X2_1 = 0.25 * X1_1 + 0.25 * lam2_1
+    X2_2 = 0.25 * X1_2 + 0.25 * lam2_2
+    X2_3 = 0.25 * X1_3 + 0.25 * lam2_3
+    Y2_0 = 0.25 * Y1_0 + 0.25 * lam2_0
+    Y2_1 = 0.25 * Y1_1 + 0.25 * lam2_1
+    Y2_2 = 0.25 * Y1_2 + 0.25 * lam2_2
+    Y2_3 = 0.25 * Y1_3 + 0.25 * lam2_3
+    Z2_0 = 0.25 * Z1_0 + 0.25 * lam2_0
+    Z2_1 = 0.25 * Z1_1 + 0.25 * lam2_1
+    Z2_2 = 0.25 * Z1_2 + 0.25 * lam2_2
+    Z2_3 = 0.25 * Z1_3 + 0.25 * lam2_3
+    a3_0 = np.sqrt(X2_0)
+    a3_half_0 = 0.5 / a3_0
+    a31_0 = X2_1 * a3_half_0
+    a32_0 = a3_half_0 * (X2_2 - a31_0 * a31_0)
+    a33_0 = a3_half_0 * (X2_3 - 2.0 * a31_0 * a32_0)
+    b3_0 = np.sqrt(Y2_0)
+    b3_half_0 = 0.5 / b3_0
+    b31_0 = Y2_1 * b3_half_0
+    b32_0 = b3_half_0 * (Y2_2 - b31_0 * b31_0)
+    b33_0 = b3_half_0 * (Y2_3 - 2.0 * b31_0 * b32_0)
+    c3_0 = np.sqrt(Z2_0)
+    c3_half_0 = 0.5 / c3_0
+    c31_0 = Z2_1 * c3_half_0
+    c32_0 = c3_half_0 * (Z2_2 - c31_0 * c31_0)
+    c33_0 = c3_half_0 * (Z2_3 - 2.0 * c31_0 * c32_0)
+    lam3_0 = a3_0 * b3_0 + c3_0 * (a3_0 + b3_0)
+    lam3_1 = a31_0 * b3_0 + a3_0 * b31_0 + c31_0 * (a3_0 + b3_0) + c3_0 * (a31_0 + b31_0)
+    lam3_2 = (
+        a31_0 * b31_0 + a32_0 * b3_0 + a3_0 * b32_0 + c31_0 * (a31_0 + b31_0) + c32_0 * (a3_0 + b3_0) + c3_0 *
+        (a32_0 + b32_0)
+    )
+    lam3_3 = (
+        a31_0 * b32_0 + a32_0 * b31_0 + a33_0 * b3_0 + a3_0 * b33_0 + c31_0 * (a32_0 + b32_0) + c32_0 * (a31_0 +
+        b31_0) + c33_0 * (a3_0 + b3_0) + c3_0 * (a33_0 + b33_0)
+    )
+    q3_0 = Z2_0 + lam3_0
+    q3_1 = Z2_1 + lam3_1
+    q3_2 = Z2_2 + lam3_2
+    q3_3 = Z2_3 + lam3_3
+    below3_0 = c3_0 * q3_0
+    below3_1 = c31_0 * q3_0 + c3_0 * q3_1
+    below3_2 = c31_0 * q3_1 + c32_0 * q3_0 + c3_0 * q3_2
+    below3_3 = c31_0 * q3_2 + c32_0 * q3_1 + c33_0 * q3_0 + c3_0 * q3_3
+    term3_0 = 1.0 / below3_0
+    term31_0 = -below3_1 * term3_0 * term3_0
+    term32_0 = -term3_0 * (below3_1 * term31_0 + below3_2 * term3_0)
+    term33_0 = -term3_0 * (below3_1 * term32_0 + below3_2 * term31_0 + below3_3 * term3_0)
+    X3_0 = 0.25 * X2_0 + 0.25 * lam3_0
+    X3_1 = 0.25 * X2_1 + 0.25 * lam3_1
+    X3_2 = 0.25 * X2_2 + 0.25 * lam3_2
+    X3_3 = 0.25 * X2_3 + 0.25 * lam3_3
+    Y3_0 = 0.25 * Y2_0 + 0.25 * lam3_0
+    Y3_1 = 0.25 * Y2_1 + 0.25 * lam3_1
+    Y3_2 = 0.25 * Y2_2 + 0.25 * lam3_2
+    Y3_3 = 0.25 * Y2_3 + 0.25 * lam3_3
+    Z3_0 = 0.25 * Z2_0 + 0.25 * lam3_0
+    Z3_1 = 0.25 * Z2_1 + 0.25 * lam3_1
+    Z3_2 = 0.25 * Z2_2 + 0.25 * lam3_2
+    Z3_3 = 0.25 * Z2_3 + 0.25 * lam3_3
+    a4_0 = np.sqrt(X3_0)
+    a4_half_0 = 0.5 / a4_0
+    a41_0 = X3_1 * a4_half_0
+    a42_0 = a4_half_0 * (X3_2 - a41_0 * a41_0)
+    a43_0 = a4_half_0 * (X3_3 - 2.0 * a41_0 * a42_0)
+    b4_0 = np.sqrt(Y3_0)
+    b4_half_0 = 0.5 / b4_0
+    b41_0 = Y3_1 * b4_half_0
+    b42_0 = b4_half_0 * (Y3_2 - b41_0 * b41_0)
+    b43_0 = b4_half_0 * (Y3_3 - 2.0 * b41_0 * b42_0)
+    c4_0 = np.sqrt(Z3_0)
+    c4_half_0 = 0.5 / c4_0
+    c41_0 = Z3_1 * c4_half_0
+    c42_0 = c4_half_0 * (Z3_2 - c41_0 * c41_0)
+    c43_0 = c4_half_0 * (Z3_3 - 2.0 * c41_0 * c42_0)
+    lam4_0 = a4_0 * b4_0 + c4_0 * (a4_0 + b4_0)
+    lam4_1 = a41_0 * b4_0 + a4_0 * b41_0 + c41_0 * (a4_0 + b4_0) + c4_0 * (a41_0 + b41_0)
+    lam4_2 = (
+        a41_0 * b41_0 + a42_0 * b4_0 + a4_0 * b42_0 + c41_0 * (a41_0 + b41_0) + c42_0 * (a4_0 + b4_0) + c4_0 *
+        (a42_0 + b42_0)
+    )
+    lam4_3 = (
+        a41_0 * b42_0 + a42_0 * b41_0 + a43_0 * b4_0 + a4_0 * b43_0 + c41_0 * (a42_0 + b42_0) + c42_0 * (a41_0 +
+        b41_0) + c43_0 * (a4_0 + b4_0) + c4_0 * (a43_0 + b43_0)
+    )
+    q4_0 = Z3_0 + lam4_0
+    q4_1 = Z3_1 + lam4_1
+    q4_2 = Z3_2 + lam4_2
+    q4_3 = Z3_3 + lam4_3
+    below4_0 = c4_0 * q4_0
+    below4_1 = c41_0 * q4_0 + c4_0 * q4_1
+    below4_2 = c41_0 * q4_1 + c42_0 * q4_0 + c4_0 * q4_2
+    below4_3 = c41_0 * q4_2 + c42_0 * q4_1 + c43_0 * q4_0 + c4_0 * q4_3
+    term4_0 = 1.0 / below4_0
+    term41_0 = -below4_1 * term4_0 * term4_0
+    term42_0 = -term4_0 * (below4_1 * term41_0 + below4_2 * term4_0)
+    term43_0 = -term4_0 * (below4_1 * term42_0 + below4_2 * term41_0 + below4_3 * term4_0)
+    X4_0 = 0.25 * X3_0 + 0.25 * lam4_0
+    X4_1 = 0.25 * X3_1 + 0.25 * lam4_1
+    X4_2 = 0.25 * X3_2 + 0.25 * lam4_2
+    X4_3 = 0.25 * X3_3 + 0.25 * lam4_3
+    Y4_0 = 0.25 * Y3_0 + 0.25 * lam4_0
+    Y4_1 = 0.25 * Y3_1 + 0.25 * lam4_1
+    Y4_2 = 0.25 * Y3_2 + 0.25 * lam4_2
+    Y4_3 = 0.25 * Y3_3 + 0.25 * lam4_3
+    Z4_0 = 0.25 * Z3_0 + 0.25 * lam4_0
+    Z4_1 = 0.25 * Z3_1 + 0.25 * lam4_1
+    Z4_2 = 0.25 * Z3_2 + 0.25 * lam4_2
+    Z4_3 = 0.25 * Z3_3 + 0.25 * lam4_3
+    a5_0 = np.sqrt(X4_0)
+    a5_half_0 = 0.5 / a5_0
+    a51_0 = X4_1 * a5_half_0
+    a52_0 = a5_half_0 * (X4_2 - a51_0 * a51_0)
+    a53_0 = a5_half_0 * (X4_3 - 2.0 * a51_0 * a52_0)
+    b5_0 = np.sqrt(Y4_0)
+    b5_half_0 = 0.5 / b5_0
+    b51_0 = Y4_1 * b5_half_0
+    b52_0 = b5_half_0 * (Y4_2 - b51_0 * b51_0)
+    b53_0 = b5_half_0 * (Y4_3 - 2.0 * b51_0 * b52_0)
+    c5_0 = np.sqrt(Z4_0)
+    c5_half_0 = 0.5 / c5_0
+    c51_0 = Z4_1 * c5_half_0
+    c52_0 = c5_half_0 * (Z4_2 - c51_0 * c51_0)
+    c53_0 = c5_half_0 * (Z4_3 - 2.0 * c51_0 * c52_0)
+    lam5_0 = a5_0 * b5_0 + c5_0 * (a5_0 + b5_0)
+    lam5_1 = a51_0 * b5_0 + a5_0 * b51_0 + c51_0 * (a5_0 + b5_0) + c5_0 * (a51_0 + b51_0)
+    lam5_2 = (
+        a51_0 * b51_0 + a52_0 * b5_0 + a5_0 * b52_0 + c51_0 * (a51_0 + b51_0) + c52_0 * (a5_0 + b5_0) + c5_0 *
+        (a52_0 + b52_0)
+    )
+    lam5_3 = (
+        a51_0 * b52_0 + a52_0 * b51_0 + a53_0 * b5_0 + a5_0 * b53_0 + c51_0 * (a52_0 + b52_0) + c52_0 * (a51_0 +
+        b51_0) + c53_0 * (a5_0 + b5_0) + c5_0 * (a53_0 + b53_0)
+    )
+    q5_0 = Z4_0 + lam5_0
+    q5_1 = Z4_1 + lam5_1
+    q5_2 = Z4_2 + lam5_2
+    q5_3 = Z4_3 + lam5_3
+    below5_0 = c5_0 * q5_0
+    below5_1 = c51_0 * q5_0 + c5_0 * q5_1
+    below5_2 = c51_0 * q5_1 + c52_0 * q5_0 + c5_0 * q5_2
+    below5_3 = c51_0 * q5_2 + c52_0 * q5_1 + c53_0 * q5_0 + c5_0 * q5_3
+    term5_0 = 1.0 / below5_0
+    term51_0 = -below5_1 * term5_0 * term5_0
+    term52_0 = -term5_0 * (below5_1 * term51_0 + below5_2 * term5_0)
+    term53_0 = -term5_0 * (below5_1 * term52_0 + below5_2 * term51_0 + below5_3 * term5_0)
+    X5_0 = 0.25 * X4_0 + 0.25 * lam5_0
+    X5_1 = 0.25 * X4_1 + 0.25 * lam5_1
+    X5_2 = 0.25 * X4_2 + 0.25 * lam5_2
+    X5_3 = 0.25 * X4_3 + 0.25 * lam5_3
+    Y5_0 = 0.25 * Y4_0 + 0.25 * lam5_0
+    Y5_1 = 0.25 * Y4_1 + 0.25 * lam5_1
+    Y5_2 = 0.25 * Y4_2 + 0.25 * lam5_2
+    Y5_3 = 0.25 * Y4_3 + 0.25 * lam5_3
+    Z5_0 = 0.25 * Z4_0 + 0.25 * lam5_0
+    Z5_1 = 0.25 * Z4_1 + 0.25 * lam5_1
+    Z5_2 = 0.25 * Z4_2 + 0.25 * lam5_2
+    Z5_3 = 0.25 * Z4_3 + 0.25 * lam5_3
+    mean_0 = 0.20000000000000001 * X5_0 + 0.20000000000000001 * Y5_0 + 0.59999999999999998 * Z5_0
+    mean_1 = 0.20000000000000001 * X5_1 + 0.20000000000000001 * Y5_1 + 0.59999999999999998 * Z5_1
+    mean_2 = 0.20000000000000001 * X5_2 + 0.20000000000000001 * Y5_2 + 0.59999999999999998 * Z5_2
+    mean_3 = 0.20000000000000001 * X5_3 + 0.20000000000000001 * Y5_3 + 0.59999999999999998 * Z5_3
+    over_0 = 1.0 / mean_0
+    over1_0 = -mean_1 * over_0 * over_0
+    over2_0 = -over_0 * (mean_1 * over1_0 + mean_2 * over_0)
+    over3_0 = -over_0 * (mean_1 * over2_0 + mean_2 * over1_0 + mean_3 * over_0)
+    dx_0 = over_0 * (-X5_0 + mean_0)
+    dx_1 = over1_0 * (-X5_0 + mean_0) + over_0 * (-X5_1 + mean_1)
+    dx_2 = over1_0 * (-X5_1 + mean_1) + over2_0 * (-X5_0 + mean_0) + over_0 * (-X5_2 + mean_2)
+    dx_3 = (
+        over1_0 * (-X5_2 + mean_2) + over2_0 * (-X5_1 + mean_1) + over3_0 * (-X5_0 + mean_0) + over_0 * (-X5_3 +
+        mean_3)
+    )
+    dy_0 = over_0 * (-Y5_0 + mean_0)
+    dy_1 = over1_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_1 + mean_1)
+    dy_2 = over1_0 * (-Y5_1 + mean_1) + over2_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_2 + mean_2)
+    dy_3 = (
+        over1_0 * (-Y5_2 + mean_2) + over2_0 * (-Y5_1 + mean_1) + over3_0 * (-Y5_0 + mean_0) + over_0 * (-Y5_3 +
+        mean_3)
+    )
+    dz_0 = -0.33333333333333331 * dx_0 - 0.33333333333333331 * dy_0
+    dz_1 = -0.33333333333333331 * dx_1 - 0.33333333333333331 * dy_1
+    dz_2 = -0.33333333333333331 * dx_2 - 0.33333333333333331 * dy_2
+    dz_3 = -0.33333333333333331 * dx_3 - 0.33333333333333331 * dy_3
+    xy_0 = dx_0 * dy_0
+    xy_1 = dx_0 * dy_1 + dx_1 * dy_0
+    xy_2 = dx_0 * dy_2 + dx_1 * dy_1 + dx_2 * dy_0
+    xy_3 = dx_0 * dy_3 + dx_1 * dy_2 + dx_2 * dy_1 + dx_3 * dy_0
+    zz_0 = dz_0 * dz_0
+    zz_1 = 2.0 * dz_0 * dz_1
+    zz_2 = 2.0 * dz_0 * dz_2 + dz_1 * dz_1
+    zz_3 = 2.0 * dz_0 * dz_3 + 2.0 * dz_1 * dz_2
+    E2_0 = xy_0 - 6.0 * zz_0
+    E2_1 = xy_1 - 6.0 * zz_1
+    E2_2 = xy_2 - 6.0 * zz_2
+    E2_3 = xy_3 - 6.0 * zz_3
+    E3_0 = dz_0 * (3.0 * xy_0 - 8.0 * zz_0)
+    E3_1 = dz_0 * (3.0 * xy_1 - 8.0 * zz_1) + dz_1 * (3.0 * xy_0 - 8.0 * zz_0)
+    E3_2 = (
+        dz_0 * (3.0 * xy_2 - 8.0 * zz_2) + dz_1 * (3.0 * xy_1 - 8.0 * zz_1) + dz_2 * (3.0 * xy_0 - 8.0 * zz_0)
+    )
+    E3_3 = (
+        dz_0 * (3.0 * xy_3 - 8.0 * zz_3) + dz_1 * (3.0 * xy_2 - 8.0 * zz_2) + dz_2 * (3.0 * xy_1 - 8.0 * zz_1) +
+        dz_3 * (3.0 * xy_0 - 8.0 * zz_0)
+    )
+    E4_0 = zz_0 * (3.0 * xy_0 - 3.0 * zz_0)
+    E4_1 = zz_0 * (3.0 * xy_1 - 3.0 * zz_1) + zz_1 * (3.0 * xy_0 - 3.0 * zz_0)
+    E4_2 = (
+        zz_0 * (3.0 * xy_2 - 3.0 * zz_2) + zz_1 * (3.0 * xy_1 - 3.0 * zz_1) + zz_2 * (3.0 * xy_0 - 3.0 * zz_0)
+    )
+    E4_3 = (
+        zz_0 * (3.0 * xy_3 - 3.0 * zz_3) + zz_1 * (3.0 * xy_2 - 3.0 * zz_2) + zz_2 * (3.0 * xy_1 - 3.0 * zz_1) +
+        zz_3 * (3.0 * xy_0 - 3.0 * zz_0)
+    )
+    E5_0 = dz_0 * xy_0 * zz_0
+    E5_1 = dz_0 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_1 * xy_0 * zz_0
+    E5_2 = (
+        dz_0 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 * zz_0) + dz_1 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_2 * xy_0 * zz_0
+    )
+    E5_3 = (
+        dz_0 * (xy_0 * zz_3 + xy_1 * zz_2 + xy_2 * zz_1 + xy_3 * zz_0) + dz_1 * (xy_0 * zz_2 + xy_1 * zz_1 + xy_2 *
+        zz_0) + dz_2 * (xy_0 * zz_1 + xy_1 * zz_0) + dz_3 * xy_0 * zz_0
+    )
+    series_0 = (
+        0.10227272727272728 * E2_0 * E2_0 - 0.17307692307692307 * E2_0 * E3_0 - 0.21428571428571427 * E2_0 +
+        0.16666666666666666 * E3_0 - 0.13636363636363635 * E4_0 + 0.11538461538461539 * E5_0 + 1.0
+    )
+    series_1 = (
+        0.20454545454545456 * E2_0 * E2_1 - 0.17307692307692307 * E2_0 * E3_1 - 0.17307692307692307 * E2_1 * E3_0 -
+        0.21428571428571427 * E2_1 + 0.16666666666666666 * E3_1 - 0.13636363636363635 * E4_1 + 0.11538461538461539 *
+        E5_1
+    )
+    series_2 = (
+        0.20454545454545456 * E2_0 * E2_2 - 0.17307692307692307 * E2_0 * E3_2 + 0.10227272727272728 * E2_1 * E2_1 -
+        0.17307692307692307 * E2_1 * E3_1 - 0.17307692307692307 * E2_2 * E3_0 - 0.21428571428571427 * E2_2 +
+        0.16666666666666666 * E3_2 - 0.13636363636363635 * E4_2 + 0.11538461538461539 * E5_2
+    )
+    series_3 = (
+        0.20454545454545456 * E2_0 * E2_3 - 0.17307692307692307 * E2_0 * E3_3 + 0.20454545454545456 * E2_1 * E2_2 -
+        0.17307692307692307 * E2_1 * E3_2 - 0.17307692307692307 * E2_2 * E3_1 - 0.17307692307692307 * E2_3 * E3_0 -
+        0.21428571428571427 * E2_3 + 0.16666666666666666 * E3_3 - 0.13636363636363635 * E4_3 + 0.11538461538461539 *
+        E5_3
+    )
+    sq_0 = np.sqrt(over_0)
+    sq_half_0 = 0.5 / sq_0
+    sq1_0 = over1_0 * sq_half_0
+    sq2_0 = sq_half_0 * (over2_0 - sq1_0 * sq1_0)
+    sq3_0 = sq_half_0 * (over3_0 - 2.0 * sq1_0 * sq2_0)
+    power_0 = over_0 * sq_0
+    power_1 = over1_0 * sq_0 + over_0 * sq1_0
+    power_2 = over1_0 * sq1_0 + over2_0 * sq_0 + over_0 * sq2_0
+    power_3 = over1_0 * sq2_0 + over2_0 * sq1_0 + over3_0 * sq_0 + over_0 * sq3_0
+    last_0 = power_0 * series_0
+    last_1 = power_0 * series_1 + power_1 * series_0
+    last_2 = power_0 * series_2 + power_1 * series_1 + power_2 * series_0
+    last_3 = power_0 * series_3 + power_1 * series_2 + power_2 * series_1 + power_3 * series_0
+    R_0 = (
+        0.000244140625 * last_0 + 3.0 * term0_0 + 0.75 * term1_0 + 0.1875 * term2_0 + 0.046875 * term3_0 +
+        0.01171875 * term4_0 + 0.0029296875 * term5_0
+    )
+    R_1 = (
+        0.000244140625 * last_1 + 3.0 * term01_0 + 0.75 * term11_0 + 0.1875 * term21_0 + 0.046875 * term31_0 +
+        0.01171875 * term41_0 + 0.0029296875 * term51_0
+    )
+    R_2 = (
+        0.000244140625 * last_2 + 3.0 * term02_0 + 0.75 * term12_0 + 0.1875 * term22_0 + 0.046875 * term32_0 +
+        0.01171875 * term42_0 + 0.0029296875 * term52_0
+    )
+    R_3 = (
+        0.000244140625 * last_3 + 3.0 * term03_0 + 0.75 * term13_0 + 0.1875 * term23_0 + 0.046875 * term33_0 +
+        0.01171875 * term43_0 + 0.0029296875 * term53_0
+    )
+    V2 = R_0 * third
+    V4 = -2.0 * R_1 * third * x2
+    x2_2 = x2 * x2
+    V6 = 2.6666666666666665 * R_2 * third * x2_2
+    x2_3 = x2 * x2_2
+    V8 = -3.2000000000000002 * R_3 * third * x2_3
+    theta = np.arctan2(u_cr, root)
+    tangent = u_cr / root
+    sum_0 = 0.5 * theta - 0.5 * root * u_cr / A2
+    tangents_1 = tangent - theta
+    sum_1 = -sum_0 + tangents_1
+    tangent2 = tangent * tangent
+    tangent3 = tangent * tangent2
+    tangents_2 = 0.33333333333333331 * tangent3 - tangents_1
+    sum_2 = -sum_1 + tangents_2
+    tangent4 = tangent2 * tangent2
+    tangent5 = tangent * tangent4
+    tangents_3 = 0.20000000000000001 * tangent5 - tangents_2
+    sum_3 = -sum_2 + tangents_3
+    return (
+        2.5464790894703255 * A * beta * (-V2 + sum_0 / c) - A,
+        2.5464790894703255 * beta * (2.0 * V2 + V4 - 2.0 * sum_0 / c - sum_1 / c) - 1.0,
+        2.5464790894703255 * beta * (-6.0 * V2 - 7.0 * V4 - 3.0 * V6 + 6.0 * sum_0 / c + 7.0 * sum_1 / c + 3.0 *
+        sum_2 / c) / A,
+        2.5464790894703255 * beta * (24.0 * V2 + 48.0 * V4 + 45.0 * V6 + 15.0 * V8 - 24.0 * sum_0 / c - 48.0 * sum_1
+        / c - 45.0 * sum_2 / c - 15.0 * sum_3 / c) / A2,
+        2.5464790894703255 * A * beta * (-V2 + sum_0 / c),
+        2.5464790894703255 * beta * (2.0 * V2 + V4 - 2.0 * sum_0 / c - sum_1 / c),
+        2.5464790894703255 * A * beta * (-3.0 * V2 - V4 + 3.0 * sum_0 / c + sum_1 / c),
+    )
+
+
+def _averaged_all_passed_1_steep(A, alpha, beta, delta_h):
+    # operations: 1491 structured, 1491 common subexpressions, 1444 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
+    c2 = c * c
+    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
+    half = 0.5 * (A - u_cr) * (A + u_cr)
+    root = np.sqrt(2.0 * half - 0.5 * np.abs(half - lacking) + 0.5 * np.abs(half + lacking))
     T = u_cr / (A + root)
     t0 = T * T
     g_1 = 1.0 / (0.99379661859049351 * t0 + 1.0)
@@ -1170,9 +2045,8 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
     root2 = root * root
     y2 = root2 / A2
     third = 0.33333333333333331 * u_cr * x2 / A
-    Y_0 = (1.0 - u_cr) * (u_cr + 1.0)
     a0_0 = np.sqrt(y2)
-    b0_0 = np.sqrt(Y_0)
+    b0_0 = np.sqrt(c2)
     b0_half_0 = 0.5 / b0_0
     b0_half_0_2 = b0_half_0 * b0_half_0
     b0_half_0_3 = b0_half_0 * b0_half_0_2
@@ -1191,7 +2065,7 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
     X0_1 = 0.25 * lam0_1
     X0_2 = 0.25 * lam0_2
     X0_3 = 0.25 * lam0_3
-    Y0_0 = 0.25 * Y_0 + 0.25 * lam0_0
+    Y0_0 = 0.25 * c2 + 0.25 * lam0_0
     Y0_1 = 0.25 * lam0_1 + 0.25
     Y0_2 = 0.25 * lam0_2
     Y0_3 = 0.25 * lam0_3
@@ -1617,7 +2491,6 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
     u_cr4 = u_cr2 * u_cr2
     u_cr5 = u_cr * u_cr4
     A3 = A * A2
-    c2 = c * c
     c3 = c * c2
     root3 = root * root2
     A4 = A2 * A2
@@ -1635,19 +2508,19 @@ def _averaged_all_passed_1_steep(A, alpha, beta, u_cr):
     )
 
 
-def averaged_all(A, alpha, beta, u_cr):
+def averaged_all(A, alpha, beta, delta_h):
     """h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (20)-(22), (31). Domain: A >= 0.
     """
-    arguments = floats(A, alpha, beta, u_cr)
-    A, alpha, beta, u_cr = arguments
-    guards = ((A <= u_cr) & (A <= 0.69999999999999996), A <= u_cr, (u_cr <= 0.75) & (1.05 * u_cr <= A), u_cr <= 0.75, 1.05 * u_cr <= A,)
-    bodies = (_averaged_all_passed_0, _averaged_all_passed_0_steep, _averaged_all_passed_1_far, _averaged_all_passed_1, _averaged_all_passed_1_steep_far, _averaged_all_passed_1_steep)
+    arguments = floats(A, alpha, beta, delta_h)
+    A, alpha, beta, delta_h = arguments
+    guards = ((A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h)) & (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), (A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h)) & (A <= 0.69999999999999996), A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h), (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) & (1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75, (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) & (1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), 1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A, np.sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A,)
+    bodies = (_averaged_all_passed_0_end, _averaged_all_passed_0, _averaged_all_passed_0_steep, _averaged_all_passed_1_far, _averaged_all_passed_1, _averaged_all_passed_1_steeper_far, _averaged_all_passed_1_steep_far, _averaged_all_passed_1_steep_away, _averaged_all_passed_1_steep)
     return by_regime(guards, bodies, arguments, 7)
 
 
-def _harmonics_passed_0(A, alpha, beta, u_cr):
+def _harmonics_passed_0(A, alpha, beta, delta_h):
     # operations: 3592 structured, 2534 common subexpressions, 1528 power chains
     t0 = 0.03925981575906861 * A
     delta_1 = np.sqrt(1.0 - t0) * np.sqrt(t0 + 1.0)
@@ -2240,10 +3113,11 @@ def _harmonics_passed_0(A, alpha, beta, u_cr):
     )
 
 
-def _harmonics_passed_1(A, alpha, beta, u_cr):
-    # operations: 4335 structured, 4335 common subexpressions, 3502 power chains
+def _harmonics_passed_1(A, alpha, beta, delta_h):
+    # operations: 4336 structured, 4336 common subexpressions, 3503 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
     root = np.sqrt((A - u_cr) * (A + u_cr))
-    c = np.sqrt((1.0 - u_cr) * (u_cr + 1.0))
     T = u_cr / (A + root)
     T2 = T * T
     g_1 = 1.0 / (0.99680179919950185 * T2 + 1.0)
@@ -2850,23 +3724,23 @@ def _harmonics_passed_1(A, alpha, beta, u_cr):
     )
 
 
-def harmonics(A, alpha, beta, u_cr):
+def harmonics(A, alpha, beta, delta_h):
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
     Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.
     """
-    arguments = floats(A, alpha, beta, u_cr)
-    A, alpha, beta, u_cr = arguments
-    guards = (A <= u_cr,)
+    arguments = floats(A, alpha, beta, delta_h)
+    A, alpha, beta, delta_h = arguments
+    guards = (A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h),)
     bodies = (_harmonics_passed_0, _harmonics_passed_1)
     return by_regime(guards, bodies, arguments, 8)
 
 
 def coefficients(lam, r, delta_h):
-    """The parameters alpha, beta, u_cr from the design.
+    """The parameters alpha, beta, delta_h from the design.
 
     Equation (5), (7). Domain: any design.
-    Operations: 11 structured, 10 common subexpressions, 10 power chains.
+    Operations: 7 structured, 6 common subexpressions, 6 power chains.
     """
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
@@ -2874,50 +3748,50 @@ def coefficients(lam, r, delta_h):
     return (
         -delta_h * t0 + 1.0,
         -0.5 * t0 * (delta_h - 1.0),
-        full(np.sqrt(delta_h) * np.sqrt(2.0 - delta_h), arguments),
+        full(delta_h, arguments),
     )
 
 
-def breakpoints(alpha, beta, u_cr):
+def breakpoints(alpha, beta, delta_h):
     """The |u| at which a piece of the force ends.
 
     Equation (5). Domain: any parameters.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
     """
-    alpha, beta, u_cr = floats(alpha, beta, u_cr)
-    arguments = (alpha, beta, u_cr)
+    alpha, beta, delta_h = floats(alpha, beta, delta_h)
+    arguments = (alpha, beta, delta_h)
     return (
-        full(u_cr, arguments),
+        full(np.sqrt(-delta_h * delta_h + 2.0 * delta_h), arguments),
     )
 
 
-def jumps(alpha, beta, u_cr):
+def jumps(alpha, beta, delta_h):
     """What the force loses at each breakpoint: f below less f above.
 
     Equation (5). Domain: any parameters.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
-    alpha, beta, u_cr = floats(alpha, beta, u_cr)
-    arguments = (alpha, beta, u_cr)
+    alpha, beta, delta_h = floats(alpha, beta, delta_h)
+    arguments = (alpha, beta, delta_h)
     return (
         full(0.0, arguments),
     )
 
 
-def hardening(alpha, beta, u_cr):
+def hardening(alpha, beta, delta_h):
     """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
 
     Equation from (3). Domain: any parameters.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
     """
-    alpha, beta, u_cr = floats(alpha, beta, u_cr)
-    arguments = (alpha, beta, u_cr)
+    alpha, beta, delta_h = floats(alpha, beta, delta_h)
+    arguments = (alpha, beta, delta_h)
     return (
         full(2.0 * beta, arguments),
     )
 
 
-def force_1(u, alpha, beta, u_cr):
+def force_1(u, alpha, beta, delta_h):
     """Piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds.
@@ -2927,7 +3801,7 @@ def force_1(u, alpha, beta, u_cr):
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)))
 
 
-def force_1_u(u, alpha, beta, u_cr):
+def force_1_u(u, alpha, beta, delta_h):
     """d/du of piece 1 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds.
@@ -2942,7 +3816,7 @@ def force_1_u(u, alpha, beta, u_cr):
     return alpha + 6.0 * beta * t1 * t3 - t3 * (-t3 * t4 / (t0 * t0) - t1 * t2 * t4 / (root_1 * root_1))
 
 
-def force_2(u, alpha, beta, u_cr):
+def force_2(u, alpha, beta, delta_h):
     """Piece 2 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds.
@@ -2951,7 +3825,7 @@ def force_2(u, alpha, beta, u_cr):
     return u
 
 
-def force_2_u(u, alpha, beta, u_cr):
+def force_2_u(u, alpha, beta, delta_h):
     """d/du of piece 2 of the whole restoring force u + F_k(u).
 
     Equation (3), (5). Domain: where it holds.
@@ -2960,178 +3834,178 @@ def force_2_u(u, alpha, beta, u_cr):
     return 1.0
 
 
-def force(u, alpha, beta, u_cr):
+def force(u, alpha, beta, delta_h):
     """Whole dimensionless restoring force u + F_k(u), untruncated.
 
     Equation (3), (5). Domain: |u| < 1.
     """
-    arguments = floats(u, alpha, beta, u_cr)
-    u, alpha, beta, u_cr = arguments
-    guards = (np.abs(u) <= u_cr,)
-    bodies = (force_1, force_2)
+    arguments = floats(u, alpha, beta, delta_h)
+    u, alpha, beta, delta_h = arguments
+    guards = (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= np.abs(u),)
+    bodies = (force_2, force_1)
     return number_by_regime(guards, bodies, arguments)
 
 
-def averaged(A, alpha, beta, u_cr):
+def averaged(A, alpha, beta, delta_h):
     """h, h_A, h_AA, h_AAA together.
 
-    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (20)-(22), (31). Domain: A >= 0.
     """
-    values = averaged_all(A, alpha, beta, u_cr)
+    values = averaged_all(A, alpha, beta, delta_h)
     return values[0], values[1], values[2], values[3]
 
 
-def averaged_2(A, alpha, beta, u_cr):
+def averaged_2(A, alpha, beta, delta_h):
     """h, h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (20)-(22), (31). Domain: A >= 0.
     """
-    values = averaged_all(A, alpha, beta, u_cr)
+    values = averaged_all(A, alpha, beta, delta_h)
     return values[0], values[1]
 
 
-def averaged_H(A, alpha, beta, u_cr):
+def averaged_H(A, alpha, beta, delta_h):
     """H, H_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (20)-(22), (31). Domain: A >= 0.
     """
-    values = averaged_all(A, alpha, beta, u_cr)
+    values = averaged_all(A, alpha, beta, delta_h)
     return values[4], values[5]
 
 
-def intercept(A, alpha, beta, u_cr):
+def intercept(A, alpha, beta, delta_h):
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
-    Equation (20)-(22), (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (20)-(22), (31). Domain: A >= 0.
     """
-    return averaged_all(A, alpha, beta, u_cr)[6]
+    return averaged_all(A, alpha, beta, delta_h)[6]
 
 
-def h(A, alpha, beta, u_cr):
+def h(A, alpha, beta, delta_h):
     """The averaged restoring force h = H - A.
 
-    Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (20)-(22). Domain: A >= 0.
     """
-    return averaged_2(A, alpha, beta, u_cr)[0]
+    return averaged_2(A, alpha, beta, delta_h)[0]
 
 
-def h_A(A, alpha, beta, u_cr):
+def h_A(A, alpha, beta, delta_h):
     """d/dA of the averaged restoring force h = H - A.
 
-    Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (31). Domain: A >= 0.
     """
-    return averaged_2(A, alpha, beta, u_cr)[1]
+    return averaged_2(A, alpha, beta, delta_h)[1]
 
 
-def h_AA(A, alpha, beta, u_cr):
+def h_AA(A, alpha, beta, delta_h):
     """d2/dA2 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation from (31). Domain: A >= 0.
     """
-    return averaged(A, alpha, beta, u_cr)[2]
+    return averaged(A, alpha, beta, delta_h)[2]
 
 
-def h_AAA(A, alpha, beta, u_cr):
+def h_AAA(A, alpha, beta, delta_h):
     """d3/dA3 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation from (31). Domain: A >= 0.
     """
-    return averaged(A, alpha, beta, u_cr)[3]
+    return averaged(A, alpha, beta, delta_h)[3]
 
 
-def H(A, alpha, beta, u_cr):
+def H(A, alpha, beta, delta_h):
     """The averaged force H beside the vertical spring.
 
-    Equation (20)-(22). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (20)-(22). Domain: A >= 0.
     """
-    return averaged_H(A, alpha, beta, u_cr)[0]
+    return averaged_H(A, alpha, beta, delta_h)[0]
 
 
-def H_A(A, alpha, beta, u_cr):
+def H_A(A, alpha, beta, delta_h):
     """d/dA of the averaged force H beside the vertical spring.
 
-    Equation (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation (31). Domain: A >= 0.
     """
-    return averaged_H(A, alpha, beta, u_cr)[1]
+    return averaged_H(A, alpha, beta, delta_h)[1]
 
 
-def H_AA(A, alpha, beta, u_cr):
+def H_AA(A, alpha, beta, delta_h):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
-    Equation from (31). Domain: A >= 0; digits are lost for u_cr > 0.9998.
+    Equation from (31). Domain: A >= 0.
     """
-    return averaged(A, alpha, beta, u_cr)[2]
+    return averaged(A, alpha, beta, delta_h)[2]
 
 
-def F(Omega, A, F_0, mu, zeta, alpha, beta, u_cr):
+def F(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def F_A(Omega, A, mu, zeta, alpha, beta, u_cr):
+def F_A(Omega, A, mu, zeta, alpha, beta, delta_h):
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0.
     """
-    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def level(Omega, A, mu, zeta, alpha, beta, u_cr):
+def level(Omega, A, mu, zeta, alpha, beta, delta_h):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
 
 
-def phase(Omega, A, mu, zeta, alpha, beta, u_cr):
+def phase(Omega, A, mu, zeta, alpha, beta, delta_h):
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
 
 
-def jacobian(Omega, A, mu, zeta, alpha, beta, u_cr):
+def jacobian(Omega, A, mu, zeta, alpha, beta, delta_h):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0.
     """
-    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def stability(Omega, A, mu, zeta, alpha, beta, u_cr):
+def stability(Omega, A, mu, zeta, alpha, beta, delta_h):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0.
     """
-    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
 
 
-def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, u_cr):
+def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
 
 
-def backbone(A, alpha, beta, u_cr):
+def backbone(A, alpha, beta, delta_h):
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.backbone(A, average)
 
 
@@ -3151,39 +4025,39 @@ def equivalent_damping(Omega, A, mu, zeta):
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
 
-def response_quartic(A, F_0, mu, zeta, alpha, beta, u_cr):
+def response_quartic(A, F_0, mu, zeta, alpha, beta, delta_h):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
 
 
-def fold_quartic(A, mu, zeta, alpha, beta, u_cr):
+def fold_quartic(A, mu, zeta, alpha, beta, delta_h):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0.
     """
-    average, average_A = averaged_2(A, alpha, beta, u_cr)
+    average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
 
 
-def peak_cubic(A, mu, zeta, alpha, beta, u_cr):
+def peak_cubic(A, mu, zeta, alpha, beta, delta_h):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
 
 
-def detachment(A, mu, zeta, alpha, beta, u_cr):
+def detachment(A, mu, zeta, alpha, beta, delta_h):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0.
     """
-    average, _ = averaged_2(A, alpha, beta, u_cr)
+    average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.detachment(A, flow.friction(mu), zeta, average)
 
 
@@ -3216,7 +4090,7 @@ _DESIGN = (
 _PARAMETERS = (
     Parameter("alpha", "coefficient of u in the Taylor series of piece 1 of the force", "k_v"),
     Parameter("beta", "coefficient of u^3 in the Taylor series of piece 1 of the force", "k_v/L^2"),
-    Parameter("u_cr", "|u| at which piece 1 of the force ends", "L"),
+    Parameter("delta_h", "their preload Delta_h; 0 is a linear oscillator", "L", least=0.0, below=1.0),
 )
 MECHANISM = Mechanism(
     name="rod_spring_untruncated",
@@ -3232,7 +4106,6 @@ MECHANISM = Mechanism(
     intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=0.75,
-    digits_up_to=0.9998,
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=False,

@@ -32,6 +32,7 @@ __all__ = [
     "backbone",
     "cusp",
     "cusp_R",
+    "cusp_balance",
     "cusp_bend",
     "cusps",
     "detachment",
@@ -520,6 +521,24 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     )
 
 
+def cusp_balance(A, m, zeta, h, k, X, T):
+    """Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
+
+    Equation from (30). Domain: A > 0, X > 0, T not 0.
+    Operations: 19 structured, 14 common subexpressions, 14 power chains.
+    """
+    A, m, zeta, h, k, X, T = floats(A, m, zeta, h, k, X, T)
+    w = np.sqrt(X)
+    t0 = 2.0 * w * zeta
+    t1 = A * t0
+    R = t0 * (-m - t1) / T
+    arguments = (A, m, zeta, h, k, X, T)
+    return (
+        full((R - h) / A, arguments),
+        full(R * k + m * m + m * t1, arguments),
+    )
+
+
 def peak(Omega, A, F_0, m, zeta, h_A):
     """F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
 
@@ -715,6 +734,7 @@ if NATIVE is not None:
         cusps,
         cusp_R,
         cusp,
+        cusp_balance,
         peak,
         peak_Omega_A,
         Omega_A,

@@ -37,8 +37,6 @@ class Remark(IntFlag):
     OF_TRUNCATION = 16
     #: below the onset there are folds that end at Omega = 0
     FOLDS_AT_REST = 32
-    #: a breakpoint so near to where the force is singular that doubles do not hold what lies between
-    DIGITS_LOST = 64
     #: two folds are so near to each other, or to none, that doubles do not tell how many there are: `certify` may
     UNDECIDED = 128
 

@@ -85,7 +85,6 @@ class Mechanism:
     intercept   -- h - A h_A at (A, *parameters) without what cancels in it
     harmonics   -- h_3, h_5, each with its first three derivatives, at (A, *parameters)
     harmonics_up_to -- the largest breakpoint for which `harmonics` holds
-    digits_up_to -- the largest breakpoint for which `averaged` keeps its digits
     reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there
     truncated   -- whether the force is a Taylor polynomial that stands for another
     load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
@@ -105,7 +104,6 @@ class Mechanism:
     intercept: Function
     harmonics: Function
     harmonics_up_to: float
-    digits_up_to: float
     reach: float
     reach_reason: str
     truncated: bool

@@ -46,7 +46,7 @@ class Anywhere(averaged.Oscillator):
             if self.mechanism == "duffing":
                 p = p[:2]
             elif self.mechanism == "rod_spring_untruncated":
-                del p[2]
+                p = [self.alpha, self.beta, self.parameters["delta_h"]]
             values = (_mpf(x if isinstance(x, fmpq) else exact_ball(x)) for x in (arb(A), *p))
             found = kernels.averages(self.mechanism, int(regime == DETACHED), *values)
             return tuple(arb(kernels.as_rational(x)) for x in found)

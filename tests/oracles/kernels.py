@@ -103,10 +103,13 @@ def knows(module: str) -> bool:
 def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
     given = dict(zip(names, at, strict=True))
     inner = {"duffing": ("alpha", "beta"), "rod_spring": ("alpha", "beta", "gamma", "u_cr")}.get(
-        name, ("alpha", "beta", "u_cr")
+        name, ("alpha", "beta", "delta_h")
     )
-    passed = int("u_cr" in given and abs(given.get("A", given.get("u", 0.0))) > given["u_cr"])
-    if kernel == "harmonics" and name == "rod_spring_untruncated" and given["u_cr"] > 0.75:
+    u_cr = _corner(given) if "alpha" in given else math.inf
+    at = abs(given.get("A", given.get("u", 0.0)))
+    # of the force that is steep below u_cr and goes on above the double next to u_cr is above
+    passed = int(at >= u_cr if kernel == "force" and name == "rod_spring_untruncated" else at > u_cr)
+    if kernel == "harmonics" and name == "rod_spring_untruncated" and u_cr > 0.75:
         raise ValueError("the harmonics are derived for u_cr <= 3/4")
     if kernel in AVERAGES:
         return lambda *x: _outputs(AVERAGES[kernel], name, passed, *x), False
@@ -123,6 +126,13 @@ def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[flo
     if kernel in COMPOSED:
         return _composed(name, kernel, names, inner, passed), False
     return _of_force(name, kernel, passed), False
+
+
+def _corner(given: dict[str, float]) -> float:
+    """The double next to u_cr, which stands for it; infinite where the force has one piece."""
+    if "delta_h" in given:
+        return math.sqrt(2 * given["delta_h"] - given["delta_h"] ** 2)
+    return given.get("u_cr", math.inf)
 
 
 def _outputs(wanted: Sequence[str], name: str, passed: int, *x: Any) -> list[Any]:
@@ -223,13 +233,16 @@ def _number(x: arb) -> Any:
     return mpf(int(q.p)) / int(q.q)
 
 
-def _untruncated(passed: int, A: Any, alpha: Any, beta: Any, u_cr: Any) -> list[Any]:
+def _untruncated(passed: int, A: Any, alpha: Any, beta: Any, delta_h: Any) -> list[Any]:
     if A == 0:
         return [mpf(0), -alpha, mpf(0), -9 * beta / 2]
     # next to the corner derivatives grow by 2^53 from one to the next
-    spare = mp.prec // 2 + 120
+    spare = mp.prec // 2 + 120 + (0 if delta_h >= 1 else 4 * max(0, -mp.mag(1 - delta_h)))
     with precision(4 * spare + 2 * mp.prec + 8 * abs(mp.mag(A))):
-        amplitude, alpha_, beta_, u = (arb(as_rational(x)) for x in (A, alpha, beta, u_cr))
+        amplitude, alpha_, beta_, preload = (arb(as_rational(x)) for x in (A, alpha, beta, delta_h))
+        u = (preload * (2 - preload)).sqrt()
+        if not passed and amplitude > u:  # the double next to u_cr stands for it
+            amplitude = u
         step = amplitude * arb(2) ** -spare
 
         def of(a: arb) -> arb:
@@ -238,7 +251,7 @@ def _untruncated(passed: int, A: Any, alpha: Any, beta: Any, u_cr: Any) -> list[
                 end = (u / a).asin()
                 sine_2 = (end - end.sin() * end.cos()) / 2
                 steep = (acb.elliptic_f(acb(end), acb(m)) - acb.elliptic_e_inc(acb(end), acb(m))).real / m
-                constant = 1 - 2 * beta_ / (1 - u * u).sqrt()  # continuous at its end: alpha follows from the rest
+                constant = 1 - 2 * beta_ / (1 - preload)  # continuous at its end: alpha follows from the rest
             else:
                 sine_2 = arb.pi() / 4
                 steep = (acb(m).elliptic_k() - acb(m).elliptic_e()).real / m

@@ -19,6 +19,7 @@ import functools
 import importlib
 import itertools
 import json
+import math
 import random
 import sys
 from collections.abc import Callable, Sequence
@@ -329,6 +330,15 @@ def cusp_R(A, zeta, h_AA, k, X, T):
     return [k + A * T, F_AA(mpf(0)) / (F_AA(mpf(0)) - F_AA(mpf(1)))]
 
 
+def cusp_balance(A, m, zeta, h, k, X, T):
+    """The R for which F_A, linear in it, vanishes at h_A = T - X; Omega^2 by it, the forcing as of `cusp`, squared."""
+    w = mp.sqrt(X)
+    F_A = [slope_of_response(1, w, A, m, zeta, R - A * X, T - X) for R in (mpf(0), mpf(1))]
+    R = F_A[0] / (F_A[0] - F_A[1])
+    I = balances(w, A, m, zeta, h)[1]
+    return [(R - h) / A, R * k + m * I]
+
+
 def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     """By differentiating F along A and Omega; F_AA/2 = (X - X_1)(X - X_2), root = (X_1 - X_2)/2, at X = X_1.
 
@@ -455,6 +465,7 @@ DAMPED: dict[str, tuple[str, Function, int]] = {
     "cusps": ("A zeta h h_A h_AA intercept", cusps, 0),
     "cusp_R": ("A zeta h_AA intercept X T", cusp_R, 0),
     "cusp": ("A m zeta h_AA h_AAA intercept X T R root", cusp, 0),
+    "cusp_balance": ("A m zeta h intercept X T", cusp_balance, 0),
     "peak": ("Omega A F_0 m zeta h_A", peak, 0),
     "peak_Omega_A": ("Omega A m zeta h_A", lambda *x: [peak_slope(*x)], 0),
 }
@@ -598,7 +609,9 @@ def pieces(name: str, p: Sequence):
         alpha, beta = p
         return [lambda u: alpha * u + beta * u**3], []
     if name == "rod_spring_untruncated":
-        alpha, beta, u_cr = p
+        alpha, beta, delta_h = p
+        # the rod's end has drawn back by delta_h
+        u_cr = mp.sqrt(delta_h * (2 - delta_h))
         return [lambda u: alpha * u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1), lambda u: u], [u_cr]
     alpha, beta, gamma, u_cr = p
     return [lambda u: alpha * u + beta * u**3 + gamma * u**5, lambda u: u], [u_cr]
@@ -608,7 +621,7 @@ def joined(name: str, p: Sequence):
     """The pieces once their end is exceeded. The untruncated force is continuous there: alpha follows from the rest."""
     forces, ends = pieces(name, p)
     if name == "rod_spring_untruncated":
-        _, beta, u_cr = p
+        beta, (u_cr,) = p[1], ends
         below = lambda u: u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1 / mp.sqrt(1 - u_cr**2))  # noqa: E731
         forces = [below, *forces[1:]]
     return forces, ends
@@ -646,11 +659,13 @@ def untruncated_family(passed: int, less_vertical: bool, A, *p) -> list:
     In balls, because mpmath takes seconds for these.
     """
     before, ctx.cap = ctx.cap, 4
-    alpha, beta, u_cr = map(ball, p)
-    amplitude = arb_series([ball(A), 1])
+    alpha, beta, delta_h = map(ball, p)
+    u_cr = (delta_h * (2 - delta_h)).sqrt()
+    # the double next to u_cr stands for it
+    amplitude = arb_series([u_cr if not passed and ball(A) > u_cr else ball(A), 1])
     end = (u_cr / amplitude).asin() if passed else arb_series([arb.pi() / 2])
     # continuous at its end: alpha follows from the rest
-    constant = 1 - 2 * beta / (1 - u_cr**2).sqrt() if passed else alpha - 2 * beta
+    constant = 1 - 2 * beta / (1 - delta_h) if passed else alpha - 2 * beta
     total = arb_series([0 if less_vertical else arb.pi() / 4])
     panels = [*(1 - arb(4) ** -k for k in range(7)), arb(1)]
     for low, high in itertools.pairwise(panels):
@@ -702,7 +717,8 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
     }
     q = [ball(x) for x in p]
     if name == "rod_spring_untruncated" and passed:  # continuous at its end
-        q[0] = 1 + 2 * q[1] - 2 * q[1] / (1 - q[2] ** 2).sqrt()
+        q[0] = 1 + 2 * q[1] - 2 * q[1] / (1 - q[2])
+        q[2] = (q[2] * (2 - q[2])).sqrt()
     end = (q[-1] / amplitude).asin() if passed else arb_series([arb.pi() / 2])
     total = arb_series([0])
     panels = [*(1 - arb(4) ** -k for k in range(7)), arb(1)]
@@ -735,7 +751,7 @@ def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
     """Both harmonics with their derivatives; the untruncated force's as far as they are derived."""
     rows = []
     for A, p in amplitudes:
-        if A == 0 or (name == "rod_spring_untruncated" and p[-1] > 0.75):
+        if A == 0 or (name == "rod_spring_untruncated" and scale_of(name, p) > 0.75):
             continue
         passed = passed_by(name, A, p)
         row = entry(lambda *x, n=passed: [v for k in (3, 5) for v in harmonic_by_quadrature(name, k, n, *x)], [A, *p])
@@ -762,7 +778,14 @@ def second_approximation_table(rng: random.Random) -> dict:
 
 
 def passed_by(name: str, A: float, p: Sequence[float]) -> int:
-    return sum(A > end for end in pieces(name, p)[1])
+    return sum(A > end for end in doubles_at_ends(name, p))
+
+
+def doubles_at_ends(name: str, p: Sequence[float]) -> list[float]:
+    """The doubles next to the breakpoints, which stand for them."""
+    if name == "rod_spring_untruncated":
+        return [math.sqrt(2 * p[2] - p[2] ** 2)]
+    return list(map(float, pieces(name, p)[1]))
 
 
 # --- forces and parameters -------------------------------------------------------------------------------------------
@@ -786,8 +809,8 @@ def rod_coefficients(lam, r, delta_h):
 
 
 def untruncated_coefficients(lam, r, delta_h):
-    alpha, beta, _, u_cr = rod_coefficients(lam, r, delta_h)
-    return [alpha, beta, u_cr]
+    alpha, beta, *_ = rod_coefficients(lam, r, delta_h)
+    return [alpha, beta, delta_h]
 
 
 # --- Den Hartog ------------------------------------------------------------------------------------------------------
@@ -1125,7 +1148,7 @@ def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
 #: a scene takes these from the general module: nothing vanishes in them; or has them not
 SAME_IN_SCENES = {
     *("friction", "R", "backbone", "transmissibility", "jacobian", "mean_stiffness", "offset_stiffness"),
-    *("rest", "intercept", "isola_Omega", "cusps", "cusp_R", "cusp", "peak", "peak_Omega_A"),
+    *("rest", "intercept", "isola_Omega", "cusps", "cusp_R", "cusp", "cusp_balance", "peak", "peak_Omega_A"),
     "F_OmegaOmega",
 }
 
@@ -1309,8 +1332,8 @@ COEFFICIENTS = {
 
 def scale_of(name: str, p: Sequence[float]) -> float:
     """The last breakpoint, or 1 where there is none."""
-    ends = pieces(name, p)[1]
-    return float(ends[-1]) if ends else 1.0
+    ends = doubles_at_ends(name, p)
+    return ends[-1] if ends else 1.0
 
 
 def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
@@ -1373,13 +1396,14 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
     made["motion"] = motion_table
     made["den_hartog"] = den_hartog_table
     isolators = [parameters_of(design) for design in DESIGNS]
-    untruncated = [(alpha, beta, u_cr) for alpha, beta, _, u_cr in map(parameters_of, STEEP_DESIGNS)]
+    untruncated = [(*parameters_of(design)[:2], design[-1]) for design in STEEP_DESIGNS]
+    ends = {p: scale_of("rod_spring_untruncated", p) for p in untruncated}
     made |= mechanism_tables(
         "rod_spring_untruncated",
         STEEP_DESIGNS,
         untruncated,
-        [(A, p) for p in untruncated for A in (*around(p[-1], False), *close_to_one(p[-1]))],
-        [(A * p[-1], p) for p in untruncated[::2] for A in (0.5, 1.1, 2.2)],
+        [(A, p) for p, b in ends.items() for A in (*around(b, False), *close_to_one(b))],
+        [(A * ends[p], p) for p in untruncated[::2] for A in (0.5, 1.1, 2.2)],
     )
     made |= mechanism_tables(
         "rod_spring",

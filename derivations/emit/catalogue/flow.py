@@ -390,6 +390,15 @@ def damped_kernels(along: Damped) -> list[Kernel]:
             lets=along.cusp_lets,
         ),
         plain(
+            "cusp_balance",
+            (A, m, zeta, h, k, X_, T),
+            along.cusp_balance,
+            "Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).",
+            "from (30)",
+            "A > 0, X > 0, T not 0",
+            lets=along.cusp_balance_lets,
+        ),
+        plain(
             "peak",
             (Omega, A, F_0, m, zeta, h_A),
             along.peak,

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ...elliptic import STEEPEST, evaluable, parts
+from ...elliptic import evaluable, parts
 from ...mechanisms import Mechanism, Parameter
 from ...oscillator import Dimensionless
 from ...restoring import Case, Restoring, average, forms
@@ -144,13 +144,6 @@ def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, .
     )
 
 
-def domain_of_averages(derived: OfMechanism) -> str:
-    """In words; a breakpoint too near to where the force is singular is a double that does not say how near."""
-    if not is_spelled_out(derived):
-        return "A >= 0"
-    return "; ".join(["A >= 0", *(f"digits are lost for {b} > {STEEPEST.evalf(4)}" for b in derived.whole.breakpoints)])
-
-
 def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cases: tuple[Branch, ...]) -> Kernel:
     """Some of h, H and their derivatives together."""
     parameters = derived.oscillator.mechanism.parameters
@@ -160,7 +153,7 @@ def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cas
         cases,
         f"{', '.join(outputs)} together.",
         "(20)-(22), (31)",
-        domain_of_averages(derived),
+        "A >= 0",
         parameters=len(parameters),
         returns="tuple",
     )
@@ -268,7 +261,7 @@ def definitions_of(derived: OfMechanism) -> dict[sp.Symbol, sp.Expr]:
     """Each parameter in the design's numbers."""
     mechanism = derived.oscillator.mechanism
     if tuple(parameter.symbol for parameter in mechanism.design) == tuple(mechanism.ratios):
-        return derived.oscillator.definitions
+        return derived.oscillator.definitions | {ratio: ratio for ratio in mechanism.instead}
     return {name: name for name in mechanism.parameters}
 
 
@@ -306,10 +299,15 @@ def harmonics_kernel(derived: OfMechanism) -> Kernel:
 
 
 def force_kernel(derived: OfMechanism, pieces: Sequence[Kernel]) -> Kernel:
-    """The piecewise force out of its pieces; at a breakpoint the lower piece holds."""
+    """The piecewise force out of its pieces; at a breakpoint the lower piece holds.
+
+    Where that is steep beside the next, which it meets there, the next: a double next to the breakpoint is not at it.
+    """
     mechanism = derived.oscillator.mechanism
-    whole = derived.whole
-    guards = [*(((sp.Abs(u), end),) for end in whole.breakpoints), ()]
+    ends = derived.oscillator.breakpoints.values()
+    guards = [*(((sp.Abs(u), end),) for end in ends), ()]
+    if is_spelled_out(derived):
+        guards, pieces = [*(((end, sp.Abs(u)),) for end in ends), ()], pieces[::-1]
     branches = tuple(
         Branch(piece.name, guard, piece.branches[0].lets, piece.branches[0].outputs, kernel=piece.name)
         for guard, piece in zip(guards, pieces, strict=True)
@@ -371,7 +369,12 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
         )
     ]
     for name, values, doc, equation in (
-        ("breakpoints", whole.breakpoints, "The |u| at which a piece of the force ends.", "(5)"),
+        (
+            "breakpoints",
+            tuple(dimensionless.breakpoints.values()),
+            "The |u| at which a piece of the force ends.",
+            "(5)",
+        ),
         (
             "jumps",
             whole.jumps,
@@ -440,9 +443,9 @@ def described(dimensionless: Dimensionless) -> tuple[Parameter, ...]:
             result.append(given.get(name, Parameter(name, doc, unit)))
     ends = (
         Parameter(name, f"|u| at which piece {number} of the force ends", "L")
-        for number, name in enumerate(mechanism.breakpoints, start=1)
+        for number, name in enumerate(() if mechanism.instead else mechanism.breakpoints, start=1)
     )
-    return (*result, *ends)
+    return (*result, *ends, *(given[ratio] for ratio in mechanism.instead))
 
 
 def record(results: Results, derived: OfMechanism, pieces: tuple[Law, ...]) -> Record:
@@ -461,7 +464,6 @@ def record(results: Results, derived: OfMechanism, pieces: tuple[Law, ...]) -> R
         described(derived.oscillator),
         pieces,
         derived.harmonics.most,
-        STEEPEST if is_spelled_out(derived) else sp.oo,
         truncated,
         twins[0] if twins else "",
         of_design(mechanism),

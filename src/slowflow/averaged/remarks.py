@@ -26,7 +26,6 @@ WORDS = {
     Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to 0",
-    Remark.DIGITS_LOST: "digits are lost as u_cr nears 1: relative errors of {lost:.0e} and more",
     Remark.UNDECIDED: "next to Omega = 0 or to a level where two folds meet: doubles do not tell how many there are",
     Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
@@ -66,7 +65,6 @@ def of_designs(
         Remark.NEGATIVE_STIFFNESS: at_rest > 0,
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
         Remark.OF_TRUNCATION: mechanism.truncated & (there & corner).any(axis=-1),
-        Remark.DIGITS_LOST: _too_near(mechanism, parameters),
     }
     return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint8)
 
@@ -87,15 +85,7 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) ->
             said.append(Remark.LEAVES_CENTRE)
     if model.mechanism.truncated and (corner.any() if many and corner is not False else corner):
         said.append(Remark.OF_TRUNCATION)
-    if model.breakpoints and model.breakpoints[-1] > model.mechanism.digits_up_to:
-        said.append(Remark.DIGITS_LOST)
     return Remark(sum(said)) if said else NOTHING
-
-
-def _too_near(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Any:
-    """Whether a breakpoint of each design lies beyond the last one for which averages keep their digits."""
-    ends = mechanism.breakpoints(*parameters)
-    return np.asarray(ends[-1] > mechanism.digits_up_to) if ends else np.False_
 
 
 def stays_centred(model: Model) -> bool:
@@ -109,6 +99,5 @@ def stays_centred(model: Model) -> bool:
 def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     """Each remark as a sentence or less."""
     near = [validity.near_sticking(model, F_0)] if Remark.NEAR_STICKING in remarks else []
-    lost = 2.0**-53 / (1.0 - model.breakpoints[-1]) if Remark.DIGITS_LOST in remarks else 0.0
-    known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "lost": lost}
+    known = {"reach": model.reach, "reason": model.mechanism.reach_reason}
     return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near

@@ -162,15 +162,24 @@ static inline void sf_ask_cusp(const sf_model *model, int channels, const sf_sam
         const double root = sqrt(q[4]), X = sf_quadratic_root(q[2], q[3], root, i == 0);
         const double T = sf_quadratic_root(q[0], q[1], root, i == 0);
         double R[2], cusp[4];
+        int by_F_AA;
         if (!(X > 0 && channels & 1 << i))
             continue;
         slow_flow_cusp_R(at->A, model->zeta, at->h_AA, at->k, X, T, R);
-        slow_flow_cusp(at->A, model->m, model->zeta, at->h_AA, at->h_AAA, at->k, X, T, R[0], i == 0 ? root : -root,
-                       cusp);
+        by_F_AA = fabs(R[0]) < SF_CANCELLED * fabs(at->k); /* k + A T has lost digits */
+        slow_flow_cusp(at->A, model->m, model->zeta, at->h_AA, at->h_AAA, at->k, X, T, R[by_F_AA],
+                       i == 0 ? root : -root, cusp);
         out->exists[i] = 1;
         out->Omega[i] = sqrt(X);
         out->y[i] = cusp[0], out->dy[i] = cusp[2];
         out->level[i] = cusp[3];
+        if (by_F_AA) { /* a rounding of A moves h_AA by much where that is steep, but no fold by F_A beside a cusp */
+            double nearly[2], fold[2];
+            slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, X, T, nearly);
+            slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, nearly[0], T, fold);
+            if (nearly[0] > 0 && fold[0] > 0 && fold[1] > 0)
+                out->Omega[i] = sqrt(fold[0]), out->level[i] = sqrt(fold[1]);
+        }
     }
 }
 

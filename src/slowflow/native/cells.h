@@ -141,6 +141,9 @@ static inline void sf_make_cell(const sf_sample *first, const sf_sample *last, c
 
 static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at->A * at->h_AA); }
 
+/* rho of a power of A that h may nearly be; next to a steep corner h_AA grows faster */
+#define SF_HIGHEST_POWER 16
+
 /* rho = A h_AAA/h_AA and kappa = k/(A^2 h_AA), which vary by little where h is nearly a power of A; 0 where they are not
  * known to. From the first amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and
  * -1/(2 + rho), with the slope -(1 + kappa (2 + rho))/A (derivations/along.py). */
@@ -156,6 +159,8 @@ static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *
         return 0;
     *rho = sfi_of((1 - SF_DOUBT) * sfi_least(a->A * slope.lo / from, b->A * slope.lo / (from + slope.hi * width)),
                   (1 + SF_DOUBT) * sfi_most(a->A * slope.hi / from, b->A * slope.hi / (from + slope.lo * width)));
+    if (!(rho->hi < SF_HIGHEST_POWER))
+        return 0;
     first = sf_kappa(a), last = sf_kappa(b);
     doubt = 4 * SF_DOUBT * (1 + fabs(first));
     *kappa = sfi_of(sfi_least(first, -1 / (2 + rho->lo)) - doubt, sfi_most(first, -1 / (2 + rho->hi)) + doubt);

@@ -40,6 +40,7 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
     sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     cusps.most = &most;
     sf_find_zeros(&cusps, piece, zeros);
+    best->undecided |= zeros->undecided;
     for (i = 0; i < zeros->n; i++) {
         const sf_zero *zero = &zeros->at[i];
         sf_sample at;
@@ -132,13 +133,22 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work) {
     return work->folds.n > 0 ? SF_UNBOUNDED : SF_NONE;
 }
 
+/* Whether there is no onset, or one so near to a breakpoint that few doubles lie between. */
+static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
+    int k;
+    for (k = 0; k < model->breaks; k++)
+        if (best->kind != SF_CORNER_KIND && fabs(best->A - model->b[k]) <= SF_COINCIDE * model->b[k])
+            return 1;
+    return best->kind == SF_NO_KIND;
+}
+
 /* The lowest forcing at which folds are born. */
 static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {
     sf_stretch piece;
     sf_status status;
     int k;
     best->F_SN = best->rest = HUGE_VAL;
-    best->Omega = best->A = NAN, best->kind = SF_NO_KIND;
+    best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
     if (model->zeta == 0) {
         best->F_SN = NAN;
         return sf_onset_undamped(model, work);
@@ -161,6 +171,10 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
         sf_sample_above(model, k, &piece.first);
     }
     status = sf_onset_in_last(model, &piece.first, work, best);
+    if (best->undecided && sf_is_beside_break(model, best)) {
+        best->kind = SF_NO_KIND;
+        status = SF_UNRESOLVED;
+    }
     if (best->kind == SF_NO_KIND) {
         best->F_SN = NAN;
         return status == SF_OK ? SF_NONE : status;

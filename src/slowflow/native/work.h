@@ -23,6 +23,7 @@ typedef struct {
     double F_SN, Omega, A;
     sf_onset_kind kind;
     double rest; /* lowest level at which the fold locus ends at Omega = 0, or infinite */
+    int undecided; /* whether there may be one whose amplitude no double tells from others */
 } sf_onset;
 
 /* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A, Omega) */

@@ -28,7 +28,7 @@ from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.averaged.reference.roots import Quartics, critical_points, peak_roots
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow, slow_flow_intervals, slow_flow_mu0_intervals, slow_flow_zeta0_intervals
-from slowflow_kernels.conventions import BESIDE, DOUBT, SOFT
+from slowflow_kernels.conventions import BESIDE, CANCELLED, DOUBT, SOFT
 
 #: where a channel is defined on a cell
 NOWHERE, PARTLY, THROUGHOUT = 0, 1, 2
@@ -227,9 +227,17 @@ class Cusp(Asked):
             X, T = _quadratic_root(c, d, root, larger), _quadratic_root(a, b, root, larger)
             exists = (square >= 0) & (X > 0)
             X, signed = np.where(exists, X, np.nan), root if larger else -root
-            R, _ = slow_flow.cusp_R(at.A, model.zeta, at.h_AA, at.k, X, T)
+            by_tangent, by_F_AA = slow_flow.cusp_R(at.A, model.zeta, at.h_AA, at.k, X, T)
+            # k + A T has lost digits
+            lost = np.abs(by_tangent) < CANCELLED * np.abs(at.k)
+            R, w = np.where(lost, by_F_AA, by_tangent), np.sqrt(X)
             y, _, dy, level = slow_flow.cusp(at.A, model.m, model.zeta, at.h_AA, at.h_AAA, at.k, X, T, R, signed)
-            answers.append(_channel(at, exists, y, dy, np.sqrt(X), 0.0, level))
+            # a rounding of A moves h_AA by much where that is steep, but no fold by F_A beside a cusp
+            nearly, _ = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, X, T)
+            right, forcing = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, nearly, T)
+            lost &= (nearly > 0) & (right > 0) & (forcing > 0)
+            w, level = np.where(lost, np.sqrt(right), w), np.where(lost, np.sqrt(forcing), level)
+            answers.append(_channel(at, exists, y, dy, w, 0.0, level))
         return answers
 
     def range(self, cells: Cells) -> list[Range]:

@@ -23,18 +23,22 @@ from slowflow.model import Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import RAISE, RAISES
+from slowflow_kernels.conventions import COINCIDE, RAISE, RAISES
 
 
 @dataclasses.dataclass
 class _Best:
-    """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at Omega = 0."""
+    """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at Omega = 0.
+
+    undecided -- whether there may be one whose amplitude no double tells from others
+    """
 
     F_SN: float = math.inf
     Omega: float = math.nan
     A: float = math.nan
     kind: str = ""
     rest: float = math.inf
+    undecided: bool = False
 
     def consider(self, level: Floats, Omega: Floats, A: Floats, kind: str) -> None:
         """Points where the level may be least."""
@@ -59,9 +63,17 @@ def onset(model: Model) -> SaddleNodeOnset:
         if model.zeta == 0:
             return _onset_without_viscous_damping(model)
         best = _lowest(model)
+    if best.undecided and _is_beside_breakpoint(model, best):
+        raise ArithmeticError("the response is unresolved")
     if not best.kind:
         return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), best.rest)
     return words.with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
+
+
+def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
+    """Whether there is no onset, or one so near to a breakpoint that few doubles lie between."""
+    near = (abs(best.A - b) <= COINCIDE * b for b in model.breakpoints)
+    return not best.kind or (best.kind != "corner" and any(near))
 
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
@@ -90,6 +102,7 @@ def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
     """Where the level may be least inside of pieces: cusps, isola points, ends."""
     zeta, m = model.zeta, model.m
     ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
+    best.undecided |= ends.undecided or isolas.undecided or cusps.undecided
     at_rest = slow_flow.level(0.0, ends.A, m, zeta, model.averaged(ends.A)[0])
     best.consider_ends(model, ends.A, np.where(ends.channel == 0, m, at_rest))
     least = isola_is_minimum(model, isolas.Omega, isolas.A)
