@@ -10,7 +10,7 @@ SOURCE = Path(__file__).parents[1] / "src"
 FLOORS = (
     ("__main__",),
     ("cli",),
-    ("paper", "scenes"),
+    ("paper", "scenes", "sizing"),
     ("__init__",),
     ("isolator",),
     ("physical",),

@@ -121,6 +121,9 @@ class Table(Answer):
         """True."""
         return True
 
+    def __str__(self) -> str:
+        return "\n".join(in_text(self))
+
     def __len__(self) -> int:
         return int(getattr(self, self.entry._fields[0]).size)
 
@@ -208,9 +211,10 @@ def frozen(values: Any) -> npt.NDArray[Any]:
     return array
 
 
-def optional(package: str, wanted_by: str) -> Any:
+def optional(package: str, wanted_by: str, extra: str = "tables") -> Any:
     """A package that slowflow does without, or an ImportError that says how to get it."""
     try:
         return importlib.import_module(package)
     except ImportError:
-        raise ImportError(f"{wanted_by} needs {package}: pip install 'slowflow[tables]'") from None
+        name = package.partition(".")[0]
+        raise ImportError(f"{wanted_by} needs {name}: pip install 'slowflow[{extra}]'") from None

@@ -202,6 +202,24 @@ def turns(name: str, value: Any) -> Any:
     return si(name, value, "radian/second") / math.tau
 
 
+def size(scale: Scale, *, m: Any, k_v: Any, L: Any) -> Any:
+    """What a dimensionless number is measured in (4), of one oscillator or of many: numbers or arrays, in SI units."""
+    return scale.factor * math.prod(base**power for base, power in zip((k_v, L, m), scale.powers, strict=True))
+
+
+def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
+    """What numbers of each kind are measured in."""
+    base = {"m": m, "k_v": k_v, "L": L}
+    length, rate = size(SCALES["u"], **base), size(SCALES["Omega"], **base)
+    return {
+        "force": size(SCALES["F_0"], **base),
+        "length": length,
+        "frequency": rate / math.tau,
+        "time": size(SCALES["tau"], **base),
+        "speed": length * rate,
+    }
+
+
 class Scales:
     """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
 
@@ -212,19 +230,11 @@ class Scales:
         self.m = validate.number("m", si("m", m, "kilogram"), above=0.0)
         self.k_v = validate.number("k_v", si("k_v", k_v, "newton/meter"), above=0.0)
         self.L = validate.number("L", si("L", L, "meter"), above=0.0)
-        length, rate = self.of(SCALES["u"]), self.of(SCALES["Omega"])
-        self.sizes = {
-            "force": self.of(SCALES["F_0"]),
-            "length": length,
-            "frequency": rate / math.tau,
-            "time": self.of(SCALES["tau"]),
-            "speed": length * rate,
-        }
+        self.sizes: dict[str, float] = sizes(m=self.m, k_v=self.k_v, L=self.L)
 
     def of(self, scale: Scale) -> float:
         """What one of these numbers is measured in."""
-        powers = zip((self.k_v, self.L, self.m), scale.powers, strict=True)
-        return float(scale.factor * math.prod(base**power for base, power in powers))
+        return float(size(scale, m=self.m, k_v=self.k_v, L=self.L))
 
     def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> float:
         """A given number over what it is measured in. Raises ValueError, in its terms, outside the domain."""

@@ -1,0 +1,188 @@
+"""Tolerances: in go a design and how far its numbers may be off, out come bands of its answers, and which matters.
+
+Samples are drawn by Latin hypercubes from a seed, the same on every machine; Sobol' indices are SALib's, an optional
+package: `pip install 'slowflow[sizing]'`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from scipy.stats import qmc
+
+from slowflow import validate
+from slowflow.answer import Table, optional
+from slowflow.mechanism import Floats
+from slowflow.sizing.subject import Subject
+
+#: ends of a band: 95 of 100 samples lie within
+LOW, HIGH = 0.025, 0.975
+MOST_SAMPLES = 10**7
+MISSING = "{} has no answer for {:.2g} of the samples, which its band leaves out"
+
+
+class Tolerance(NamedTuple):
+    """A row of `Tolerances`."""
+
+    answer: str
+    unit: str
+    nominal: float
+    low: float
+    median: float
+    high: float
+    share: float
+
+
+@dataclass(frozen=True, eq=False)
+class Tolerances(Table):
+    """Bands of answers over a tolerance.
+
+    answer, unit -- what it is
+    nominal      -- of the design as it is
+    low, median, high -- 2.5, 50 and 97.5 of 100 samples lie below; of samples that have the answer
+    share        -- of samples that have the answer
+    samples      -- the answers of each, by name
+    drawn        -- the numbers of each, by name
+    """
+
+    entry: ClassVar[Any] = Tolerance
+
+    answer: npt.NDArray[np.str_]
+    unit: npt.NDArray[np.str_]
+    nominal: Floats
+    low: Floats
+    median: Floats
+    high: Floats
+    share: Floats
+    message: str
+    samples: Mapping[str, Floats] = field(repr=False)
+    drawn: Mapping[str, Floats] = field(repr=False)
+
+
+class Index(NamedTuple):
+    """A row of `Sobol`."""
+
+    answer: str
+    parameter: str
+    first: float
+    first_error: float
+    total: float
+    total_error: float
+
+
+@dataclass(frozen=True, eq=False)
+class Sobol(Table):
+    """How much of an answer's variance is a parameter's doing; NaN where some samples have no answer.
+
+    first, total -- by itself, and with all that it does together with others
+    first_error, total_error -- half width of their 95 % intervals
+    """
+
+    entry: ClassVar[Any] = Index
+
+    answer: npt.NDArray[np.str_]
+    parameter: npt.NDArray[np.str_]
+    first: Floats
+    first_error: Floats
+    total: Floats
+    total_error: Floats
+    message: str
+
+
+def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[str, Floats]:
+    """Numbers of the design below which that share of all values lies; shares of shape (samples, numbers)."""
+    subject.check_varied(within)
+    found = {}
+    for (name, off), share in zip(within.items(), shares.T, strict=True):
+        if hasattr(off, "ppf"):
+            found[name] = np.asarray(off.ppf(share), dtype=float)
+        else:
+            part = validate.number(f"within[{name!r}]", off, least=0.0, below=1.0)
+            found[name] = subject.nominal[name] * (1 + part * (2 * share - 1))
+    if not found:
+        raise ValueError("within = {} is not allowed: name at least one number and how far it may be off")
+    return found
+
+
+def tolerances(
+    of: Any,
+    within: Mapping[str, Any],
+    *,
+    F: float | None = None,
+    F_0: float | None = None,
+    answers: Iterable[str] | None = None,
+    samples: int = 10_000,
+    seed: int = 0,
+) -> Tolerances:
+    """What tolerances of its numbers do to an isolator's answers.
+
+    of      -- an `Isolator`, or a mount in SI units
+    within  -- by name of a number: 0.05 for any value within 5 % of the nominal one, or a distribution of the value
+               itself, anything with SciPy's `ppf`
+    F, F_0  -- the forcing, F of a mount in N, F_0 of an isolator
+    answers -- which of those that `slowflow.sizing` lists; by default all that go in batches
+    samples, seed -- how many designs are tried, and which
+
+    Raises ValueError for what is not allowed.
+    """
+    subject = Subject(of)
+    forcing = subject.forcing(F, F_0)
+    names = subject.answered(answers, forcing)
+    samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
+    shares = qmc.LatinHypercube(d=max(len(within), 1), rng=seed).random(samples)
+    drawn = _drawn(subject, within, shares[:, : len(within)])
+    found, nominal = subject.ask(drawn, names, forcing), subject.ask({}, names, forcing)
+    rows = []
+    for name in names:
+        there = found[name][~np.isnan(found[name])]
+        # samples themselves: between infinities there is nothing to interpolate
+        ends = np.quantile(there, (LOW, 0.5, HIGH), method="inverted_cdf") if there.size else np.full(3, np.nan)
+        rows.append((float(nominal[name]), *ends.tolist(), there.size / samples))
+    columns = np.array(rows).reshape(-1, 5).T
+    missing = [MISSING.format(name, 1 - share) for name, share in zip(names, columns[4], strict=True) if share < 1]
+    units = np.array([subject.unit(name) for name in names], dtype=np.str_)
+    one, low, median, high, share = columns
+    said = "; ".join(missing)
+    return Tolerances(np.array(names, dtype=np.str_), units, one, low, median, high, share, said, found, drawn)
+
+
+def sobol(
+    of: Any,
+    within: Mapping[str, Any],
+    *,
+    F: float | None = None,
+    F_0: float | None = None,
+    answers: Iterable[str] | None = None,
+    samples: int = 1024,
+    seed: int = 0,
+) -> Sobol:
+    """Which tolerance matters most: Sobol' indices, from samples times (numbers + 2) designs.
+
+    Arguments as in `tolerances`; `samples` a power of two. Raises ValueError for what is not allowed, ImportError
+    without SALib.
+    """
+    subject = Subject(of)
+    forcing = subject.forcing(F, F_0)
+    names = subject.answered(answers, forcing)
+    samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
+    if samples & (samples - 1):
+        raise ValueError(f"samples = {samples} is not allowed: samples must be a power of two")
+    sample, analyse = (optional(f"SALib.{part}.sobol", "sobol", "sizing") for part in ("sample", "analyze"))
+    problem = {"num_vars": len(within), "names": list(within), "bounds": [[0.0, 1.0]] * len(within)}
+    shares = sample.sample(problem, samples, calc_second_order=False, seed=seed)
+    found = subject.ask(_drawn(subject, within, shares), names, forcing)
+    rows, missing = [], []
+    for name in names:
+        values = np.full((4, len(within)), np.nan)
+        if np.isfinite(found[name]).all() and np.ptp(found[name]) > 0:
+            told = analyse.analyze(problem, found[name], calc_second_order=False, seed=seed)
+            values = np.array([told[key] for key in ("S1", "S1_conf", "ST", "ST_conf")])
+        else:
+            missing.append(f"{name} is not finite for all samples, or does not change: it has no indices")
+        rows += [(name, parameter, *column) for parameter, column in zip(within, values.T.tolist(), strict=True)]
+    answer, parameter, first, first_error, total, total_error = (np.array(column) for column in zip(*rows, strict=True))
+    return Sobol(answer, parameter, first, first_error, total, total_error, "; ".join(missing))

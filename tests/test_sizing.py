@@ -1,0 +1,204 @@
+"""Tolerances against single answers and gradients, inverse design against a root, fits against noise that is known."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+from scipy.stats import norm
+
+from slowflow import Duffing, Isolator
+from slowflow.paper.example import isolator
+from slowflow.sizing import fit, meet, sobol, tolerances
+
+MOUNT = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
+#: of a mount, by single questions
+SINGLE = {
+    "F_SN": lambda mount: mount.saddle_node_onset().F_SN,
+    "F_cr": lambda mount: mount.detachment().F_cr,
+    "f_rest": lambda mount: mount.at_rest().f_0,
+    "A_peak": lambda mount: mount.peak(5).A,
+    "f_peak": lambda mount: mount.peak(5).f,
+    "f_jump_up": lambda mount: mount.saddle_nodes(5).f[0],
+    "f_jump_down": lambda mount: mount.saddle_nodes(5).f[-1],
+    "f_isolation": lambda mount: mount.isolation(5).f,
+}
+WITHIN = {"m": 0.02, "k_v": 0.03, "k_h": 0.05, "L": 0.01, "preload": 0.05, "friction": 0.3, "zeta": 0.2}
+
+
+# ---- tolerances ----------------------------------------------------------------------------------------------------
+
+
+def test_each_sample_is_the_answer_of_that_mount():
+    found = tolerances(MOUNT, WITHIN, F=5, answers=SINGLE, samples=12)
+    for k in range(12):
+        one = MOUNT.replace(**{name: values[k] for name, values in found.drawn.items()})
+        for name, single in SINGLE.items():
+            assert found.samples[name][k] == pytest.approx(single(one), rel=1e-11), name
+    for row in found:
+        assert row.nominal == pytest.approx(SINGLE[row.answer](MOUNT), rel=1e-12) and row.share == 1
+    units = {"F_SN": "N", "F_cr": "N", "A_peak": "m"}
+    assert [row.unit for row in found] == [units.get(row.answer, "Hz") for row in found]
+
+
+@pytest.mark.parametrize("name", WITHIN)
+def test_the_band_of_a_small_tolerance_is_that_of_the_gradient(name):
+    part, nominal = (
+        1e-4,
+        {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02},
+    )
+    found = tolerances(MOUNT, {name: part}, F=5, samples=2000)
+    for row in found:
+        ends = [SINGLE[row.answer](MOUNT.replace(**{name: nominal[name] * (1 + s * part)})) for s in (-1, 1)]
+        assert row.high - row.low == pytest.approx(0.95 * abs(ends[1] - ends[0]), rel=2e-3, abs=1e-9 * row.nominal)
+        assert row.median == pytest.approx(row.nominal, rel=1e-3)
+
+
+def test_samples_follow_from_the_seed_and_a_distribution_is_taken_as_it_is():
+    within = {"friction": norm(0.4, 0.02), "zeta": 0.1}
+    one, same, other = (tolerances(MOUNT, within, samples=4000, seed=seed) for seed in (1, 1, 2))
+    assert one == same and one != other and [row.answer for row in one] == ["F_SN", "F_cr", "f_rest"]
+    assert (one.drawn["friction"].mean(), one.drawn["friction"].std()) == pytest.approx((0.4, 0.02), rel=2e-3)
+    assert one.drawn["zeta"].min() >= 0.018 and one.drawn["zeta"].max() <= 0.022
+
+
+def test_an_answer_that_some_samples_have_not_says_so():
+    found = tolerances(isolator(), {"mu": norm(0.03, 0.01)}, F_0=0.04, answers=["Omega_jump_up"], samples=400)
+    (row,) = found
+    assert 0.05 < row.share < 0.95 and "Omega_jump_up has no answer for" in found.message and row.unit == ""
+    assert np.isnan(found.samples["Omega_jump_up"]).mean() == pytest.approx(1 - row.share)
+
+
+def test_indices_say_which_tolerance_matters_as_gradients_do():
+    """Of small tolerances the variance is the sum of the squares of slope times deviation."""
+    pytest.importorskip("SALib")
+    within = {"k_v": 0.01, "friction": 0.03, "zeta": 0.02}
+    found = sobol(MOUNT, within, answers=["F_SN"], samples=1024)
+    slopes = {}
+    for name, part in within.items():
+        ends = [MOUNT.replace(**{name: MOUNT.given[name] * (1 + s * part)}).saddle_node_onset().F_SN for s in (-1, 1)]
+        slopes[name] = (ends[1] - ends[0]) ** 2
+    for row in found:
+        assert row.total == pytest.approx(slopes[row.parameter] / sum(slopes.values()), abs=0.02)
+        assert row.first == pytest.approx(row.total, abs=0.05)
+
+
+def test_an_index_that_is_not_defined_is_nan_and_said():
+    pytest.importorskip("SALib")
+    found = sobol(isolator(), {"mu": norm(0.03, 0.01), "zeta": 0.1}, F_0=0.04, answers=["Omega_jump_up"], samples=64)
+    assert np.isnan(found.total).all() and "Omega_jump_up is not finite" in found.message
+
+
+def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
+    refused = [
+        (lambda: tolerances(Duffing(1.0, 0.1), {"beta": 0.1}), "must be an Isolator"),
+        (lambda: tolerances(MOUNT, {"kh": 0.1}), "'kh' cannot be varied: it must be one of m, k_v, L, n, k_h"),
+        (lambda: tolerances(MOUNT, {"k_h": 1.5}), r"within\['k_h'\] = 1.5 is not allowed"),
+        (lambda: tolerances(MOUNT, {}), "name at least one number"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, F_0=0.1), "the forcing of a mount is F"),
+        (lambda: tolerances(isolator(), {"r": 0.1}, F=0.1), "the forcing of an isolator is F_0"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_peak"]), "A_peak needs a forcing: give F"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["peak"]), "'peak' is no answer: it must be one of F_SN"),
+        (lambda: sobol(MOUNT, {"k_h": 0.1}, samples=1000), "samples must be a power of two"),
+        (lambda: meet(MOUNT, {"k_h": (1, 2)}), "at least one requirement"),
+        (lambda: meet(MOUNT, {"k_h": (2, 1)}, at_least={"F_SN": 1}), r"k_h\[1\] = 1 is not allowed"),
+        (lambda: fit(MOUNT, A=[0.1] * 3, F=5, f=[1, 2, 3]), "3 points are too few for 4 numbers"),
+        (lambda: fit(MOUNT, A=[0.1] * 9), "f and F are needed"),
+    ]
+    for call, said in refused:
+        with pytest.raises(ValueError, match=said):
+            call()
+    monkeypatch.setitem(sys.modules, "SALib", None)
+    monkeypatch.setitem(sys.modules, "SALib.sample.sobol", None)
+    with pytest.raises(ImportError, match=r"sobol needs SALib: pip install 'slowflow\[sizing\]'"):
+        sobol(MOUNT, {"k_h": 0.1})
+
+
+# ---- inverse design ------------------------------------------------------------------------------------------------
+
+
+def test_the_nearest_design_with_one_free_number_is_a_root():
+    found = meet(MOUNT, {"zeta": (0.005, 0.1)}, at_least={"F_SN": 4.0})
+    root = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.1)
+    assert found.feasible and found.numbers["zeta"] == pytest.approx(root, rel=1e-5)
+    assert found.design == MOUNT.replace(**found.numbers) and found.message == found.binding == ""
+
+
+def test_a_design_that_meets_all_already_is_left_as_it_is():
+    found = meet(
+        MOUNT, {"zeta": (0.005, 0.1), "k_h": (500, 2500)}, at_least={"F_SN": 2.0}, at_most={"A_peak": 0.05}, F=5
+    )
+    assert found.numbers == pytest.approx({"zeta": 0.02, "k_h": 1700}, rel=1e-3)
+
+
+def test_several_requirements_are_met_as_single_questions_see_them():
+    found = meet(
+        MOUNT,
+        {"k_h": (500, 2500), "preload": (0.002, 0.02), "zeta": (0.01, 0.1)},
+        at_least={"F_SN": 4.0},
+        at_most={"f_rest": 1.9, "A_peak": 0.03},
+        F=5,
+    )
+    one = found.design
+    assert found.feasible and one.saddle_node_onset().F_SN >= 4 * (1 - 1e-8)
+    assert one.at_rest().f_0 <= 1.9 * (1 + 1e-8) and one.peak(5).A <= 0.03 * (1 + 1e-8)
+    assert found.reached["A_peak"] == pytest.approx(one.peak(5).A)
+
+
+@pytest.mark.slow
+def test_isolation_can_be_required():
+    found = meet(MOUNT, {"preload": (0.002, 0.03)}, at_most={"f_isolation": 2.6}, F=2)
+    assert found.feasible and MOUNT.isolation(2).f > 2.8
+    assert found.design.isolation(2).f == pytest.approx(2.6, rel=1e-4)
+
+
+def test_what_cannot_be_met_names_the_binding_requirement():
+    found = meet(MOUNT, {"k_h": (500, 2500)}, at_least={"F_SN": 8.0}, at_most={"f_rest": 2.3})
+    assert not found.feasible and found.binding == "F_SN >= 8 N"
+    assert (
+        "infeasible: the binding requirement is F_SN >= 8 N; as near as all of them can be had it is" in found.message
+    )
+    for k_h in np.linspace(500, 2500, 50):  # none does
+        assert MOUNT.replace(k_h=k_h).saddle_node_onset().F_SN < 8
+
+
+# ---- fits ----------------------------------------------------------------------------------------------------------
+
+START = {"friction": 0.3, "zeta": 0.03, "k_h": 1500, "preload": 0.010}
+TRUE = {"friction": 0.4, "zeta": 0.02, "k_h": 1700, "preload": 0.009}
+
+
+def test_a_fit_recovers_the_numbers_behind_a_noisy_exact_sweep():
+    """The sweep is one of the equation of motion, up and down: nothing averaged is in it."""
+    f = np.concatenate([np.linspace(1.2, 2.25, 30), np.linspace(2.3, 4.0, 20), np.linspace(2.18, 1.2, 20)])
+    forces = [4.0, 6.0]
+    A = np.array([MOUNT.sweep(f=f, F=force).A for force in forces])
+    noise = 1e-4 * np.random.default_rng(3).standard_normal(A.shape)
+    found = fit(MOUNT.replace(**START), f=f, F=[[force] for force in forces], A=A + noise)
+    for row in found:  # friction says least of itself; averaging misplaces k_h and preload by 1 %
+        assert row.value == pytest.approx(TRUE[row.parameter], rel=0.1 if row.parameter == "friction" else 0.02), row
+    assert found.deviation < 3e-4 and found.design.given["k_h"] == found.value[2] and found.message == ""
+
+
+@pytest.mark.slow
+def test_intervals_hold_the_true_numbers_in_95_of_100_fits():
+    f = np.linspace(1.2, 4.0, 40)
+    A = np.array([MOUNT.amplitudes(f=x, F=2.5).A[0] for x in f])
+    random, held = np.random.default_rng(0), []
+    for _ in range(40):
+        found = fit(MOUNT, f=f, F=2.5, A=A + 2e-5 * random.standard_normal(f.size))
+        held += [row.low < TRUE[row.parameter] < row.high for row in found]
+    assert 0.87 < np.mean(held) < 1.0
+
+
+def test_a_fit_without_dimensions_and_without_noise_is_exact():
+    iso = isolator()
+    Omega = np.linspace(0.3, 2.0, 40)
+    A = np.array([iso.amplitudes(Omega=x, F_0=0.021).A[0] for x in Omega])
+    found = fit(iso.replace(mu=0.01, zeta=0.025, r=1.9), Omega=Omega, F_0=0.021, A=A)
+    expected = [iso.mu, iso.zeta, iso.r, iso.delta_h]
+    assert found.parameter.tolist() == ["mu", "zeta", "r", "delta_h"]
+    assert found.value.tolist() == pytest.approx(expected, rel=1e-6)
+    assert np.diag(found.correlation) == pytest.approx(1.0)
