@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import math
 import pickle
 import re
@@ -12,8 +13,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, Isolator
-from slowflow.physical import UNITS, Scales
+from slowflow import Duffing, Isolator, loads, results
+from slowflow.physical import KINDS, UNITS, Scales
 from slowflow_kernels.scaling import SCALES
 
 #: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
@@ -253,3 +254,13 @@ def test_a_linear_oscillator_can_be_physical_too():
     peak = mount.peak(3.0)
     assert peak.A == pytest.approx(3 / 800 / (2 * 0.1 * math.sqrt(1 - 0.01)))
     assert peak.f == pytest.approx(math.sqrt(400 * (1 - 0.02)) / math.tau)
+
+
+def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
+    """A field that is added has to be entered here or among the kinds."""
+    without = {"phi", "error", "error_of_A", "of_SN", "of_cr", "transmissibility_dB"}
+    for module in (results, loads):
+        for kind in vars(module).values():
+            if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
+                numbers = [one.name for one in dataclasses.fields(kind) if "loat" in str(one.type)]
+                assert set(numbers) <= set(KINDS) | without, kind

@@ -71,6 +71,17 @@ def installed(tmp_path_factory: pytest.TempPathFactory, wheel: Path) -> Path:
     return environment(tmp_path_factory.mktemp("plain"), wheel, NEEDED)
 
 
+def test_a_scene_runs_in_any_folder(installed: Path, tmp_path: Path) -> None:
+    assert run([installed / "slowflow", "new"], tmp_path).returncode == 0
+    done = run([installed / "python", "-m", "slowflow", "run", "scene.toml", "-o", "answers"], tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "1700.0" in (tmp_path / "answers" / "answers.json").read_text()
+    folds = (tmp_path / "answers" / "saddle_nodes.csv").read_text().splitlines()
+    assert folds[0] == "F/N,f/Hz,A/mm,kind,corner" and len(folds) == 5
+    done = run([installed / "python", "-c", "from slowflow.sizing import tolerances; print(tolerances)"], tmp_path)
+    assert done.returncode == 0, done.stderr
+
+
 def test_the_report_is_printed_in_any_folder_and_says_what_it_cannot_draw(installed: Path, tmp_path: Path) -> None:
     done = run([installed / "slowflow", "paper"], tmp_path)
     assert done.returncode == 0, done.stderr

@@ -41,7 +41,7 @@ USUAL = ("N", "mm", "Hz", "ms", "mm/s", "N/m", "kg")
 #: of which kind the numbers of an answer are, and what they are called with a unit
 KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
-        **{name: (name, "length") for name in ("A", "A_1", "A_max")},
+        **{name: (name, "length") for name in ("A", "A_1", "A_max", "doubt")},
         "u_cr": ("x_cr", "length"),
         "u": ("x", "length"),
         "v": ("v", "speed"),
