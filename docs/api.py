@@ -30,6 +30,7 @@ MODULES = (
     "slowflow.loads",
     "slowflow.measured.validity",
     "slowflow.averaged.many",
+    "slowflow.grid.designs",
     "slowflow.sizing",
     "slowflow.sizing.tolerances",
     "slowflow.sizing.requirements",

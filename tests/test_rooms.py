@@ -15,14 +15,14 @@ FLOORS = (
     ("isolator",),
     ("physical",),
     ("oscillator",),
-    ("exact", "second", "loads"),
+    ("exact", "second", "loads", "grid"),
     ("averaged",),
     ("results",),
     ("measured", "files"),
     ("answer",),
     ("model",),
     ("validate",),
-    ("mechanism", "backend", "pictures"),
+    ("mechanism", "backend", "pictures", "version"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

@@ -20,6 +20,7 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.version import __version__
 
 __all__ = [
     "Certificate",
@@ -38,5 +39,5 @@ __all__ = [
     "SaddleNodeOnset",
     "SaddleNodes",
     "SteadyStates",
+    "__version__",
 ]
-__version__ = "0.1.0"

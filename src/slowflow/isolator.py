@@ -10,6 +10,7 @@ from typing import Any
 
 from slowflow import validate
 from slowflow.averaged.many import Designs
+from slowflow.grid.designs import Grid, designs
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import Model
 from slowflow.oscillator import FORCES, Oscillator
@@ -139,14 +140,17 @@ class Isolator(Oscillator):
     @classmethod
     def many(  # type: ignore[override]
         cls, *, lam: Any, r: Any, delta_h: Any, mu: Any = 0.0, zeta: Any = 0.0, force: str = "truncated"
-    ) -> Designs:
+    ) -> Designs | Grid:
         """Many isolators at once, from arrays that broadcast; see `slowflow.averaged.many`.
+
+        Arrays of xarray or dask make a map over named axes, which may be larger than memory; see
+        `slowflow.grid.designs`.
 
         Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
         design: each answer has a status.
         """
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return Designs(_averaged(force), values)
+        return designs(_averaged(force), values)
 
 
 class Duffing(Oscillator):
@@ -168,6 +172,6 @@ class Duffing(Oscillator):
         return f"Duffing({', '.join(f'{name}={value!r}' for name, value in self.given.items())})"
 
     @classmethod
-    def many(cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs:  # type: ignore[override]
+    def many(cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs | Grid:  # type: ignore[override]
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        return Designs(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})
+        return designs(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Self
 from slowflow import validate
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Answer, Averaged
+from slowflow.grid.designs import Grid, designs
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import Model
 from slowflow.results import (
@@ -250,13 +251,14 @@ class Oscillator(Averaged):
         return SecondApproximation(self)
 
     @classmethod
-    def many(cls, mechanism: Mechanism, *, mu: Any = 0.0, zeta: Any = 0.0, **design: Any) -> Designs:
+    def many(cls, mechanism: Mechanism, *, mu: Any = 0.0, zeta: Any = 0.0, **design: Any) -> Designs | Grid:
         """Many designs of one mechanism at once, from arrays that broadcast; see `slowflow.averaged.many`.
 
+        Arrays of xarray or dask make a map over named axes; see `slowflow.grid.designs`.
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
-        return Designs(mechanism, {**design, "mu": mu, "zeta": zeta})
+        return designs(mechanism, {**design, "mu": mu, "zeta": zeta})
 
 
 def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:

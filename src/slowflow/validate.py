@@ -6,6 +6,8 @@ Nothing a user gives is parsed or evaluated: numbers are taken as numbers, anyth
 from __future__ import annotations
 
 import math
+import os
+import sys
 from collections.abc import Mapping
 from numbers import Real
 from typing import Any
@@ -92,6 +94,11 @@ def count(name: str, value: Any, *, least: int, most: int | None = None) -> int:
     return int(value)
 
 
+def workers(value: Any) -> int:
+    """How many threads: an integer >= 1, or -1 for one for each processor."""
+    return os.cpu_count() or 1 if value == -1 else count("workers", value, least=1)
+
+
 def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
     """One of the words allowed."""
     if not isinstance(value, str) or value not in allowed:
@@ -133,6 +140,13 @@ def real_array(name: str, value: Any) -> npt.NDArray[Any]:
     """Real numbers of any shape, as they are, without a copy; whether each is allowed is told later."""
     allowed = "a real number, or an array of such"
     return _array(name, value, allowed)
+
+
+def is_labelled(value: Any) -> bool:
+    """Whether a value is an array of xarray or of dask, which are not imported to find out."""
+    kinds = (("xarray", "DataArray"), ("xarray", "Variable"), ("dask.array", "Array"))
+    loaded = ((sys.modules.get(package), name) for package, name in kinds)
+    return any(isinstance(value, getattr(module, name)) for module, name in loaded if module is not None)
 
 
 def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:

@@ -9,7 +9,6 @@ raised for it: `status` says why, by the numbers of `slowflow_kernels.convention
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -274,7 +273,9 @@ class Designs:
         return (x, lines[x][1]), (y, lines[y][1]), (of, values if lines[x][0] == 1 else values.T)
 
     def _ask(self, question: Question, workers: int, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
-        threads = _threads(workers)
+        threads = validate.workers(workers)
+        if validate.is_labelled(F_0):
+            raise ValueError("F_0 has named axes, or is cut into blocks: at least one number of the designs must too")
         values = dict(self.values) if F_0 is None else {**self.values, "F_0": validate.real_array("F_0", F_0)}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
@@ -323,12 +324,6 @@ class Designs:
 
 
 # ---- designs in parts
-
-
-def _threads(workers: int) -> int:
-    if workers == -1:
-        return os.cpu_count() or 1
-    return validate.count("workers", workers, least=1)
 
 
 def _blocks(shape: tuple[int, ...], most: int) -> Iterator[tuple[slice | int, ...]]:

@@ -1,0 +1,86 @@
+"""What runs for one block of a map, anywhere: in go a question and a block's numbers, out come its columns.
+
+It pickles, and refuses to run where slowflow is another than where the map was asked for: a map is of one version.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow import backend
+from slowflow.averaged import many
+from slowflow.mechanism import Mechanism
+from slowflow.version import __version__
+
+
+class Question(NamedTuple):
+    """One of the questions about many designs: what asks it, its answer, and what it takes beside the designs."""
+
+    asked: many.Question
+    answer: type[many.Batch]
+    takes: tuple[str, ...] = ()
+
+
+#: by the names of the methods of `Designs`
+QUESTIONS = {
+    "detachment": Question(many.DETACHMENT, many.Detachments),
+    "saddle_node_onset": Question(many.ONSET, many.Onsets),
+    "saddle_nodes": Question(many.SADDLE_NODES, many.Folds, ("F_0", "places")),
+    "peak": Question(many.PEAK, many.Peaks, ("F_0",)),
+}
+
+
+class Column(NamedTuple):
+    """A column of an answer: its shape behind that of the designs, and its type."""
+
+    inner: tuple[int, ...]
+    kind: np.dtype[Any]
+
+
+def made_by() -> dict[str, str]:
+    """Which slowflow computes here: two that differ may differ in the last place."""
+    return {"slowflow": __version__, "backend": backend.NAME}
+
+
+@dataclass(frozen=True)
+class Ask:
+    """A question about designs, asked block by block.
+
+    names   -- of the numbers that it is called with: the design's, mu and zeta, and F_0 where the question takes it
+    places  -- of folds; 0 for a question without
+    workers -- threads that share a block
+    made_by -- of the slowflow that is to answer
+    """
+
+    mechanism: Mechanism
+    question: str
+    names: tuple[str, ...]
+    places: int
+    workers: int
+    made_by: dict[str, str]
+
+    def columns(self) -> dict[str, Column]:
+        """What is answered, by name; remarks last."""
+        asked, answer, _ = QUESTIONS[self.question]
+        names = (entry.name for entry in dataclasses.fields(answer) if entry.repr)
+        parts = zip(names, asked.outputs(self.places), strict=True)
+        return {name: Column(inner, np.dtype(kind)) for name, (inner, kind) in parts} | {
+            "remarks": Column((), np.dtype(np.uint8))
+        }
+
+    def __call__(self, *values: Any) -> tuple[npt.NDArray[Any], ...]:
+        """The columns for numbers that broadcast. Raises RuntimeError where another slowflow runs."""
+        if self.made_by != made_by():
+            raise RuntimeError(f"this process runs {made_by()}, the map is made by {self.made_by}")
+        given = dict(zip(self.names, values, strict=True))
+        beside = {name: value for name, value in (("places", self.places),) if name in QUESTIONS[self.question].takes}
+        if "F_0" in given:
+            beside["F_0"] = given.pop("F_0")
+        ask = getattr(many.Designs(self.mechanism, given), self.question)
+        answer = ask(**beside, workers=self.workers)
+        return tuple(getattr(answer, name) for name in self.columns())

@@ -1,0 +1,230 @@
+"""Designs in arrays with named axes, or in blocks: in go arrays of xarray or dask, out come Datasets of answers.
+
+Numbers of dask stay where they are until an answer is computed, block by block; `store` writes the blocks into Zarr.
+"""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.answer import optional
+from slowflow.averaged.many import Designs
+from slowflow.grid import meaning
+from slowflow.grid.block import QUESTIONS, Ask, made_by
+from slowflow.mechanism import Mechanism
+from slowflow.model import check_names
+
+__all__ = ["Grid", "designs"]
+
+#: designs in a block where the arrays do not say how they are to be cut: some tens of MB
+AT_ONCE = 2**18
+
+
+def designs(mechanism: Mechanism, values: Mapping[str, Any]) -> Designs | Grid:
+    """Many designs: a `Grid` if any number is an array of xarray or dask, `Designs` if none is."""
+    lazy = any(validate.is_labelled(value) for value in values.values())
+    return Grid(mechanism, values) if lazy else Designs(mechanism, dict(values))
+
+
+class Grid:
+    """Designs of one mechanism over named axes, and the questions about them; answers are xarray's Datasets.
+
+    mechanism -- record of the mechanism
+    values    -- the numbers of its design by name, mu and zeta last: xarray's DataArrays, which broadcast by the names
+                 of their axes; or dask's and NumPy's arrays, which broadcast as NumPy's do, axes "design_0" and so on
+
+    An answer has the columns of a batch's and `remarks`, over all axes, with the parameters as coordinates; of the
+    arrays' own coordinates those of axes are kept. It is computed at once, unless a parameter is dask's: then nothing
+    is before `.compute()`. `workers` threads share one block beside those of dask.
+
+    Raises TypeError for a name that is missing or unknown, ValueError for what holds no real numbers and for axes that
+    do not fit, ImportError without xarray.
+    """
+
+    def __init__(self, mechanism: Mechanism, values: Mapping[str, Any]) -> None:
+        self.mechanism = mechanism
+        self._given = {name: values[name] for name in check_names(mechanism, dict(values))}
+        self.values = labelled(self._given)
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """How many designs there are along each axis, by its name."""
+        return sizes(self.values)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The same without the names."""
+        return tuple(self.sizes.values())
+
+    def detachment(self, *, workers: int = 1) -> Any:
+        """F_cr, Omega_cr and u_cr of every design (34), as a Dataset; see `slowflow.averaged.many.Detachments`."""
+        return self._answer(*self.asked("detachment", workers))
+
+    def saddle_node_onset(self, *, workers: int = 1) -> Any:
+        """F_SN of every design, with its Omega and A (33), as a Dataset; see `slowflow.averaged.many.Onsets`."""
+        return self._answer(*self.asked("saddle_node_onset", workers))
+
+    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Any:
+        """Every fold at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Folds`."""
+        return self._answer(*self.asked("saddle_nodes", workers, F_0=F_0, places=places))
+
+    def peak(self, F_0: Any, *, workers: int = 1) -> Any:
+        """The highest peak at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Peaks`."""
+        return self._answer(*self.asked("peak", workers, F_0=F_0))
+
+    def store(self, path: Any, question: str, *, workers: int = 1, **asked: Any) -> Any:
+        """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
+
+        path     -- folder of the store, which every worker of a cluster must reach; or what else Zarr takes for one
+        question -- name of the method: "detachment", "saddle_node_onset", "saddle_nodes", "peak"
+        asked    -- what this takes, as F_0 and places
+
+        Blocks are cut as the parameters are, and by some 250,000 designs along axes that none of them cuts. Wherever it
+        is stopped, a call with the same numbers computes what is missing, and the store gets the same bits; until then
+        it has `complete` = 0 among its attributes, and status -1 for what is not computed yet. Returns the store as a
+        lazy Dataset.
+        Raises ValueError for a store of other numbers, another question, version or backend, FileExistsError where
+        there is something else, and all before anything is computed; ImportError without dask, xarray and Zarr.
+        """
+        from slowflow.grid.store import filled
+
+        for package in ("dask", "zarr"):
+            optional(package, "store", "grid")
+        question = validate.choice("question", question, tuple(QUESTIONS))
+        takes = QUESTIONS[question].takes
+        if "places" in takes:
+            asked = {"places": 6, **asked}
+        if asked.keys() != set(takes):
+            wrong = next(name for name in (*asked, *takes) if name not in asked or name not in takes)
+            raise TypeError(f"{wrong} {'is missing for' if wrong in takes else 'is nothing for'} {question}")
+        ask, values = self.asked(question, workers, **asked)
+        must_travel(self.mechanism)
+        lengths = sizes(values)
+        return filled(path, ask, values, lengths, blocks(values, lengths))
+
+    def asked(self, question: str, workers: int, *, F_0: Any = None, places: int = 0) -> tuple[Ask, dict[str, Any]]:
+        """A question as a function of a block's numbers, and all the numbers that it takes."""
+        takes = QUESTIONS[question].takes
+        if "places" in takes:
+            places = validate.count("places", places, least=1)
+        validate.workers(workers)
+        values = labelled({**self._given, "F_0": F_0}) if "F_0" in takes else self.values
+        ask = Ask(self.mechanism, question, tuple(values), places, workers, made_by())
+        taken = {"place", "done", *ask.columns()} & {*sizes(values), *values}
+        if taken:
+            raise ValueError(
+                f"an axis or a parameter cannot be named {taken.pop()}: the answer has something of that name"
+            )
+        return ask, values
+
+    def _answer(self, ask: Ask, values: dict[str, Any]) -> Any:
+        xarray = optional("xarray", "a grid", "grid")
+        columns = ask.columns()
+        if any(value.chunks is not None for value in values.values()):
+            must_travel(self.mechanism)
+            cut = blocks(values, sizes(values))
+            values = {name: value.chunk({dim: cut[dim] for dim in value.dims}) for name, value in values.items()}
+        found = xarray.apply_ufunc(
+            ask,
+            *values.values(),
+            join="exact",
+            dask="parallelized",
+            input_core_dims=[[]] * len(values),
+            output_core_dims=[["place"] if column.inner else [] for column in columns.values()],
+            output_dtypes=[column.kind for column in columns.values()],
+            dask_gufunc_kwargs={"output_sizes": {"place": ask.places} if ask.places else {}},
+        )
+        content = xarray.Dataset(dict(zip(columns, found, strict=True)), attrs=meaning.of_map(ask))
+        for name in columns:
+            content[name].attrs.update(meaning.of_column(ask, name))
+        told = {name: value.assign_attrs(meaning.of_column(ask, name)) for name, value in values.items()}
+        return content.assign_coords(told)
+
+
+def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Numbers by name as DataArrays that share their axes, with the coordinates of these alone; small ones are read."""
+    xarray = optional("xarray", "a grid", "grid")
+    named = any(isinstance(value, (xarray.DataArray, xarray.Variable)) and value.ndim for value in values.values())
+    found = {}
+    for name, value in values.items():
+        array = value if validate.is_labelled(value) else validate.real_array(name, value)
+        if array.dtype.kind not in "fiu":
+            raise ValueError(f"{name} holds {array.dtype}: it must hold real numbers")
+        if isinstance(array, (xarray.DataArray, xarray.Variable)):
+            found[name] = xarray.DataArray(array).reset_coords(drop=True)
+        elif named and array.ndim:
+            raise ValueError(
+                f"{name} has axes without names beside others that have them: xarray.DataArray({name}, dims=...)"
+            )
+        else:
+            found[name] = xarray.DataArray(array) if named else array
+    if not named:
+        found = _by_position(xarray, found)
+    aligned = xarray.align(*found.values(), join="exact", copy=False)
+    found = {name: _parameter(name, value) for name, value in zip(found, aligned, strict=True)}
+    own = [name for name in found if name in sizes(found) and found[name].dims != (name,)]
+    if own:
+        raise ValueError(
+            f"an axis is named {own[0]}, which {own[0]} itself does not lie along alone: give it another name"
+        )
+    return found
+
+
+def _by_position(xarray: Any, arrays: dict[str, Any]) -> dict[str, Any]:
+    """Arrays that broadcast as NumPy's do, as DataArrays; an axis of length 1 that others stretch is left out."""
+    shape = validate.common_shape(arrays)
+    found = {}
+    for name, array in arrays.items():
+        beyond = len(shape) - array.ndim
+        kept = [k for k, length in enumerate(array.shape) if length == shape[beyond + k]]
+        plain = array.reshape([array.shape[k] for k in kept]) if len(kept) < array.ndim else array
+        found[name] = xarray.DataArray(plain, dims=[f"design_{beyond + k}" for k in kept])
+    return found
+
+
+def _parameter(name: str, value: Any) -> Any:
+    """One parameter, in doubles; where it lies along an axis of its own name it must be that axis' coordinate."""
+    value = value if value.dtype == float else value.astype(float)
+    if name in value.coords and not np.array_equal(value.coords[name], value, equal_nan=True):
+        raise ValueError(f"the coordinate {name} is not the numbers of {name}: give the axis another name")
+    return value
+
+
+def sizes(values: Mapping[str, Any]) -> dict[str, int]:
+    """Lengths of all axes by name, in the order in which the parameters have them."""
+    found: dict[str, int] = {}
+    for value in values.values():
+        found |= {str(dim): int(length) for dim, length in value.sizes.items()}
+    return found
+
+
+def blocks(values: Mapping[str, Any], lengths: Mapping[str, int]) -> dict[str, int]:
+    """How many designs a block has along each axis: as the arrays are cut, along others as few as fit into a block."""
+    optional("dask", "blocks", "grid")
+    from dask.array.core import normalize_chunks
+
+    cut: dict[str, int] = {}
+    for value in values.values():
+        for dim, parts in value.chunksizes.items():
+            cut[dim] = min(max(parts), cut.get(dim, max(parts)))
+    wanted = tuple(max(cut[dim], 1) if dim in cut else "auto" for dim in lengths)
+    shape = tuple(lengths.values())
+    if not all(shape):  # nothing to cut
+        return {dim: max(length, 1) for dim, length in lengths.items()}
+    chosen = normalize_chunks(wanted, shape=shape, limit=8 * AT_ONCE, dtype=np.dtype(float))
+    return {dim: max(parts) for dim, parts in zip(lengths, chosen, strict=True)}
+
+
+def must_travel(mechanism: Mechanism) -> None:
+    """Raises ValueError for a mechanism that another process would not find again."""
+    try:
+        same = pickle.loads(pickle.dumps(mechanism)) == mechanism
+    except Exception as error:
+        raise ValueError(f"{mechanism.name} cannot be sent to other processes: {error}") from error
+    if not same:
+        raise ValueError(f"{mechanism.name} cannot be sent to other processes: a module must state it as MECHANISM")

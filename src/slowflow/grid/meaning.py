@@ -1,0 +1,72 @@
+"""What the columns of a map mean: in go a question and a column's name, out come attributes, as CF has them.
+
+A file outlives the program that wrote it: units, codes with their words, and which slowflow it was stand in it.
+"""
+
+from __future__ import annotations
+
+import inspect
+from enum import IntEnum
+from typing import Any
+
+from slowflow.grid.block import Ask
+from slowflow.results import Remark
+from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
+from slowflow_kernels.domains import DAMPING
+
+#: status of a design in a block that is not computed yet; none of the solvers'
+NOT_YET = -1
+UNITS = "dimensionless"
+#: what a column is
+WORDS = {
+    "F_cr": "lowest forcing that reaches u_cr (34)",
+    "Omega_cr": "frequency at which it does",
+    "u_cr": "amplitude at which the springs leave",
+    "F_SN": "lowest forcing that has a fold (33)",
+    "Omega": "frequency",
+    "A": "amplitude",
+    "at_rest": "1 where there are folds below the onset, or without it, that end at Omega = 0",
+    "count": "how many folds there are, also where they are more than places",
+    "undecided": "1 where doubles do not tell whether there is another pair of folds",
+    "kind": "kind of fold",
+    "status": "whether there is an answer, and why there is none",
+    "remarks": "what to bear in mind with the answer, codes that add up",
+    "F_0": "forcing",
+}
+KINDS: dict[str, type[IntEnum]] = {"saddle_node_onset": OnsetKind, "saddle_nodes": FoldKind}
+
+
+def of_map(ask: Ask) -> dict[str, Any]:
+    """Of a whole map."""
+    return {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "question": ask.question, **ask.made_by}
+
+
+def of_column(ask: Ask, name: str) -> dict[str, Any]:
+    """Of a column of an answer, or of one of the numbers that it was asked with."""
+    known = {domain.name: domain.doc for domain in (*ask.mechanism.design, *DAMPING)}
+    found: dict[str, Any] = {"long_name": known.get(name) or WORDS[name]}
+    if name == "remarks":
+        codes = [remark for remark in Remark]
+        return {**found, "flag_masks": [int(code) for code in codes], "flag_meanings": _words(codes)}
+    if name == "status":
+        values = [NOT_YET, *map(int, Status)]
+        meanings = f"NOT_YET {_words(Status)}"
+        return {**found, "flag_values": values, "flag_meanings": meanings, "meaning": _told(Status)}
+    if name == "kind":
+        kind = KINDS[ask.question]
+        return {
+            **found,
+            "flag_values": [int(code) for code in kind],
+            "flag_meanings": _words(kind),
+            "meaning": _told(kind),
+        }
+    return {**found, "units": UNITS}
+
+
+def _words(codes: Any) -> str:
+    return " ".join(code.name for code in codes)
+
+
+def _told(kind: type[IntEnum]) -> str:
+    """What each number stands for, as the derivation states it."""
+    return inspect.cleandoc(kind.__doc__ or "")

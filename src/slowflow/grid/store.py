@@ -1,0 +1,222 @@
+"""A map in a Zarr store, block by block: in go a question and its numbers, out comes the store, complete at last.
+
+A block is computed and written by one task of dask, and ticked off in the array `done` when all of it is written. What
+is not ticked off is computed, or computed again, with the same bits. Nothing else is remembered, so that any process
+may go on where another one stopped.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import dask
+import numpy as np
+import xarray
+import zarr
+
+from slowflow.grid import meaning
+from slowflow.grid.block import Ask
+
+#: which blocks are written; it is made last, so that a store which has it is prepared
+DONE = "done"
+#: numbers of a parameter up to which it is read at the start, compared by content and kept in one piece
+READ = 2**20
+#: of places that are not written yet
+FILL = {"f": np.nan, "i": 0, "u": 0}
+
+Block = tuple[int, ...]
+
+
+def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int], blocks: dict[str, int]) -> Any:
+    """The store at a path, begun or continued until every block is in it; a lazy Dataset.
+
+    values -- DataArrays by name, what `ask` is called with
+    sizes  -- lengths of the axes, in their order
+    blocks -- lengths of a block along each; a store that was begun keeps its own
+    """
+    path = _absolute(path)
+    values = {name: value.compute() if value.size <= READ else value for name, value in values.items()}
+    asked = _asked(ask, values, sizes)
+    group = _begun(path, asked)
+    if group is None:
+        group = _prepared(path, ask, values, asked, sizes, blocks)
+    blocks = json.loads(group.attrs["blocks"])
+    if not group.attrs["complete"]:
+        dask.compute(*_missing(path, ask, values, group, sizes, blocks))
+        group.attrs["complete"] = int(np.all(group[DONE][...]))
+    return xarray.open_zarr(path, consolidated=False).drop_vars(DONE)
+
+
+# ---- one block
+
+
+@dataclass(frozen=True)
+class Fill:
+    """The task of one block, which pickles: computes its columns, writes them, ticks it off.
+
+    unread -- axes of the parameters that were not read at the start, by name: they are written with the columns
+    """
+
+    path: Any
+    ask: Ask
+    unread: dict[str, tuple[int, ...]]
+
+    def __call__(self, block: Block, region: tuple[slice, ...], *values: Any) -> None:
+        """The block with this number, in this region of the map; values have all its axes, some of length 1."""
+        group = zarr.open_group(self.path, mode="r+")
+        for name, column in zip(self.ask.columns(), self.ask(*values), strict=True):
+            group[name][region] = column
+        given = dict(zip(self.ask.names, values, strict=True))
+        for name, axes in self.unread.items():
+            value = given[name].reshape([given[name].shape[k] for k in axes])
+            group[name][tuple(region[k] for k in axes)] = value
+        group[DONE][block] = True
+
+
+def _missing(
+    path: Any, ask: Ask, values: Mapping[str, Any], group: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]
+) -> Iterator[Any]:
+    """The tasks of the blocks that are not ticked off."""
+    dims = list(sizes)
+    unread = {name: tuple(map(dims.index, _dims(value, sizes))) for name, value in values.items() if _unread(value)}
+    task = dask.delayed(Fill(path, ask, unread), pure=False, traverse=False)
+    spread = [_spread(value, sizes, blocks) for value in values.values()]
+    for block in np.argwhere(~np.asarray(group[DONE][...])).tolist():
+        steps = list(zip(dims, block, strict=True))
+        region = tuple(slice(k * blocks[dim], min((k + 1) * blocks[dim], sizes[dim])) for dim, k in steps)
+        yield task(tuple(block), region, *(value.part(tuple(block), region) for value in spread))
+
+
+@dataclass(frozen=True)
+class _Spread:
+    """A parameter with all axes of the map, of length 1 where it does not vary: an array, or dask's tasks by block."""
+
+    array: Any
+    tasks: Any
+
+    def part(self, block: Block, region: tuple[slice, ...]) -> Any:
+        """Of one block."""
+        if self.tasks is not None:
+            return self.tasks[tuple(k if n > 1 else 0 for k, n in zip(block, self.tasks.shape, strict=True))]
+        varies = (length > 1 for length in self.array.shape)
+        return self.array[tuple(part if one else slice(None) for part, one in zip(region, varies, strict=True))]
+
+
+def _spread(value: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]) -> _Spread:
+    plain = value.drop_vars(list(value.coords))
+    whole = plain.expand_dims([dim for dim in sizes if dim not in value.dims]).transpose(*sizes)
+    if not _unread(value):
+        return _Spread(whole.values, None)
+    cut = whole.chunk({dim: blocks[dim] for dim in value.dims})
+    return _Spread(None, np.asarray(cut.data.to_delayed()))
+
+
+def _unread(value: Any) -> bool:
+    return int(value.size) > READ
+
+
+def _dims(value: Any, sizes: Mapping[str, int]) -> list[str]:
+    """The axes of a parameter, in the map's order."""
+    return [dim for dim in sizes if dim in value.dims]
+
+
+# ---- the store
+
+
+def _absolute(path: Any) -> Any:
+    """A path that means the same to every process; a store of Zarr, or an address, as it is."""
+    return os.path.abspath(path) if isinstance(path, Path) or (isinstance(path, str) and "://" not in path) else path
+
+
+def _begun(path: Any, asked: dict[str, Any]) -> Any:
+    """The store that was begun with the same numbers; None where none was, or where it was not prepared."""
+    folder = Path(path) if isinstance(path, str) and "://" not in path else None
+    try:
+        group = zarr.open_group(path, mode="r+")
+    except (FileNotFoundError, FileExistsError):
+        if folder is not None and folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise FileExistsError(f"{path} is there, and is no store of Zarr") from None
+        return None
+    begun = json.loads(group.attrs.get("asked", "{}"))
+    if not begun:
+        raise FileExistsError(f"{path} is a store of Zarr, but not one of these maps")
+    other = sorted(name for name in begun | asked if begun.get(name) != asked.get(name))
+    if other:
+        told = "; ".join(f"{name}: {begun.get(name, 'none')} there, {asked.get(name, 'none')} here" for name in other)
+        raise ValueError(f"{path} was begun with others, and is left as it is: {told}")
+    return group if DONE in group else None
+
+
+def _prepared(
+    path: Any,
+    ask: Ask,
+    values: Mapping[str, Any],
+    asked: dict[str, Any],
+    sizes: dict[str, int],
+    blocks: dict[str, int],
+) -> Any:
+    """A new store with all its arrays, of which those are filled that were read; `done` comes last."""
+    about = {**meaning.of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
+    zarr.create_group(path, attributes=about, overwrite=True)
+    unread = {name: value for name, value in values.items() if _unread(value)}
+    read = {
+        name: value.assign_attrs(meaning.of_column(ask, name)) for name, value in values.items() if name not in unread
+    }
+    coords = {dim: coord for value in values.values() for dim, coord in value.coords.items()}
+    xarray.Dataset(coords=coords | read, attrs=about).to_zarr(path, mode="a", consolidated=False)
+    group = zarr.open_group(path, mode="r+")
+    group.attrs["coordinates"] = " ".join([*group.attrs.get("coordinates", "").split(), *unread])
+
+    def make(name: str, dims: list[str], lengths: list[int], cut: list[int], kind: Any, fill: Any, told: Any) -> None:
+        group.create_array(
+            name,
+            shape=lengths,
+            chunks=cut,
+            dtype=kind,
+            fill_value=fill,
+            dimension_names=dims,
+            attributes=told,
+            overwrite=True,
+        )
+
+    for name, value in unread.items():
+        dims = _dims(value, sizes)
+        lengths, cut = [sizes[dim] for dim in dims], [blocks[dim] for dim in dims]
+        make(name, dims, lengths, cut, value.dtype, FILL[value.dtype.kind], meaning.of_column(ask, name))
+    for name, column in ask.columns().items():
+        inner = list(column.inner)
+        fill = meaning.NOT_YET if name == "status" else FILL[column.kind.kind]
+        dims = [*sizes, *(["place"] if inner else [])]
+        lengths, cut = [*sizes.values(), *inner], [*blocks.values(), *inner]
+        make(name, dims, lengths, cut, column.kind, fill, meaning.of_column(ask, name))
+    counts = [-(-length // blocks[dim]) for dim, length in sizes.items()]
+    told = {"long_name": "which blocks are written"}
+    make(DONE, [f"block_of_{dim}" for dim in sizes], counts, [1] * len(counts), bool, False, told)
+    return group
+
+
+def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
+    """What makes a map this one, by name: question, version, axes, and each parameter by its content.
+
+    Of a parameter that is not read the name that dask gives it stands for the content.
+    """
+    found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, "places": ask.places}
+    found |= {**ask.made_by, "axes": list(sizes.items())}
+    for name, value in values.items():
+        dims = _dims(value, sizes)
+        kept = value.data.name if value.chunks is not None else _digest(value.transpose(*dims).values)
+        found[name] = [dims, kept]
+        found |= {f"coordinate {dim}": _digest(np.asarray(coord)) for dim, coord in value.coords.items()}
+    return json.loads(json.dumps(found))  # type: ignore[no-any-return]  # as it is read back
+
+
+def _digest(array: Any) -> str:
+    """A word for the content of an array."""
+    content = array.tobytes() if array.dtype.kind in "fiubmM" else repr(array.tolist()).encode()
+    return hashlib.sha256(f"{array.dtype.str} {array.shape} ".encode() + content).hexdigest()[:16]

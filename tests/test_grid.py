@@ -1,0 +1,419 @@
+"""Maps over named axes, in blocks, in stores that resume: as the same designs in one batch, to the bit."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+xarray = pytest.importorskip("xarray", reason="the extra `grid` is not installed: xarray")
+lazy = pytest.importorskip("dask.array", reason="the extra `grid` is not installed: dask")
+zarr = pytest.importorskip("zarr", reason="the extra `grid` is not installed: zarr")
+import dask  # noqa: E402
+
+from slowflow import Duffing, Isolator, Oscillator, backend  # noqa: E402
+from slowflow.grid import block, store  # noqa: E402
+from slowflow.results import Remark  # noqa: E402
+from slowflow_kernels import rod_spring  # noqa: E402
+from slowflow_kernels.conventions import FoldKind, Status  # noqa: E402
+
+R = np.linspace(0.5, 3.0, 7)
+SHARE = np.linspace(0.1, 1.1, 5)  # the last one is a negative stiffness at rest
+#: sticking, without a fold, with folds
+FORCES = np.array([0.01, 0.02, 0.05])
+
+ASK = {
+    "detachment": {},
+    "saddle_node_onset": {},
+    "saddle_nodes": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "places": 3},
+    "peak": {"F_0": xarray.DataArray(FORCES, dims="F_0")},
+}
+
+
+def axis(name, values):
+    return xarray.DataArray(values, dims=name, coords={name: values})
+
+
+def over(cut=None, **more):
+    """Designs over r and share; one is none, as its r is negative."""
+    r, share = axis("r", np.append(R, -1.0)), axis("share", SHARE)
+    r, share = (one.chunk({dim: n for dim, n in cut.items() if dim in one.dims}) if cut else one for one in (r, share))
+    return Isolator.many(**{"lam": 3, "r": r, "delta_h": share / (3 * abs(r)), "mu": 0.012, "zeta": 0.02, **more})
+
+
+def batch(question):
+    """The same in one batch of NumPy's arrays; forces along the last axis."""
+    r = np.append(R, -1.0)[:, np.newaxis]
+    forced = "F_0" in ASK[question]
+    given = {"r": r, "delta_h": SHARE / (3 * abs(r))}
+    given = {name: value[..., np.newaxis] if forced else value for name, value in given.items()}
+    asked = {**ASK[question], "F_0": FORCES} if forced else {}
+    return getattr(Isolator.many(lam=3, mu=0.012, zeta=0.02, **given), question)(**asked)
+
+
+def assert_same_bits(found, expected, question):
+    dims = ("r", "share", *(["F_0"] if "F_0" in ASK[question] else []))
+    for name, value in {**expected._content(), "remarks": expected.remarks}.items():
+        column = found[name].transpose(*dims, ...)
+        assert column.dtype == value.dtype and column.values.tobytes() == value.tobytes(), name
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("cut", [None, {"r": 3}, {"r": 2, "share": 2}], ids=["whole", "by r", "by both"])
+@pytest.mark.parametrize("question", ASK)
+def test_a_map_is_the_batch_of_its_designs_with_names(question, cut):
+    found = getattr(over(cut), question)(**ASK[question])
+    assert (found["status"].chunks is not None) == (cut is not None)
+    assert_same_bits(found.compute(), batch(question), question)
+    codes = set(np.unique(found["status"]))
+    assert {Status.OK, Status.INVALID} <= codes
+
+
+@pytest.mark.parametrize("question", ASK)
+def test_a_store_has_the_bits_of_the_batch(question, tmp_path):
+    found = over({"r": 3}).store(tmp_path / "map.zarr", question, **ASK[question])
+    assert_same_bits(found, batch(question), question)
+    again = xarray.open_zarr(tmp_path / "map.zarr", consolidated=False)
+    assert again.attrs["complete"] == 1 and bool(again["done"].all())
+
+
+def test_a_store_says_what_is_in_it(tmp_path):
+    found = over({"r": 3}).store(tmp_path / "map.zarr", "saddle_nodes", **ASK["saddle_nodes"])
+    assert dict(found.sizes) == {"r": 8, "share": 5, "F_0": 3, "place": 3}
+    assert set(found.coords) == {"lam", "r", "delta_h", "mu", "zeta", "F_0", "share"}
+    assert found.attrs["mechanism"] == "rod_spring" and found.attrs["question"] == "saddle_nodes"
+    assert (found.attrs["slowflow"], found.attrs["backend"]) == tuple(block.made_by().values())
+    for name in ("r", "delta_h", "F_0", "Omega", "A"):
+        assert found[name].attrs["units"] == "dimensionless" and found[name].attrs["long_name"]
+    status = found["status"].attrs
+    assert status["flag_values"] == [-1, *Status]
+    assert status["flag_meanings"].split() == ["NOT_YET", *(code.name for code in Status)]
+    assert "3  NONE" in status["meaning"] and "there is none" in status["meaning"]
+    assert found["kind"].attrs["flag_meanings"].split() == [code.name for code in FoldKind]
+    masks = dict(
+        zip(found["remarks"].attrs["flag_meanings"].split(), found["remarks"].attrs["flag_masks"], strict=True)
+    )
+    assert masks == {remark.name: remark.value for remark in Remark}
+    soft = found["remarks"].sel(share=SHARE[-1], F_0=0.05).isel(r=0)
+    assert int(soft) & masks["NEGATIVE_STIFFNESS"]
+
+
+def test_numbers_of_dask_without_names_broadcast_as_those_of_numpy(tmp_path):
+    r, share = R[:, np.newaxis], SHARE
+    given = {"r": lazy.from_array(r, chunks=(2, 1)), "delta_h": lazy.from_array(share / (3 * r), chunks=2)}
+    designs = Isolator.many(lam=3, **given, mu=0.012, zeta=0.02)
+    expected = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02).peak(FORCES.reshape(3, 1, 1))
+    assert designs.shape == (7, 5)
+    for found in (
+        designs.peak(FORCES.reshape(3, 1, 1)),
+        designs.store(tmp_path / "map.zarr", "peak", F_0=FORCES.reshape(3, 1, 1)),
+    ):
+        assert set(found.sizes) == {"design_0", "design_1", "design_2"}
+        assert found["A"].transpose("design_0", "design_1", "design_2").values.tobytes() == expected.A.tobytes()
+
+
+def test_parameters_too_many_to_be_read_at_once_are_written_block_by_block(tmp_path, monkeypatch):
+    monkeypatch.setattr(store, "READ", 10)
+    found = over({"r": 3}).store(tmp_path / "map.zarr", "detachment")
+    assert_same_bits(found, batch("detachment"), "detachment")
+    delta_h = found["delta_h"].transpose("r", "share")
+    assert delta_h.values.tobytes() == (SHARE / (3 * np.append(R, 1.0)[:, np.newaxis])).tobytes()
+    assert {"delta_h", "r", "lam"} <= set(found.coords)
+    assert over({"r": 3}).store(tmp_path / "map.zarr", "detachment").identical(found)
+
+
+@pytest.mark.parametrize("designs", [Duffing.many, lambda **given: Oscillator.many(rod_spring.MECHANISM, **given)])
+def test_every_mechanism_takes_named_axes(designs):
+    given = {"alpha": 1.0, "beta": axis("beta", R)} if designs == Duffing.many else {"lam": 3, "r": axis("r", R)}
+    given |= {} if designs == Duffing.many else {"delta_h": 0.1}
+    plain = {name: getattr(value, "values", value) for name, value in given.items()}
+    found, expected = (designs(**one, mu=0.01, zeta=0.02).saddle_node_onset() for one in (given, plain))
+    assert found["F_SN"].values.tobytes() == expected.F_SN.tobytes()
+
+
+def test_one_design_is_a_map_without_axes(tmp_path):
+    one = Isolator.many(lam=3, r=xarray.DataArray(1.0), delta_h=0.2, zeta=0.02, mu=0.01)
+    assert float(one.store(tmp_path / "map.zarr", "peak", F_0=0.05)["A"]) == float(one.peak(0.05)["A"])
+
+
+def test_axes_that_nothing_cuts_are_cut_into_blocks_of_ordinary_size(tmp_path, monkeypatch):
+    monkeypatch.setattr("slowflow.grid.designs.AT_ONCE", 12)
+    over().store(tmp_path / "map.zarr", "detachment")
+    group = zarr.open_group(tmp_path / "map.zarr", mode="r")
+    assert int(np.prod(group["F_cr"].chunks)) <= 12 and group["done"].size >= 4
+
+
+def test_a_question_pickles():
+    ask, values = over().asked("peak", 1, F_0=0.05)
+    numbers = [value.values for value in (values["lam"], values["r"][0], values["delta_h"][0, 0])]
+    copy = pickle.loads(pickle.dumps(ask))
+    assert copy(*numbers, 0.012, 0.02, 0.05) == ask(*numbers, 0.012, 0.02, 0.05)
+
+
+# ---- stopped and continued
+
+
+def blocks_asked(monkeypatch, stop_after=None):
+    """Counts the blocks that are computed, and fails after some."""
+    asked = []
+    answer = block.Ask.__call__
+
+    def counted(self, *values):
+        if len(asked) == stop_after:
+            raise KeyboardInterrupt
+        asked.append(values)
+        return answer(self, *values)
+
+    monkeypatch.setattr(block.Ask, "__call__", counted)
+    return asked
+
+
+def files(folder):
+    """Every file of a store with its bytes."""
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+@pytest.mark.parametrize("written", [0, 1, 5])
+def test_a_map_that_was_stopped_is_continued_with_the_same_bits(written, tmp_path, monkeypatch):
+    over({"r": 2, "share": 2}).store(tmp_path / "whole.zarr", "saddle_node_onset")
+    path = tmp_path / "map.zarr"
+    with monkeypatch.context() as patched, dask.config.set(scheduler="synchronous"):
+        blocks_asked(patched, stop_after=written)
+        with pytest.raises(KeyboardInterrupt):
+            over({"r": 2, "share": 2}).store(path, "saddle_node_onset")
+    part = xarray.open_zarr(path, consolidated=False)
+    assert part.attrs["complete"] == 0 and int(part["done"].sum()) == written
+    # what is not computed says so
+    missing = part["status"] == -1
+    assert bool(missing.any()) and bool(part["F_SN"].where(missing).isnull().all())
+    asked = blocks_asked(monkeypatch)
+    over({"r": 2, "share": 2}).store(path, "saddle_node_onset")
+    assert len(asked) == 12 - written
+    assert files(path) == files(tmp_path / "whole.zarr")
+    over({"r": 2, "share": 2}).store(path, "saddle_node_onset")
+    assert len(asked) == 12 - written
+
+
+def test_a_store_that_was_stopped_before_it_was_prepared_is_prepared_anew(tmp_path, monkeypatch):
+    path = tmp_path / "map.zarr"
+
+    def stopped(*args, **more):
+        raise KeyboardInterrupt
+
+    for broken in ("xarray.Dataset.to_zarr", "zarr.Group.create_array"):
+        with monkeypatch.context() as patched:
+            patched.setattr(broken, stopped)
+            with pytest.raises(KeyboardInterrupt):
+                over().store(path, "detachment")
+    assert_same_bits(over().store(path, "detachment"), batch("detachment"), "detachment")
+
+
+PROGRAM = """
+import sys, numpy as np, xarray
+from slowflow import Isolator
+r = xarray.DataArray(np.linspace(0.5, 3, 40), dims="r").chunk(r=1)
+share = xarray.DataArray(np.linspace(0.1, 0.9, 2000), dims="share")
+Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02).store(sys.argv[1], "saddle_node_onset")
+"""
+
+
+def ticked(path):
+    """How many blocks are written."""
+    return len([file for file in path.glob("done/c/**/*") if file.is_file()])
+
+
+def wait_for(path, blocks, alive):
+    """Until so many blocks are written, or the work has ended."""
+    end = time.monotonic() + 60
+    while ticked(path) < blocks and alive() and time.monotonic() < end:
+        time.sleep(0.002)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
+def test_a_process_that_was_killed_is_continued_by_another(tmp_path):
+    path = tmp_path / "map.zarr"
+    with subprocess.Popen([sys.executable, "-c", PROGRAM, str(path)]) as process:
+        wait_for(path, 5, lambda: process.poll() is None)
+        process.kill()
+    assert process.returncode == -signal.SIGKILL
+    before = ticked(path)
+    assert 5 <= before < 40 and xarray.open_zarr(path, consolidated=False).attrs["complete"] == 0
+    kept = {file: file.stat().st_mtime_ns for file in path.glob("done/c/**/*") if file.is_file()}
+    subprocess.run([sys.executable, "-c", PROGRAM, str(path)], check=True)
+    assert ticked(path) == 40 and {file: file.stat().st_mtime_ns for file in kept} == kept
+    found = xarray.open_zarr(path, consolidated=False)
+    assert found.attrs["complete"] == 1
+    r = np.linspace(0.5, 3, 40)[:, np.newaxis]
+    whole = Isolator.many(lam=3, r=r, delta_h=np.linspace(0.1, 0.9, 2000) / (3 * r), mu=0.012, zeta=0.02)
+    assert found["F_SN"].values.tobytes() == whole.saddle_node_onset().F_SN.tobytes()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
+def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bits(tmp_path):
+    distributed = pytest.importorskip("distributed", reason="the extra `grid` is not installed: distributed")
+    path = tmp_path / "map.zarr"
+    r = np.linspace(0.5, 3, 60)
+    share = np.linspace(0.1, 0.9, 2000)
+    designs = Isolator.many(
+        lam=3,
+        r=xarray.DataArray(r, dims="r").chunk(r=1),
+        delta_h=xarray.DataArray(share, dims="share") / (3 * xarray.DataArray(r, dims="r")),
+        mu=0.012,
+        zeta=0.02,
+    )
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        processes = sorted(client.run(os.getpid).values())
+        watch = subprocess.Popen([sys.executable, "-c", KILLER, str(path), str(processes[0])])
+        found = designs.store(path, "saddle_node_onset")
+        assert watch.wait(timeout=60) == 0
+        now = sorted(client.run(os.getpid).values())
+    assert processes[0] not in now
+    r = r[:, np.newaxis]
+    whole = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02).saddle_node_onset()
+    assert found["F_SN"].values.tobytes() == whole.F_SN.tobytes()
+    assert found["remarks"].values.tobytes() == whole.remarks.tobytes()
+    assert found.attrs["complete"] == 1
+
+
+#: kills a process as soon as some blocks are ticked off, and says whether there were others left to do
+KILLER = """
+import os, pathlib, signal, sys, time
+done, end = pathlib.Path(sys.argv[1], "done"), time.monotonic() + 50
+def ticked(): return len([file for file in done.glob("c/**/*") if file.is_file()])
+while ticked() < 10 and time.monotonic() < end: time.sleep(0.002)
+os.kill(int(sys.argv[2]), signal.SIGKILL)
+sys.exit(not 10 <= ticked() < 60)
+"""
+
+
+# ---- refused
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        ({"zeta": 0.03}, "zeta"),
+        ({"lam": axis("r", np.append(R, -1.0)), "delta_h": 0.1}, "delta_h: .* lam: "),
+        ({"mu": axis("mu", np.array([0.01, 0.02]))}, "axes"),
+    ],
+    ids=["another number", "other numbers", "another axis"],
+)
+def test_a_store_of_other_numbers_is_left_alone(change, named, tmp_path):
+    over().store(tmp_path / "map.zarr", "detachment")
+    before = files(tmp_path / "map.zarr")
+    with pytest.raises(ValueError, match=named):
+        over(**change).store(tmp_path / "map.zarr", "detachment")
+    with pytest.raises(ValueError, match="question: detachment there, saddle_node_onset here"):
+        over().store(tmp_path / "map.zarr", "saddle_node_onset")
+    assert files(tmp_path / "map.zarr") == before
+
+
+def test_a_map_is_of_one_version_and_one_backend(tmp_path, monkeypatch):
+    over().store(tmp_path / "map.zarr", "detachment")
+    ask, values = over().asked("detachment", 1)
+    monkeypatch.setattr(block, "__version__", "0.0.0")
+    with pytest.raises(ValueError, match=r"slowflow: .* there, 0\.0\.0 here"):
+        over().store(tmp_path / "map.zarr", "detachment")
+    with pytest.raises(RuntimeError, match=r"this process runs .*0\.0\.0"):
+        ask(*(value.values for value in values.values()))
+    monkeypatch.undo()
+    monkeypatch.setattr(backend, "NAME", "another")
+    with pytest.raises(ValueError, match="backend"):
+        over().store(tmp_path / "map.zarr", "detachment")
+
+
+def test_what_is_there_already_is_not_written_over(tmp_path):
+    (tmp_path / "notes").mkdir()
+    (tmp_path / "notes" / "a.txt").write_text("mine")
+    with pytest.raises(FileExistsError, match="no store"):
+        over().store(tmp_path / "notes", "detachment")
+    with pytest.raises(FileExistsError, match="no store"):
+        over().store(tmp_path / "notes" / "a.txt", "detachment")
+    xarray.Dataset({"x": ("y", [1.0])}).to_zarr(tmp_path / "other.zarr", consolidated=False)
+    with pytest.raises(FileExistsError, match="not one of these maps"):
+        over().store(tmp_path / "other.zarr", "detachment")
+    assert float(xarray.open_zarr(tmp_path / "other.zarr", consolidated=False)["x"][0]) == 1.0
+
+
+@pytest.mark.parametrize(
+    ("asked", "error", "words"),
+    [
+        ({"question": "peaks"}, ValueError, "question"),
+        ({"question": "peak"}, TypeError, "F_0 is missing for peak"),
+        ({"question": "detachment", "F_0": 0.1}, TypeError, "F_0 is nothing for detachment"),
+        ({"question": "peak", "F_0": 0.1, "places": 2}, TypeError, "places is nothing for peak"),
+        ({"question": "peak", "F_0": "0.1"}, ValueError, "F_0"),
+        ({"question": "saddle_nodes", "F_0": 0.1, "places": 0}, ValueError, "places"),
+        ({"question": "peak", "F_0": 0.1, "workers": 0}, ValueError, "workers"),
+        ({"question": "peak", "F_0": axis("r", R)}, ValueError, "r"),
+        ({"question": "peak", "F_0": axis("status", R)}, ValueError, "cannot be named status"),
+        ({"question": "peak", "F_0": R}, ValueError, "axes without names"),
+    ],
+)
+def test_bad_questions_are_refused_before_anything_is_written(asked, error, words, tmp_path):
+    with pytest.raises(error, match=words):
+        over().store(tmp_path / "map.zarr", **asked)
+    assert not (tmp_path / "map.zarr").exists()
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "words"),
+    [
+        ({"r": axis("r", np.array(["a", "b"]))}, ValueError, "r holds"),
+        ({"r": lazy.ones(3, dtype=complex)}, ValueError, "r holds complex128"),
+        ({"r": axis("x", R), "delta_h": axis("x", R[:3])}, ValueError, "x"),
+        ({"r": axis("x", R), "delta_h": axis("x", R + 1)}, ValueError, "x"),
+        ({"r": axis("x", R), "delta_h": R}, ValueError, "delta_h has axes without names"),
+        ({"r": lazy.ones(3), "delta_h": R}, ValueError, "do not broadcast"),
+        ({"r": xarray.DataArray(R, dims="r", coords={"r": R + 1})}, ValueError, "the coordinate r is not the numbers"),
+        ({"r": axis("delta_h", R), "delta_h": 0.1}, ValueError, "an axis is named delta_h"),
+        ({"r": axis("r", R), "stiffness": 1}, TypeError, "stiffness"),
+    ],
+)
+def test_bad_numbers_are_refused(given, error, words):
+    with pytest.raises(error, match=words):
+        Oscillator.many(rod_spring.MECHANISM, **{"lam": 3, "delta_h": 0.1, **given})
+
+
+def test_a_force_with_named_axes_is_not_taken_for_one_without():
+    with pytest.raises(ValueError, match="F_0 has named axes"):
+        Isolator.many(lam=3, r=R, delta_h=0.1).peak(axis("F_0", R))
+
+
+def test_a_mechanism_that_other_processes_cannot_find_is_refused(tmp_path):
+    import dataclasses
+
+    own = dataclasses.replace(rod_spring.MECHANISM, reach=0.5)
+    designs = Oscillator.many(own, lam=3, r=axis("r", R), delta_h=0.1)
+    assert designs.peak(0.05)["A"].shape == (7,)
+    with pytest.raises(ValueError, match="cannot be sent to other processes"):
+        designs.store(Path(tmp_path) / "map.zarr", "detachment")
+
+
+def test_nothing_of_it_is_imported_before_it_is_needed():
+    code = (
+        "import sys, slowflow, slowflow.grid.designs\n"
+        "slowflow.Isolator.many(lam=3, r=[1, 2], delta_h=0.1).detachment()\n"
+        "print([m for m in ('xarray', 'dask', 'distributed', 'zarr', 'pandas') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_a_package_that_is_missing_is_named(monkeypatch, tmp_path):
+    designs = over()
+    for package in ("dask", "zarr"):
+        with monkeypatch.context() as patched:
+            patched.setitem(sys.modules, package, None)
+            with pytest.raises(ImportError, match=rf"needs {package}: pip install 'slowflow\[grid\]'"):
+                designs.store(tmp_path / "map.zarr", "detachment")
