@@ -10,7 +10,9 @@ SOURCE = Path(__file__).parents[1] / "src"
 FLOORS = (
     ("__main__",),
     ("cli",),
-    ("paper", "scenes", "sizing"),
+    ("report",),
+    ("paper", "scenes"),
+    ("sizing",),
     ("__init__",),
     ("isolator",),
     ("physical",),

@@ -13,13 +13,14 @@ from pathlib import Path
 import pytest
 
 import slowflow
-from slowflow import cli, files, scenes
+from slowflow import Isolator, cli, files, scenes
 from slowflow.averaged import solvers
 from slowflow.paper.example import isolator
+from slowflow.sizing import tolerances
 
 ROOT = Path(__file__).parents[1]
 SHIPPED = sorted((ROOT / "scenes").glob("*.toml"))
-MOUNT = (ROOT / "scenes" / "mount.toml").read_text()
+MOUNT = (ROOT / "scenes" / "mount.toml").read_text().partition("\n[tolerances]")[0].replace(', "tolerances"', "")
 
 
 def run(*arguments, capsys=None):
@@ -103,7 +104,7 @@ def test_explain_tells_what_runs_what_is_skipped_and_its_time(scene, capsys):
     path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "saddle_nodes at F = 0.3\n  force         skipped  sticks" in out and " ms\n" in out
-    left = "margins, hysteresis, isolation, spectrum, exact_response, fold_locus, cusps, isola_points"
+    left = "margins, hysteresis, isolation, spectrum, tolerances, exact_response, fold_locus, cusps, isola_points"
     assert out.endswith(f"not asked for, and not computed: {left}\n")
 
 
@@ -143,8 +144,8 @@ WRONG = {
         '"saddle_nodes"',
         '"saddle_node"',
         "17: questions = 'saddle_node' is not allowed: it must be one of at_rest, saddle_node_onset, detachment, "
-        "saddle_nodes, peak, margins, hysteresis, isolation, amplitudes, frequency_response, spectrum, exact_response, "
-        "fold_locus, cusps, isola_points. Did you mean 'saddle_nodes'?",
+        "saddle_nodes, peak, margins, hysteresis, isolation, amplitudes, frequency_response, spectrum, tolerances, "
+        "exact_response, fold_locus, cusps, isola_points. Did you mean 'saddle_nodes'?",
     ),
     "a decimal comma": (
         "L = 0.080",
@@ -164,7 +165,7 @@ WRONG = {
     "a misspelt table": (
         "[ask]",
         "[aks]",
-        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum. "
+        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances. "
         "Did you mean 'ask'?",
     ),
     "a force that is not positive": (
@@ -247,6 +248,20 @@ def test_a_load_spectrum_is_a_table_of_pairs(scene, tmp_path, capsys):
     assert [row["crosses"] for row in rows[:2]] == ["false", "true"] and rows[2]["transmissibility_dB"] == ""
     code, _, err = run("run", scene(text.replace("F = [5, 5, 0.3]", "F = [5, 5]")), capsys=capsys)
     assert code == 2 and ":21: F has 2 numbers, and f has 3: they are pairs" in err
+
+
+def test_tolerances_are_a_table_of_shares(scene, tmp_path, capsys):
+    text = MOUNT.partition("questions")[0] + 'questions = ["tolerances"]\n\n[tolerances]\nk_h = 0.05\n'
+    assert run("run", scene(text), "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")
+    rows = list(rows_of(tmp_path / "out" / "tolerances.csv"))
+    expected = tolerances(Isolator.physical(**scenes.read(scene(text)).content["mount"]), {"k_h": 0.05}, F=3)
+    assert [float(row["low"]) for row in rows if row["F"] == "3.0"] == expected.low.tolist()
+    for wrong, said in (
+        ("k_h = 1.5", "20: k_h = 1.5 is not allowed"),
+        ("kh = 0.05", "20: kh is no key of [tolerances]: it must be one of m,"),
+    ):
+        code, _, err = run("run", scene(text.replace("k_h = 0.05", wrong)), capsys=capsys)
+        assert code == 2 and said in err
 
 
 def test_a_warning_about_the_design_is_passed_on(scene, capsys):

@@ -80,6 +80,11 @@ def add_scenes(commands: Any) -> None:
     run.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
     explain = commands.add_parser("explain", help="what runs for a scene, what is skipped, and how long it takes")
     explain.add_argument("scene", type=Path)
+    report = commands.add_parser("report", help="a scene's answers, curves and errors on one HTML page")
+    report.add_argument("scene", type=Path)
+    report.add_argument(
+        "-o", "--out", type=Path, metavar="FILE", default=Path("report.html"), help="default: %(default)s"
+    )
     new = commands.add_parser("new", help="write a commented scene to begin with")
     new.add_argument("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
 
@@ -157,6 +162,25 @@ def new_scene(given: argparse.Namespace) -> int:
         print(f"{given.scene} is there already: it is left as it is", file=sys.stderr)
         return 2
     print(f"{given.scene} is written: slowflow run {given.scene}")
+    return 0
+
+
+def write_report(given: argparse.Namespace) -> int:
+    """Write the report of a scene; 2 where it cannot be made."""
+    scene = _read(given.scene)
+    if find_spec("matplotlib") is None:
+        print("a report needs matplotlib: pip install 'slowflow[plot]'", file=sys.stderr)
+        return 2
+    # here, not above: it imports Matplotlib
+    from slowflow import report
+
+    try:
+        page = report.html(scene)
+    except ValueError as error:
+        print(error, file=sys.stderr)
+        return 2
+    files.write(given.out, page)
+    print(f"{given.out} is written", file=sys.stderr)
     return 0
 
 
@@ -242,4 +266,5 @@ COMMANDS = {
     "run": run_scene,
     "explain": explain_scene,
     "new": new_scene,
+    "report": write_report,
 }

@@ -13,6 +13,9 @@
     f = [2.0, 2.2, 5.0]
     F = [5.0, 5.0, 3.0]
 
+    [tolerances]                # for the question "tolerances": shares of the numbers above
+    k_h = 0.05
+
 Only what is asked for is computed. A scene names no code and no expression: numbers, words, lists of these. What is
 wrong in it raises `SceneError`, which says where, what is allowed, and which known word is nearest.
 """
@@ -85,6 +88,7 @@ class Question:
     at      -- whether it is asked at the frequencies
     window, samples -- whether it takes these
     spectrum -- whether it is asked at the pairs of [spectrum]
+    within  -- whether it is asked of the tolerances in [tolerances]
     mount   -- whether only a mount knows an answer
     """
 
@@ -93,6 +97,7 @@ class Question:
     window: bool = False
     samples: bool = False
     spectrum: bool = False
+    within: bool = False
     mount: bool = False
 
 
@@ -108,6 +113,7 @@ QUESTIONS: Mapping[str, Question] = {
     "amplitudes": Question(at=True),
     "frequency_response": Question(window=True, samples=True),
     "spectrum": Question(forced=False, spectrum=True),
+    "tolerances": Question(within=True),
     "exact_response": Question(window=True),
     "fold_locus": Question(forced=False, samples=True),
     "cusps": Question(forced=False),
@@ -148,6 +154,8 @@ def _kinds() -> dict[str, Kind]:
 
 
 KINDS = _kinds()
+#: keys of these that are no numbers with a tolerance
+NO_NUMBERS = ("load", "force")
 
 
 @dataclass(frozen=True)
@@ -185,6 +193,11 @@ class Scene:
 
     def answer(self, asked: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz."""
+        if asked.question == "tolerances":
+            # here, not above: it imports SciPy's statistics
+            from slowflow.sizing import tolerances
+
+            return tolerances(self.oscillator, **asked.arguments)
         found: Answer = getattr(self.oscillator, asked.question)(**asked.arguments)
         return found.in_units() if isinstance(found, Quantities) else found
 
@@ -195,6 +208,10 @@ class Scene:
         forcing = [value for value in asked.numbers().values()][:1]
         found: Plan = self.oscillator.explain(asked.question, *forcing)
         return found
+
+    def forcings(self) -> list[float]:
+        """The forcings of its questions, each once, in their order."""
+        return list(dict.fromkeys(value for asked in self.asked for value in asked.numbers().values()))
 
     def not_asked(self) -> list[str]:
         """Questions that the scene does not ask."""
@@ -223,7 +240,7 @@ class _Reader:
     content: dict[str, Any]
 
     def scene(self) -> Scene:
-        self._known("", self.content, (*KINDS, "ask", "spectrum"))
+        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             raise self._error(
@@ -263,6 +280,8 @@ class _Reader:
                 arguments[kind.frequency] = self._positive(kind.frequency)
             if question.spectrum:
                 arguments = self._spectrum(kind)
+            if question.within:
+                arguments = {"within": self._within(kind)}
             if question.window and "window" in ask:
                 arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
             if question.samples and "samples" in ask:
@@ -282,6 +301,16 @@ class _Reader:
             said = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
             raise self._error("spectrum", names[1], said)
         return pairs
+
+    def _within(self, kind: Kind) -> dict[str, float]:
+        """Shares of its numbers by which these may be off."""
+        table = self._table("tolerances")
+        self._known("tolerances", table, tuple(key for key in (*kind.needed, *kind.more) if key not in NO_NUMBERS))
+        share = {"least": 0.0, "below": 1.0}
+        found: dict[str, float] = self._tried(
+            "tolerances", table, lambda: {key: validate.number(key, value, **share) for key, value in table.items()}
+        )
+        return found
 
     def _positive(self, key: str, table: str = "ask") -> list[float]:
         """A list of numbers > 0."""

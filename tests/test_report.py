@@ -1,0 +1,136 @@
+"""The report: one page that needs nothing else, with the numbers of the questions, readable by machines and people."""
+
+from __future__ import annotations
+
+import base64
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from slowflow import cli, files, scenes
+
+pytest.importorskip("matplotlib")
+from slowflow import report
+
+ROOT = Path(__file__).parents[1]
+MOUNT = ROOT / "scenes" / "mount.toml"
+
+
+class Page(HTMLParser):
+    """Tags with their attributes in order, and the text of each table's cells."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags, self.open, self.cells, self.inside = [], [], [], ""
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+        if tag not in {"meta"}:
+            self.open.append(tag)
+        if tag in {"td", "th", "caption"}:
+            self.cells.append("")
+        self.inside = tag
+
+    def handle_startendtag(self, tag, attrs):
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_data(self, data):
+        if self.inside in {"td", "th", "caption"}:
+            self.cells[-1] += data
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+        self.inside = ""
+
+    def every(self, tag):
+        return [attrs for name, attrs in self.tags if name == tag]
+
+
+@pytest.fixture(scope="module")
+def text():
+    return report.html(scenes.read(MOUNT))
+
+
+@pytest.fixture(scope="module")
+def page(text):
+    return Page(text)
+
+
+def test_the_page_is_well_formed_and_needs_no_network(page, text):
+    assert not page.open and text.startswith("<!DOCTYPE html>")
+    for _, attributes in page.tags:
+        for name in ("src", "href", "xlink:href"):
+            assert attributes.get(name, "#").startswith(("#", "data:")), attributes
+    assert not re.search(r"@import|url\((?!#)|<script|<link", text)
+
+
+def test_headings_pictures_and_tables_can_be_read_aloud(page):
+    levels = [int(tag[1]) for tag, _ in page.tags if re.fullmatch("h[1-6]", tag)]
+    assert levels[0] == 1 and levels.count(1) == 1 and set(levels) == {1, 2}
+    assert page.every("html") == [{"lang": "en"}] and len(page.every("title")) >= 1 and len(page.every("main")) == 1
+    drawings = page.every("svg")
+    assert len(drawings) == 3 and all(one["role"] == "img" and len(one["aria-label"]) > 30 for one in drawings)
+    assert len(page.every("caption")) == len(page.every("table"))
+    assert all(one == {"scope": "col"} for one in page.every("th"))
+    names = [attributes["id"] for _, attributes in page.tags if "id" in attributes]
+    assert len(names) == len(set(names))
+
+
+def test_text_has_enough_contrast_on_both_grounds():
+    """WCAG 2: 4.5 for text, 3 for lines, light and dark."""
+
+    def luminance(colour):
+        parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+        linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+    def contrast(one, other):
+        high, low = sorted((luminance(one), luminance(other)), reverse=True)
+        return (high + 0.05) / (low + 0.05)
+
+    themes = re.findall(r"--text: (#\w+); --ground: (#\w+); --line: (#\w+); --head: (#\w+)", report.STYLE)
+    assert len(themes) == 2
+    for words, ground, line, head in themes:
+        assert contrast(words, ground) > 7 and contrast(words, head) > 7 and contrast(line, ground) > 3
+
+
+def test_numbers_are_those_of_the_questions(page):
+    mount = scenes.read(MOUNT).oscillator
+    cells = page.cells
+    assert f"{mount.saddle_node_onset().F_SN:.4g}" in cells and f"{1e3 * mount.at_rest().x_cr:.4g}" in cells
+    for fold in mount.saddle_nodes(5):
+        at = cells.index(f"{fold.f:.5g}")
+        assert cells[at - 2 : at] == ["5", fold.kind]
+    (up, down) = mount.saddle_nodes(5).answer.measure()
+    assert f"{up.Omega * mount.scales.sizes['frequency']:.5g}" in cells and f"{100 * down.error:+.2g} %" in cells
+    assert "tolerances at F = 5" in cells and "resultant for F_cr" in cells and "identical" in cells
+
+
+def test_data_on_the_page_is_what_run_writes(page, tmp_path):
+    links = {one["download"]: one["href"] for one in page.every("a")}
+    assert cli.main(["run", str(MOUNT), "-o", str(tmp_path), "--quiet"]) == 0
+    told = base64.b64decode(links["saddle_nodes.csv"].partition("base64,")[2]).decode()
+    assert told == (tmp_path / "saddle_nodes.csv").read_text()
+    assert base64.b64decode(links["mount.toml"].partition("base64,")[2]).decode() == MOUNT.read_text()
+
+
+def test_the_same_scene_gives_the_same_page(text):
+    assert report.html(scenes.read(MOUNT)) == text
+
+
+@pytest.mark.parametrize("name", ["table_1", "frictionless", "quasi_zero"])
+def test_other_scenes_have_a_report_too(name, tmp_path, capsys):
+    out = tmp_path / "page.html"
+    assert cli.main(["report", str(ROOT / "scenes" / f"{name}.toml"), "-o", str(out)]) == 0
+    assert capsys.readouterr().err == f"{out} is written\n" and not Page(out.read_text()).open
+
+
+def test_what_has_no_report_is_said(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    files.write(path, '[duffing]\nalpha = 1.0\nbeta = 0.1\nzeta = 0.1\n[ask]\nF_0 = 0.1\nquestions = "peak"\n')
+    assert cli.main(["report", str(path)]) == 2 and "must be an Isolator" in capsys.readouterr().err
+    files.write(path, MOUNT.read_text().partition("questions")[0] + 'questions = ["detachment"]\n')
+    assert cli.main(["report", str(path)]) == 2 and "needs forcings" in capsys.readouterr().err
