@@ -54,6 +54,7 @@ bench: $(DEVELOPED)
 	$(BIN)/python -m benchmarks
 	$(BIN)/python -m benchmarks.bench_scenes
 	$(BIN)/python -m benchmarks.bench_exact
+	$(BIN)/python -m benchmarks.bench_grid
 
 validity: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.claims

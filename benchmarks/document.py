@@ -97,6 +97,26 @@ def peers_table(rows: list[dict[str, Any]]) -> list[str]:
     return table(("tool", "variant", "time", "times slowflow's", "points", "folds", "error of the folds' Omega"), cells)
 
 
+def grid_table(rows: list[dict[str, Any]]) -> list[str]:
+    """Question, designs, blocks, time, designs a second, memory, disk."""
+    cells = [
+        (
+            row["question"],
+            f"{row['designs']:.0e}".replace("e+0", "e"),
+            str(row["blocks"]),
+            quantity(row["seconds"], "s"),
+            quantity(row["processor"], "s"),
+            quantity(row["designs"] / row["processor"], "/s"),
+            f"{row['before']:.0f} MB",
+            f"{row['peak']:.0f} MB",
+            f"{row['disk']:.3g} MB",
+        )
+        for row in rows
+    ]
+    head = ("question", "designs", "blocks", "time", "processor", "designs", "before", "peak memory", "on disk")
+    return table(head, cells)
+
+
 def precision_table(scene: dict[str, Any]) -> list[str]:
     """Method, time, error and what was missed of one scene of the work-precision diagram."""
     cells = [
@@ -117,7 +137,8 @@ def precision_table(scene: dict[str, Any]) -> list[str]:
 def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
     """Write docs/benchmarks.md from whatever results there are."""
     lines = [HEAD]
-    bench, precision, peers = (_read(results / f"{name}.json") for name in ("bench", "work_precision", "peers"))
+    names = ("bench", "work_precision", "grid", "peers")
+    bench, precision, grid, peers = (_read(results / f"{name}.json") for name in names)
     if bench:
         lines += ["## Targets", "", *environment_lines(bench["environment"]), "", *bench_table(bench["rows"]), ""]
         if bench["limits"]:
@@ -128,6 +149,9 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
         for scene in precision["scenes"]:
             lines += [f"### {scene['title']}", "", *precision_table(scene), ""]
         lines += ["## How cost grows", "", "![Cost against size](scaling.png)", ""]
+    if grid:
+        lines += ["## Maps in stores", "", *GRID_WORDS, "", *environment_lines(grid["environment"]), ""]
+        lines += [*grid_table(grid["rows"]), ""]
     if peers:
         lines += ["## Beside other tools", "", *PEERS_WORDS, "", *environment_lines(peers["environment"]), ""]
         lines += [*peers_table(peers["rows"]), ""]
@@ -137,6 +161,11 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
     (docs / "benchmarks.md").write_text("\n".join(lines), encoding="utf-8")
 
 
+GRID_WORDS = (
+    "Designs of the isolator over r, preload and mu, written block by block into a Zarr store on a local disk by one",
+    "thread (`python -m benchmarks.bench_grid`), each map by a process of its own, which imports all three packages.",
+    "Before: its memory when nothing is asked yet. The peak grows with the size of a block, not with that of the map.",
+)
 PEERS_WORDS = (
     "Table 1 with F_0 = 0.04: the averaged response from Omega = 0.3 to 2 and both folds, all in one run and in turn.",
     "A fold counts as found within 1 %; the error is the larger of the two found. Each tool runs in an environment of",

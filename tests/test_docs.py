@@ -20,6 +20,8 @@ from slowflow.averaged.questions import Averaged
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+#: packages of extras, by example
+NEEDED = {"stored_map": ("xarray", "dask", "zarr")}
 DECISIONS = ROOT / "docs" / "decisions"
 LINK = re.compile(r"\]\(([^)#:]+)\)")
 #: pages whose links must lead somewhere
@@ -28,6 +30,8 @@ PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").r
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_runs(example: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for package in NEEDED.get(example.stem, ()):
+        pytest.importorskip(package, reason=f"an extra is not installed: {package}")
     runpy.run_path(str(example), run_name="__main__")
     assert len(capsys.readouterr().out.splitlines()) >= 5
 

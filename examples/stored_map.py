@@ -1,0 +1,36 @@
+"""A map of designs in a store on disk, block by block: stopped anywhere, run again, it goes on where it was.
+
+Needs `pip install 'slowflow[grid]'`. With `dask.distributed.Client(...)` before it the blocks go to a cluster.
+"""
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import xarray
+
+from slowflow import Isolator
+
+
+def axis(name, numbers):
+    """Numbers along an axis of their own name."""
+    return xarray.DataArray(numbers, dims=name, coords={name: numbers})
+
+
+r = axis("r", np.linspace(0.5, 3.0, 60)).chunk(r=20)  # three blocks along r; a map of 10^9 has some thousand
+share = axis("share", np.linspace(0.1, 0.9, 50))  # preload, as a share of that which leaves no stiffness at rest
+mu = axis("mu", np.array([0.0, 0.01, 0.02]))
+designs = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=mu, zeta=0.02)
+
+with tempfile.TemporaryDirectory() as folder:  # a map that is to last gets a path of its own
+    onset = designs.store(Path(folder) / "onset.zarr", "saddle_node_onset")
+    print(f"{onset.attrs['question']} of {onset.attrs['mechanism']}, slowflow {onset.attrs['slowflow']}")
+    print(", ".join(f"{name}: {size}" for name, size in onset.sizes.items()))
+    print("status:", onset["status"].attrs["flag_meanings"])
+
+    answered = onset["F_SN"].where(onset["status"] == 0)
+    for friction in mu.values:
+        best = answered.sel(mu=friction).stack(design=["r", "share"]).compute()
+        r_best, share_best = best["design"][int(best.argmax("design"))].item()
+        print(f"mu = {friction:4.2f}: F_SN is {float(best.min()):.4f} to {float(best.max()):.4f}, "
+              f"highest at r = {r_best:.2f}, share = {share_best:.2f}")  # fmt: skip
