@@ -41,6 +41,7 @@ MODULES = (
     "slowflow.second",
     "slowflow.exact",
     "slowflow.mechanism",
+    "slowflow.derive",
     "slowflow.paper.example",
 )
 HEAD = """# API

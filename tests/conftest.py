@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +12,9 @@ import pytest
 from filelock import FileLock
 
 from tests.native import headers
+
+# what is derived in tests and examples, in this process and in those that it starts
+os.environ.setdefault("SLOWFLOW_DERIVED", tempfile.mkdtemp(prefix="slowflow-derived-"))
 
 Once = Callable[[str, Callable[[Path], object]], Path]
 

@@ -11,6 +11,7 @@ import sys
 import venv
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from slowflow import backend
@@ -25,6 +26,24 @@ PLOTTING = ("matplotlib", "contourpy", "cycler", "fonttools", "kiwisolver", "pac
             "python-dateutil", "six")  # fmt: skip
 
 
+#: what the derivation imports
+DERIVING = ("sympy", "mpmath", "python-flint", "jinja2", "markupsafe", "platformdirs")
+#: a force that the project has not: hardening from the centre, stiffer beyond a gap; prints its folds' frequencies
+TRIAL = """
+import os
+os.environ["SLOWFLOW_DERIVED"] = "derived"
+import sympy as sp
+from slowflow import backend, derive
+
+u, b, k, d = sp.symbols("u b k d")
+about = {name: {"above": 0} for name in ("b", "k", "d")}
+pieces = [(u + b*u**3, d), (u + b*u**3 + k*(u - d), None)]
+made = derive.mechanism("pad", pieces, about, compile=backend.SOLVER is not None)
+one = made(b=2.0, k=3.0, d=0.2, mu=0.005, zeta=0.02)
+print(made.compiled, one.saddle_node_onset().F_SN, *one.saddle_nodes(0.05).Omega.tolist())
+"""
+
+
 def run(command: list[str | Path], folder: Path) -> subprocess.CompletedProcess[str]:
     """Run a command in a folder, without anything in the environment that could lead it to the sources."""
     ours = ("PYTHON", "SLOWFLOW", "VIRTUAL_ENV")
@@ -37,7 +56,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A wheel of the sources as they are, built aside, so that nothing of an earlier build gets into it."""
     folder = tmp_path_factory.mktemp("wheel")
     sources = folder / "sources"
-    for name in ("src", "generated"):
+    for name in ("src", "generated", "derivations"):
         shutil.copytree(ROOT / name, sources / name, ignore=shutil.ignore_patterns("*.so", "__pycache__", "*.egg-info"))
     for name in SOURCES:
         shutil.copy(ROOT / name, sources)
@@ -101,6 +120,33 @@ def test_with_matplotlib_figure_7_is_drawn(wheel: Path, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     drawn = sorted(path.name for path in (tmp_path / "empty" / "here").iterdir())
     assert drawn == ["fig_7a.png", "fig_7a.svg", "fig_7b.png", "fig_7b.svg"]
+
+
+def test_a_stranger_derives_a_mechanism_in_an_empty_folder(wheel: Path, tmp_path: Path) -> None:
+    programs = environment(tmp_path / "environment", wheel, NEEDED + DERIVING)
+    (tmp_path / "empty").mkdir()
+    done = run([programs / "python", "-W", "ignore", "-c", TRIAL], tmp_path / "empty")
+    assert done.returncode == 0, done.stderr
+    made, F_SN, *jumps = done.stdout.split()
+    assert (made == "True") == (backend.SOLVER is not None)
+
+    # by brute force: A over Omega from (24) with the describing function by quadrature; more than one state or not
+    t = (np.arange(2000) + 0.5) * math.pi / 4000
+    A = np.linspace(2e-4, 0.7, 3500)
+    size = A[:, np.newaxis] * np.cos(t)
+    force = size + 2 * size**3 + 3 * np.maximum(size - 0.2, 0)
+    h = -4 / math.pi * np.sum(force * np.cos(t), axis=1) * (t[1] - t[0])
+
+    def folds(F_0: float) -> list[float]:
+        """Where Omega along the amplitude turns, by F = 0 solved for Omega at each."""
+        Omega = np.linspace(0.9, 2.5, 3201)[:, np.newaxis]
+        above = np.hypot(A * Omega**2 + h, 2 * 0.02 * A * Omega + 4 * 0.005 / math.pi) > F_0
+        crossings = np.count_nonzero(above[:, 1:] != above[:, :-1], axis=1)
+        return [float(Omega[k, 0]) for k in np.flatnonzero(np.diff(crossings))]
+
+    assert folds(float(F_SN) * 0.97) == []
+    assert len(jumps) == 2
+    np.testing.assert_allclose(folds(0.05), [float(one) for one in jumps], atol=2e-3)
 
 
 def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> None:

@@ -231,6 +231,7 @@ class Module:
     twofolds   -- kernels in double-double
     record     -- of a mechanism's own module
     cells      -- kernels that are wanted on intervals only
+    native     -- whether its loops over arrays are compiled into the package
     """
 
     name: str
@@ -245,6 +246,7 @@ class Module:
     twofolds: tuple[TwofoldKernel, ...] = ()
     record: Record | None = None
     cells: tuple[Kernel, ...] = ()
+    native: bool = True
 
     @property
     def looped(self) -> tuple[Kernel | Selection | Composition, ...]:

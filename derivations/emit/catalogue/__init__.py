@@ -24,5 +24,5 @@ def all_modules(results: Results) -> list[Module]:
         motion_module(results),
         second_approximation_module(results),
         den_hartog_module(results),
-        *(mechanism_module(results, name, flows[0]) for name in results.mechanisms),
+        *(mechanism_module(results.mechanisms, name, flows[0]) for name in results.mechanisms),
     ]

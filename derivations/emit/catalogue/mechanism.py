@@ -6,7 +6,7 @@ Out: `mechanism_module`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -15,7 +15,7 @@ from ...elliptic import evaluable, parts
 from ...mechanisms import Mechanism, Parameter
 from ...oscillator import Dimensionless
 from ...restoring import Case, Restoring, average, forms
-from ...results import OfMechanism, Results
+from ...results import OfMechanism
 from ...scaling import of_design
 from ...second_approximation import OF_HARMONIC
 from ...slow_flow import m
@@ -51,9 +51,9 @@ COMPOSED = (
 )
 
 
-def mechanism_module(results: Results, name: str, flow: Module) -> Module:
-    """The module of one mechanism."""
-    derived = results.mechanisms[name]
+def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Module | None) -> Module:
+    """The module of one mechanism among others; composed with the slow flow where that is given."""
+    derived = mechanisms[name]
     mechanism = derived.oscillator.mechanism
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
@@ -73,9 +73,11 @@ def mechanism_module(results: Results, name: str, flow: Module) -> Module:
         ),
         cells=cell_kernels(derived),
         selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
-        compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived))),
-        flow=flow.name,
-        record=record(results, derived, table),
+        compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
+        if flow
+        else (),
+        flow=flow.name if flow else "",
+        record=record(mechanisms, derived, table),
     )
 
 
@@ -448,13 +450,13 @@ def described(dimensionless: Dimensionless) -> tuple[Parameter, ...]:
     return (*result, *ends, *(given[ratio] for ratio in mechanism.instead))
 
 
-def record(results: Results, derived: OfMechanism, pieces: tuple[Law, ...]) -> Record:
+def record(mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: tuple[Law, ...]) -> Record:
     """What the record says that no kernel does."""
     mechanism = derived.oscillator.mechanism
     truncated = is_truncated(derived)
     twins = [
         name
-        for name, other in results.mechanisms.items()
+        for name, other in mechanisms.items()
         if truncated
         and other.oscillator.mechanism.order == sp.oo
         and other.oscillator.mechanism.pieces == mechanism.pieces

@@ -39,6 +39,20 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     environment = templates(Path(__file__).parent)
     result = {"c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles())}
+    result |= headers(modules, code)
+    for conventions in CONVENTIONS:
+        result[f"native/{conventions.name}.h"] = environment.get_template("conventions.h.jinja").render(
+            conventions=conventions, show=stated
+        )
+    result["native/records.h"] = records.text(modules)
+    result["native/taylor.h"] = taylor.text(modules, environment)
+    return result
+
+
+def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """The header of each module."""
+    environment = templates(Path(__file__).parent)
+    result = {}
     for module in modules:
         views = [view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels]
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
@@ -53,12 +67,6 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             tools=tools(),
             **sources(module),
         )
-    for conventions in CONVENTIONS:
-        result[f"native/{conventions.name}.h"] = environment.get_template("conventions.h.jinja").render(
-            conventions=conventions, show=stated
-        )
-    result["native/records.h"] = records.text(modules, environment)
-    result["native/taylor.h"] = taylor.text(modules, environment)
     return result
 
 

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
-import jinja2
 import sympy as sp
 
 from ....mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from ...form import GENERAL, Module
 from ...provenance import tools
+from ...views import templates
 from .. import interval
 from ..printing import literal
 from .printer import CPrinter
@@ -45,18 +46,30 @@ class Spring:
     averaged_by_pieces: bool = False
 
 
-def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
+def text(modules: Sequence[Module]) -> str:
     """The file."""
-    records = [spring_of(module) for module in modules if module.record]
-    return environment.get_template("records.h.jinja").render(
-        records=records,
-        flow=GENERAL,
-        damping=[parameter.symbol for parameter in DAMPING],
-        damping_domain=within(DAMPING, DAMPING_GIVEN),
-        forcing_domain=within((FORCING,), FORCING.symbol.name),
-        forcing=FORCING.symbol,
-        show=CPrinter().doprint,
-        tools=tools(),
+    return _rendered("records.h.jinja", records=[spring_of(module) for module in modules if module.record])
+
+
+def of_one(module: Module) -> str:
+    """A source with the record of one mechanism, for a library of its own."""
+    return _rendered("record.c.jinja", records=[spring_of(module)])
+
+
+def _rendered(template: str, **content: object) -> str:
+    return (
+        templates(Path(__file__).parent)
+        .get_template(template)
+        .render(
+            **content,
+            flow=GENERAL,
+            damping=[parameter.symbol for parameter in DAMPING],
+            damping_domain=within(DAMPING, DAMPING_GIVEN),
+            forcing_domain=within((FORCING,), FORCING.symbol.name),
+            forcing=FORCING.symbol,
+            show=CPrinter().doprint,
+            tools=tools(),
+        )
     )
 
 

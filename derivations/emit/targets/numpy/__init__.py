@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+import jinja2
 import sympy as sp
 
 from ....conventions import CONVENTIONS
@@ -38,27 +39,8 @@ CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.na
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
-    environment = templates(Path(__file__).parent)
-    environment.filters["constant"] = constant
-    environment.filters["parameter"] = parameter
-    environment.filters["scale"] = scale
-    result = {}
-    for module in modules:
-        result[f"slowflow_kernels/{module.name}.py"] = environment.get_template("module.py.jinja").render(
-            module=module,
-            kernels=[view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels],
-            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
-            selections=[selection_view(selection) for selection in module.selections],
-            compositions=[composition_view(composition, CALLS) for composition in module.compositions],
-            exported=exported(module),
-            borrowed=sorted(module.borrowed, key=in_import),
-            general=GENERAL,
-            regimes=regimes(module),
-            constants={name: constant(value) for name, value in module.constants.items()},
-            **compiled(module),
-            tools=tools(),
-            **sources(module),
-        )
+    environment = _environment()
+    result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
         damping=DAMPING, forcing=FORCING
     )
@@ -77,6 +59,37 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     return result
 
 
+def text(module: Module, code: Code) -> str:
+    """One module."""
+    return (
+        _environment()
+        .get_template("module.py.jinja")
+        .render(
+            module=module,
+            kernels=[view(kernel, code[kernel.name], LANGUAGE) for kernel in module.kernels],
+            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
+            selections=[selection_view(selection) for selection in module.selections],
+            compositions=[composition_view(composition, CALLS) for composition in module.compositions],
+            exported=exported(module),
+            borrowed=sorted(module.borrowed, key=in_import),
+            general=GENERAL,
+            regimes=regimes(module),
+            constants={name: constant(value) for name, value in module.constants.items()},
+            **compiled(module),
+            tools=tools(),
+            **sources(module),
+        )
+    )
+
+
+def _environment() -> jinja2.Environment:
+    environment = templates(Path(__file__).parent)
+    environment.filters["constant"] = constant
+    environment.filters["parameter"] = parameter
+    environment.filters["scale"] = scale
+    return environment
+
+
 def most_first(scenes: dict[str, dict[sp.Symbol, sp.Expr]]) -> list[tuple[str, list[str]]]:
     """Scenes and the names of what vanishes in them, the most first: where all of it vanishes, so does each part."""
     named = [(scene, [symbol.name for symbol in vanishing]) for scene, vanishing in scenes.items()]
@@ -85,10 +98,11 @@ def most_first(scenes: dict[str, dict[sp.Symbol, sp.Expr]]) -> list[tuple[str, l
 
 def compiled(module: Module) -> dict[str, list[str]]:
     """Names of what is compiled in the order in which the extension module gives them, and which need a wrapper."""
-    stacks = [one.name for one in module.looped if one.returns == "stack"]
-    singles = [one.name for one in module.looped if one.returns == "tuple" and one.width == 1]
+    looped = module.looped if module.native else ()
+    stacks = [one.name for one in looped if one.returns == "stack"]
+    singles = [one.name for one in looped if one.returns == "tuple" and one.width == 1]
     return {
-        "ufuncs": [one.name for one in module.looped],
+        "ufuncs": [one.name for one in looped],
         "stacks": stacks,
         "singles": singles,
         "backend": ["NATIVE", *(["coefficients_of"] if stacks else []), *(["in_tuple"] if singles else [])],

@@ -1,0 +1,217 @@
+"""A mechanism that is stated in a running program: from pieces of a force to the sources of its kernels and its record.
+
+In:  a name, the pieces of u + F_k(u) as SymPy expressions, the parameters.
+Out: `stated`, the `Mechanism` that a file of `mechanisms/` would hold; `sources`, what `emit/` prints for it alone: a
+     Python module, and C headers with a record that the compiled solvers take.
+
+Nothing here reads a string as code: forces are SymPy expressions already, and names are names.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import keyword
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import sympy as sp
+
+from .elliptic import restoring as average_of_roots
+from .emit.catalogue.mechanism import mechanism_module
+from .emit.form import Module
+from .emit.provenance import tools
+from .emit.targets import c, interval, numpy
+from .emit.views import programs
+from .mechanisms import DAMPING, FORCING, Mechanism, Parameter, Piece
+from .monotone import prove_monotone
+from .oscillator import oscillator
+from .restoring import restoring
+from .results import OfMechanism
+from .symbols import u
+
+_x = sp.Symbol("x", real=True)
+_k_v, _L = sp.symbols("k_v L", positive=True)
+#: what a parameter may not be called: it has that meaning already
+TAKEN = {"u", "A", "Omega", *(parameter.symbol.name for parameter in (*DAMPING, FORCING))}
+HERE = Path(__file__).parent
+
+
+@dataclass(frozen=True)
+class Sources:
+    """What is printed of one mechanism.
+
+    name    -- of the module, with a hash of all that it follows from
+    python  -- text of the module
+    headers -- C headers by file name; `record` includes them, and those of the package
+    record  -- a C source that defines `slowflow_record`, for a shared library
+    """
+
+    name: str
+    python: str
+    headers: dict[str, str]
+    record: str
+
+
+def stated(
+    name: str,
+    pieces: Sequence[tuple[sp.Expr, sp.Expr | None]],
+    parameters: Mapping[str, Mapping[str, Any]],
+    title: str = "",
+    reach: Any = sp.oo,
+    reach_reason: str = "",
+) -> Mechanism:
+    """A mechanism from the force f(u) = u + F_k(u) for u > 0: each piece with the |u| at which it ends, the last None.
+
+    parameters -- by name: `doc`, `unit`, and the bounds above, least, below, most, as of `Parameter`; design numbers
+
+    Raises TypeError for a force that is no SymPy expression, ValueError for names that are none or taken, for symbols
+    that are no parameters, and for pieces without an end before the last; ArithmeticError as the derivation does.
+    """
+    if not name.isidentifier() or keyword.iskeyword(name):
+        raise ValueError(f"name = {name!r} is not allowed: it must be the name of a module")
+    symbols = {}
+    for given in parameters:
+        if not given.isidentifier() or keyword.iskeyword(given) or given in TAKEN:
+            raise ValueError(f"parameter {given!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
+        symbols[given] = _symbol(given, parameters[given])
+    design = tuple(_parameter(symbols[given], about) for given, about in parameters.items())
+    if not pieces:
+        raise ValueError("pieces is empty: at least one is needed")
+    forces, ends = [], []
+    for number, (force, end) in enumerate(pieces, start=1):
+        last = number == len(pieces)
+        if (end is None) != last:
+            raise ValueError(f"piece {number} must {'have no end, it is the last' if last else 'say where it ends'}")
+        forces.append(_in_ours(f"piece {number}", force, symbols, {"u": u}))
+        if end is not None:
+            ends.append(_in_ours(f"the end of piece {number}", end, symbols, {}))
+    dimensional = {symbol: sp.Symbol(f"{symbol.name}_dimensional", positive=True) for symbol in symbols.values()}
+    back = {given: symbol for symbol, given in dimensional.items()}
+    coefficients = []
+    for number, force in enumerate(forces, start=1):
+        if not force.is_polynomial(u):
+            raise ArithmeticError(
+                f"{name}: piece {number} is no polynomial in u. Other forces need a quadrature, which there is not yet"
+            )
+        powers = {power for (power,), value in sp.Poly(force, u).terms() if value != 0} | {1}
+        if number > 1 and 0 in powers and _is_continuous(forces, ends, number):
+            powers.discard(0)
+        coefficients.append({power: sp.Symbol(f"c{number}_{power}", real=True) for power in sorted(powers)})
+    to_dimensional = {u: _x / _L, **dimensional}
+    made = tuple(
+        Piece(
+            sp.expand(_k_v * _L * (force - u).subs(to_dimensional)),
+            until=_x - _L * end.subs(dimensional) if end is not None else None,
+        )
+        for force, end in zip(forces, [*ends, None], strict=True)
+    )
+    return Mechanism(
+        name=name,
+        title=title or f"{name}, stated in a program",
+        x=_x,
+        k_v=_k_v,
+        length=_L,
+        pieces=made,
+        design=design,
+        ratios=dimensional,
+        dimensional=back,
+        order=max(max(powers) for powers in coefficients),
+        coefficients=tuple(coefficients),
+        breakpoints=tuple(sp.Symbol(f"u_{number}", real=True) for number in range(1, len(pieces))),
+        reach=sp.sympify(reach) if isinstance(reach, (int, float)) else reach,
+        reach_reason=reach_reason,
+    )
+
+
+def sources(mechanism: Mechanism) -> Sources:
+    """All that is printed of it, under `name_of`. Raises ArithmeticError where the derivation refuses it, and why."""
+    module = _module(mechanism)
+    code = {module.name: programs(module)}
+    files = c.headers([module], code) | interval.files([module], code)
+    return Sources(
+        module.name,
+        numpy.text(module, code[module.name]),
+        {Path(file).name: text for file, text in files.items()},
+        c.records.of_one(module),
+    )
+
+
+def name_of(mechanism: Mechanism) -> str:
+    """Of its module: with a hash of all that it follows from, so that one of that name is this one."""
+    return f"{mechanism.name}_{_digest(mechanism)}"
+
+
+def _module(mechanism: Mechanism) -> Module:
+    """Its kernels, without those that compose it with the slow flow and without resultants: solvers ask neither."""
+    named = replace(mechanism, name=name_of(mechanism))
+    derived = of_mechanism(named)
+    module = mechanism_module({named.name: derived}, named.name, None)
+    record = module.record
+    # no Taylor recurrences are printed: exact motions are SciPy's
+    laws = tuple(replace(law, name="") for law in record.pieces)
+    return replace(module, inputs=("live.py",), native=False, record=replace(record, pieces=laws, scales=()))
+
+
+def of_mechanism(mechanism: Mechanism) -> OfMechanism:
+    """The steps of the derivation that the solvers' kernels need."""
+    dimensionless = oscillator(mechanism)
+    prove_monotone(dimensionless)
+    polynomial = all(piece.is_polynomial(u) for piece in dimensionless.polynomials)
+    average = restoring if polynomial else average_of_roots
+    return OfMechanism(
+        dimensionless,
+        average(dimensionless.polynomials, mechanism.breakpoints),
+        average([piece - u for piece in dimensionless.polynomials], mechanism.breakpoints),
+        None,
+        None,
+    )
+
+
+def _symbol(name: str, about: Mapping[str, Any]) -> sp.Symbol:
+    """With the sign that its bounds leave it: where a piece ends has to be positive."""
+    above, least = about.get("above"), about.get("least")
+    if above is not None and above >= 0:
+        return sp.Symbol(name, positive=True)
+    return sp.Symbol(name, nonnegative=True) if least is not None and least >= 0 else sp.Symbol(name, real=True)
+
+
+def _parameter(symbol: sp.Symbol, about: Mapping[str, Any]) -> Parameter:
+    allowed = ("doc", "unit", "above", "least", "below", "most")
+    for key in about:
+        if key not in allowed:
+            raise ValueError(f"parameter {symbol}: {key!r} is not allowed: it must be one of {', '.join(allowed)}")
+    bounds = {key: sp.Rational(str(about[key])) for key in allowed[2:] if about.get(key) is not None}
+    return Parameter(symbol, str(about.get("doc", "")) or f"parameter {symbol}", str(about.get("unit", "1")), **bounds)
+
+
+def _in_ours(what: str, given: Any, symbols: Mapping[str, sp.Symbol], others: Mapping[str, sp.Symbol]) -> sp.Expr:
+    """A user's expression with our symbols in the place of those of the same names."""
+    if isinstance(given, (int, float)):
+        given = sp.Rational(str(given))
+    if not isinstance(given, sp.Expr):
+        raise TypeError(f"{what} = {given!r} is not allowed: it must be a SymPy expression; strings are never read")
+    known = {**symbols, **others}
+    unknown = sorted({symbol.name for symbol in given.free_symbols} - set(known))
+    if unknown:
+        raise ValueError(f"{what} has {', '.join(unknown)}, which {'is' if len(unknown) == 1 else 'are'} no parameter")
+    return sp.nsimplify(given.subs({symbol: known[symbol.name] for symbol in given.free_symbols}), rational=True)
+
+
+def _is_continuous(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr], number: int) -> bool:
+    below, above = forces[number - 2 : number]
+    return sp.simplify((below - above).subs(u, ends[number - 2])) == 0
+
+
+def _digest(mechanism: Mechanism) -> str:
+    """Of the mechanism, the tools, and every file of the derivation."""
+    told: Iterable[str] = (repr(mechanism), tools(), _files())
+    return hashlib.sha256("\n".join(told).encode()).hexdigest()[:12]
+
+
+@cache
+def _files() -> str:
+    content = (path.read_bytes() for path in sorted(HERE.rglob("*")) if path.suffix in (".py", ".jinja"))
+    return hashlib.sha256(b"".join(content)).hexdigest()

@@ -1,0 +1,179 @@
+"""Mechanisms of one's own, derived in the running program: in go pieces of a force, out comes what answers for it.
+
+The door to the derivation, which comes with slowflow as `slowflow_derivation` and needs the extra
+`slowflow[derive]`; nothing else here needs it, and it is opened by the first call.
+
+    import sympy as sp
+    from slowflow import derive
+
+    u, k_2, gap = sp.symbols("u k_2 gap")
+    stop = derive.mechanism("stop", [(u, gap), (u + k_2 * (u - gap), None)], {"k_2": {"above": 0}, "gap": {"above": 0}})
+    stop(k_2=12.0, gap=0.2, mu=0.01, zeta=0.02).saddle_nodes(0.3)
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib
+import os
+import shlex
+import subprocess
+import sysconfig
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import slowflow_kernels
+from slowflow import backend
+from slowflow.averaged.many import Designs
+from slowflow.grid.designs import Grid
+from slowflow.mechanism import Mechanism
+from slowflow.oscillator import Oscillator
+
+NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
+#: IEEE arithmetic, as the package itself is compiled
+FLAGS = ("-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-shared", "-fPIC")
+
+
+class Derived:
+    """A derived mechanism: called with its numbers it makes an oscillator, `many` takes arrays of them.
+
+    record   -- the same record as a generated module's `MECHANISM`
+    folder   -- where its sources are, and what was compiled of them
+    compiled -- whether the compiled solvers answer for it; NumPy's do otherwise, with the same answers
+    """
+
+    record: Mechanism
+    folder: Path
+
+    def __init__(self, record: Mechanism, folder: Path) -> None:
+        self.record = record
+        self.folder = folder
+
+    @property
+    def compiled(self) -> bool:
+        """Whether the compiled solvers have its record."""
+        return backend.record_of(self.record.name) is not None
+
+    def __call__(self, *, mu: float = 0.0, zeta: float = 0.0, **design: float) -> Oscillator:
+        """An oscillator with these numbers: `Oscillator(record, ...)`, whose errors are raised."""
+        return Oscillator(self.record, mu=mu, zeta=zeta, **design)
+
+    def many(self, *, mu: Any = 0.0, zeta: Any = 0.0, **design: Any) -> Designs | Grid:
+        """Many designs at once: `Oscillator.many(record, ...)`."""
+        return Oscillator.many(self.record, mu=mu, zeta=zeta, **design)
+
+    def __repr__(self) -> str:
+        names = ", ".join(parameter.name for parameter in self.record.design)
+        return f"{self.record.title}: {names}, mu, zeta; {'compiled' if self.compiled else 'on NumPy'}"
+
+
+def mechanism(
+    name: str,
+    pieces: Sequence[tuple[Any, Any]],
+    parameters: Mapping[str, Mapping[str, Any]],
+    *,
+    title: str = "",
+    reach: float | None = None,
+    reach_reason: str = "",
+    compile: bool = False,
+) -> Derived:
+    """Derive a mechanism from its force f(u), dimensionless and odd; about a second, once for the same content.
+
+    name       -- of a module
+    pieces     -- by rising |u|: the whole restoring force for u > 0, a polynomial in the SymPy symbol u and the
+                  parameters, and the |u| at which the piece ends, None for the last one. The first piece has odd powers
+    parameters -- by name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one
+    reach      -- the largest |u| that makes sense, and why
+    compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
+                  the compiled solvers answer
+
+    Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
+    derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
+    where slowflow itself is not compiled. Exact motions are SciPy's, compiled or not.
+    """
+    live = _derivation()
+    stated = live.stated(name, pieces, parameters, title, *(() if reach is None else (reach, reach_reason)))
+    folder = _folder()
+    module = live.name_of(stated)
+    if not (folder / f"{module}.py").exists():
+        _write(folder, live.sources(stated))
+    importlib.invalidate_caches()
+    record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
+    if compile and backend.record_of(record.name) is None:
+        _attach(record.name, _compiled(folder, module))
+    return Derived(record, folder)
+
+
+def include() -> list[Path]:
+    """The folders of the C headers: the solvers' own, and the generated ones, which they include."""
+    kernels = Path(slowflow_kernels.__file__).parent
+    # of an installed package, or beside it in a checkout
+    generated = kernels if (kernels / "c").is_dir() else kernels.parent
+    return [Path(__file__).parent / "native", generated / "c", generated / "native"]
+
+
+def _derivation() -> ModuleType:
+    try:
+        return importlib.import_module("slowflow_derivation.live")
+    except ImportError as error:
+        raise ImportError(f"{NEEDED} ({error})") from error
+
+
+def _folder() -> Path:
+    try:
+        from slowflow_derived import FOLDER
+    except ImportError as error:
+        raise ImportError(f"{NEEDED} ({error})") from error
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    return FOLDER
+
+
+def _write(folder: Path, sources: Any) -> None:
+    """Each file under its name only when it is whole; the Python module last, which says that all are there."""
+    files = {**sources.headers, f"{sources.name}.c": sources.record, f"{sources.name}.py": sources.python}
+    for name, text in files.items():
+        with tempfile.NamedTemporaryFile("w", dir=folder, encoding="utf-8", delete=False) as file:
+            file.write(text)
+        os.replace(file.name, folder / name)
+
+
+def _compiled(folder: Path, module: str) -> Path:
+    """The shared library of a mechanism, compiled if it is not there."""
+    if backend.SOLVER is None:
+        raise RuntimeError("compile=True: slowflow itself is not compiled here, there are no solvers for it")
+    # one for each build of the package: the record's form may change
+    library = folder / f"{module}-{backend.SOLVER.BUILD['abi']}.so".replace(" ", "-")
+    if library.exists():
+        return library
+    compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
+    headers = [f"-I{place}" for place in (folder, *include())]
+    made = library.with_suffix(f".{os.getpid()}")
+    try:
+        done = subprocess.run(
+            [*compiler, *FLAGS, *headers, str(folder / f"{module}.c"), "-o", str(made), "-lm"],
+            capture_output=True,
+            text=True,
+        )
+    except OSError as error:
+        raise RuntimeError(f"compile=True: the C compiler {compiler[0]!r} does not run: {error}") from error
+    if done.returncode:
+        raise RuntimeError(f"compile=True: {compiler[0]} failed:\n{done.stderr}")
+    os.replace(made, library)
+    return library
+
+
+def _attach(name: str, library: Path) -> None:
+    """Hands the record in a library to the compiled solvers; neither is ever let go."""
+    loaded = ctypes.CDLL(str(library))
+    new = ctypes.pythonapi.PyCapsule_New
+    new.restype, new.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
+    address = ctypes.c_void_p.in_dll(loaded, "slowflow_record").value
+    assert backend.SOLVER is not None
+    backend.SOLVER.RECORDS[name] = new(address, CAPSULE, None)
+
+
+#: what a capsule with a record is called, in mechanism.h; the name has to outlive the capsules
+CAPSULE = b"slowflow.mechanism"

@@ -1,0 +1,222 @@
+"""Mechanisms that a program states: derived, compiled, asked; against quadrature, other integrators, the package."""
+
+from __future__ import annotations
+
+import math
+import os
+import pickle
+import subprocess
+import sys
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+import slowflow_derived
+from slowflow import Duffing, backend, derive
+
+u, k_1, k_2, gap, alpha, beta = sp.symbols("u k_1 k_2 gap alpha beta")
+ABOVE_0 = {"above": 0}
+#: an elastic stop behind a gap, on a spring that the user softens: no file of the package has it
+STOP = {
+    "name": "stop",
+    "pieces": [(k_1 * u, gap), (k_1 * u + k_2 * (u - gap), None)],
+    "parameters": {"k_1": ABOVE_0, "k_2": {"above": 0, "doc": "stiffness of the stop", "unit": "k_v"}, "gap": ABOVE_0},
+}
+NUMBERS = {"k_1": 0.8, "k_2": 6.0, "gap": 0.2, "mu": 0.01, "zeta": 0.02}
+COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def folder(tmp_path_factory):
+    """A folder of its own for what is derived here."""
+    with pytest.MonkeyPatch.context() as patch:
+        made = tmp_path_factory.mktemp("derived")
+        patch.setattr(slowflow_derived, "FOLDER", made)
+        patch.setattr(slowflow_derived, "__path__", [str(made)])
+        yield made
+
+
+@pytest.fixture(scope="module")
+def stop(folder):
+    """On NumPy; compiled under another name, so that both are there."""
+    return derive.mechanism(**STOP)
+
+
+@pytest.fixture(scope="module")
+def compiled(folder):
+    return derive.mechanism(**{**STOP, "name": "stop_in_C"}, compile=True)
+
+
+def force(x):
+    """Typed once more."""
+    size = abs(x)
+    inside = NUMBERS["k_1"] * size
+    return math.copysign(inside + NUMBERS["k_2"] * max(size - NUMBERS["gap"], 0), x)
+
+
+def average(A):
+    """h of (20) by quadrature, the stop's angle being a node."""
+    edges = [0, mp.acos(NUMBERS["gap"] / mp.mpf(A)), mp.pi / 2] if A > NUMBERS["gap"] else [0, mp.pi / 2]
+
+    def integrand(t):
+        size = mp.mpf(A) * mp.cos(t)
+        whole = NUMBERS["k_1"] * size + NUMBERS["k_2"] * max(size - NUMBERS["gap"], 0)
+        return whole * mp.cos(t)
+
+    return -4 / mp.pi * mp.quad(integrand, edges)
+
+
+@pytest.mark.parametrize("A", [0.05, 0.2, 0.201, 0.3, 0.7, 5.0])
+def test_its_average_is_that_of_its_force(stop, A):
+    with mp.workdps(30):
+        expected = average(A)
+    design = stop.record.coefficients(*(NUMBERS[name] for name in ("k_1", "k_2", "gap")))
+    assert float(stop.record.averaged(A, *design)[0]) == pytest.approx(float(expected), rel=4e-15)
+
+
+def test_its_force_is_what_was_stated(stop):
+    x = np.linspace(-1, 1, 41)
+    np.testing.assert_allclose(stop(**NUMBERS).force(x), [force(one) for one in x], rtol=1e-15, atol=1e-16)
+
+
+def test_every_question_is_answered(stop):
+    one = stop(**NUMBERS)
+    assert one.detachment().u_cr == NUMBERS["gap"]
+    onset = one.saddle_node_onset()
+    assert len(one.saddle_nodes(onset.F_SN * 0.999)) == 0
+    assert len(one.saddle_nodes(onset.F_SN * 1.001)) == 2
+    curve = one.frequency_response(0.04, Omega=(0.5, 2.5))
+    H = np.array([-float(average(A)) for A in curve.A[::97]])
+    w, A = curve.Omega[::97], curve.A[::97]
+    balance = np.hypot(A * w**2 - H, 2 * NUMBERS["zeta"] * A * w + 4 * NUMBERS["mu"] / math.pi)
+    np.testing.assert_allclose(balance, 0.04, rtol=1e-10)
+    assert one.peak(0.04).A == pytest.approx(curve.A.max(), rel=1e-12)
+    assert len(one.second_approximation.saddle_nodes(0.04)) == 2
+    assert one.fold_locus(A_max=2.0).F_0.min() == pytest.approx(onset.F_SN, rel=1e-4)
+    many = stop.many(**{**NUMBERS, "k_2": np.array([3.0, 6.0])}).saddle_node_onset()
+    assert many.F_SN[1] == onset.F_SN
+
+
+@COMPILED
+def test_the_compiled_solvers_give_the_same_answers(stop, compiled):
+    assert not stop.compiled
+    assert compiled.compiled
+    one, other = stop(**NUMBERS), compiled(**NUMBERS)
+    for F_0 in (0.03, 0.04, 0.2):
+        here, there = one.saddle_nodes(F_0), other.saddle_nodes(F_0)
+        np.testing.assert_allclose(here.Omega, there.Omega, rtol=4e-15)
+        np.testing.assert_allclose(here.A, there.A, rtol=1e-13)
+    assert one.saddle_node_onset().F_SN == pytest.approx(other.saddle_node_onset().F_SN, rel=4e-15)
+
+
+@pytest.mark.slow
+def test_its_exact_motion_returns_by_another_integrator(stop):
+    """From the state that is given an integration of the force as it is typed here comes back after a period."""
+    numbers = {**NUMBERS, "mu": 0.0, "zeta": 0.05}
+    Omega, F_0 = 1.2, 0.1
+    motion = stop(**numbers).steady_state(Omega=Omega, F_0=F_0)
+    tau, x, v = motion.series(3)
+    period = 2 * math.pi / Omega
+
+    def rates(t, y):
+        return [y[1], F_0 * math.cos(Omega * t) - 2 * numbers["zeta"] * y[1] - force(y[0])]
+
+    done = solve_ivp(
+        rates, (tau[0], tau[0] + period), [x[0], v[0]], method="DOP853", rtol=1e-12, atol=1e-13, max_step=0.01
+    )
+    np.testing.assert_allclose(done.y[:, -1], [x[0], v[0]], atol=1e-7)
+    assert max(abs(done.y[0])) == pytest.approx(motion.A, rel=2e-5)
+
+
+def test_a_cubic_spring_is_the_packages_own(folder):
+    cubic = derive.mechanism("cubic", [(alpha * u + beta * u**3, None)], {"alpha": {}, "beta": {}})
+    one, other = cubic(alpha=0.5, beta=1.0, mu=0.01, zeta=0.02), Duffing(0.5, 1.0, 0.01, 0.02)
+    assert one.saddle_node_onset().F_SN == pytest.approx(other.saddle_node_onset().F_SN, rel=4e-15)
+    np.testing.assert_allclose(one.saddle_nodes(0.1).Omega, other.saddle_nodes(0.1).Omega, rtol=4e-15)
+
+
+def test_floats_in_a_force_are_the_decimals_that_were_written(folder):
+    half = derive.mechanism("half", [(0.5 * u + beta * u**3, None)], {"beta": ABOVE_0})
+    assert half(beta=1.0, zeta=0.02).force(np.array([0.3])) == pytest.approx(0.5 * 0.3 + 0.3**3, rel=1e-15)
+
+
+def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
+    import slowflow_derivation.live
+
+    monkeypatch.setattr(slowflow_derivation.live, "sources", lambda _: pytest.fail("derived again"))
+    again = derive.mechanism(**STOP)
+    assert again.record is stop.record
+    with pytest.raises(pytest.fail.Exception):
+        derive.mechanism(**{**STOP, "pieces": [(k_1 * u, 2 * gap), (k_1 * u + k_2 * (u - 2 * gap), None)]})
+
+
+def test_an_oscillator_is_pickled_into_another_process(stop, folder):
+    asked = "import pickle, sys; one = pickle.load(sys.stdin.buffer); print(repr(one.saddle_node_onset().F_SN))"
+    one = stop(**NUMBERS)
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", asked],
+        input=pickle.dumps(one),
+        capture_output=True,
+        env={**os.environ, "SLOWFLOW_DERIVED": str(folder), "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+    assert done.returncode == 0, done.stderr.decode()
+    assert float(done.stdout.decode().replace("np.float64(", "").rstrip(")\n")) == one.saddle_node_onset().F_SN
+
+
+# ---- what is refused
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "words"),
+    [
+        ({"pieces": [("k_1*u", None)]}, TypeError, "strings are never read"),
+        ({"pieces": [(k_1 * u, "0.2"), (u, None)]}, TypeError, "the end of piece 1"),
+        ({"pieces": [(sp.Symbol("k_9") * u, None)]}, ValueError, "piece 1 has k_9, which is no parameter"),
+        ({"pieces": [(k_1 * u, None), (u, None)]}, ValueError, "piece 1 must say where it ends"),
+        ({"pieces": [(k_1 * u, gap)]}, ValueError, "piece 1 must have no end"),
+        ({"pieces": []}, ValueError, "at least one"),
+        ({"pieces": [(sp.sin(u), None)]}, ArithmeticError, "no polynomial in u"),
+        ({"pieces": [(k_1 * u + k_2 * u**2, None)]}, ArithmeticError, "powers .2. of u in the first piece"),
+        ({"name": "a stop"}, ValueError, "name = 'a stop' is not allowed"),
+        ({"name": "__import__('os')"}, ValueError, "is not allowed"),
+        ({"parameters": {"mu": {}}}, ValueError, "parameter 'mu' is not allowed"),
+        ({"parameters": {"k_1": {"over": 0}}}, ValueError, "'over' is not allowed"),
+    ],
+)
+def test_what_cannot_be_had_is_refused_with_the_reason(folder, changes, error, words):
+    before = sorted(folder.iterdir())
+    with pytest.raises(error, match=words):
+        derive.mechanism(**{**STOP, **changes})
+    assert sorted(folder.iterdir()) == before
+
+
+def test_numbers_outside_their_domain_are_refused(stop):
+    with pytest.raises(ValueError, match=r"gap = 0.* must be"):
+        stop(**{**NUMBERS, "gap": 0.0})
+    with pytest.raises(TypeError, match="k_2"):
+        stop(k_1=1.0, gap=0.1)
+
+
+@COMPILED
+def test_a_compiler_that_fails_says_so(folder, monkeypatch):
+    for compiler, words in (("false", "failed"), ("no-such-compiler", "does not run")):
+        monkeypatch.setenv("CC", compiler)
+        with pytest.raises(RuntimeError, match=words):
+            derive.mechanism(**{**STOP, "name": "not_compiled"}, compile=True)
+    assert not list(folder.glob("not_compiled*.so"))
+
+
+def test_without_the_extra_its_name_is_said(monkeypatch):
+    monkeypatch.setitem(sys.modules, "slowflow_derivation.live", None)
+    with pytest.raises(ImportError, match=r"slowflow\[derive\]"):
+        derive.mechanism(**STOP)
+
+
+def test_headers_are_where_it_is_said():
+    solvers, kernels, records = derive.include()
+    assert (solvers / "mechanism.h").exists()
+    assert (kernels / "slow_flow.h").exists()
+    assert (records / "records.h").exists()
