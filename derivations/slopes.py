@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .slow_flow import R, SlowFlow, m
+from .slow_flow import I, R, SlowFlow, m, slope
 from .symbols import F_0, A, Omega, h
 
 Let = tuple[sp.Symbol, sp.Expr]
@@ -43,7 +43,8 @@ class Slopes:
     Omega_A -- slope of the response
     level   -- d L^2/dA along the fold locus, times F_AOmega^2
     cusp, isola -- d^2 L^2/dA^2 along the fold locus at a cusp and at an isola point, times F_AOmega^2 (and over A)
-    hessian -- determinant of F's second derivatives: negative at a saddle
+    hessian -- determinant of F's second derivatives: negative at a saddle; in the slopes of R and I
+    hessian_lets -- what it needs of these
     tail    -- an amplitude on the branch that comes from A = 0, in its lets
     """
 
@@ -53,6 +54,7 @@ class Slopes:
     cusp: sp.Expr
     isola: sp.Expr
     hessian: sp.Expr
+    hessian_lets: tuple[Let, ...]
     tail_lets: tuple[Let, ...]
     tail: sp.Expr
 
@@ -68,6 +70,11 @@ def slopes(flow: SlowFlow) -> Slopes:
         return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
 
     rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
+    hessian_lets, hessian = _hessian(flow)
+    isola = sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2)
+    of_hessian, remainder = sp.div(isola, _in_symbols(sp.hessian(_F, (A, Omega)).det()), F_AA)
+    if remainder != 0:
+        raise ArithmeticError("the bend at an isola point is no multiple of the determinant")
     amplitude = sp.Symbol("amplitude", nonnegative=True)
     (tail,) = sp.solve(flow.R.subs(h, A).subs(A, amplitude) - R, amplitude)
     return Slopes(
@@ -82,12 +89,35 @@ def slopes(flow: SlowFlow) -> Slopes:
         Omega_A=_in_symbols(on_response),
         level=rise * F_AOmega**2,
         cusp=sp.factor(bend.subs(F_AA, 0) * F_AOmega**2 / A),
-        isola=sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2),
-        hessian=_in_symbols(sp.hessian(_F, (A, Omega)).det()),
+        isola=of_hessian * hessian,
+        hessian=hessian,
+        hessian_lets=hessian_lets,
         # the root of a product, which SymPy would take apart
         tail_lets=((_square, (F_0 - m) * (F_0 + m)),),
         tail=tail.subs(R, sp.sqrt(_square)),
     )
+
+
+def _hessian(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:
+    """Without the squares that cancel where R is small.
+
+    F/2 has the second derivatives G + S: G of the slopes of R and I alone, whose determinant is the square of theirs,
+    and S of R and I themselves.
+    """
+    ways = (slope, lambda value: sp.diff(value, Omega))
+    gradients = [[way(value) for way in ways] for value in (flow.R, flow.I)]
+    jacobian = sp.factor(sp.Matrix(gradients).det())
+    pairs = ((0, 0), (0, 1), (1, 1))
+    G = [sum(row[i] * row[j] for row in gradients) for i, j in pairs]
+    S = [sum(name * ways[i](ways[j](value)) for name, value in ((R, flow.R), (I, flow.I))) for i, j in pairs]
+    names = sp.symbols("G_AA G_AOmega G_OmegaOmega S_AA S_AOmega S_OmegaOmega", real=True)
+    G_AA, G_AO, G_OO, S_AA, S_AO, S_OO = names
+    determinant = 4 * (jacobian**2 + (G_AA * S_OO - 2 * G_AO * S_AO + G_OO * S_AA) + (S_AA * S_OO - S_AO**2))
+    lets = tuple(zip(names, (*G, *S), strict=True))
+    error = determinant.subs(lets) - (flow.F_AA * flow.F_OmegaOmega - flow.F_AOmega**2)
+    if sp.expand(error.subs({R: flow.R, I: flow.I})) != 0:
+        raise ArithmeticError("the determinant of F's second derivatives")
+    return lets, determinant
 
 
 def _in_symbols(expression: sp.Expr) -> sp.Expr:

@@ -17,7 +17,7 @@ import sympy as sp
 from ..mechanisms import Mechanism, Parameter
 from ..resultants import Elimination
 from ..scaling import Scale
-from ..slow_flow import SCENES
+from ..slow_flow import SCENES, m
 from ..symbols import h, h_A, h_AA, h_AAA
 
 Let = tuple[sp.Symbol, sp.Expr]
@@ -278,8 +278,19 @@ def by_even_power(elimination: Elimination) -> tuple[sp.Expr, ...]:
     if odd:
         raise ArithmeticError(f"odd powers {odd} of {elimination.unknown} in a resultant that should be even")
     top = max(elimination.reduced)
-    # factored: expanded powers of a small difference, as F_0 - m next to sticking, lose its digits
-    return tuple(sp.factor(elimination.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
+    return tuple(in_factors(elimination.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
+
+
+def in_factors(value: sp.Expr) -> sp.Expr:
+    """A polynomial by its factors, and these by powers of m, each with a coefficient that is factored in turn.
+
+    Expanded powers of a small difference lose its digits.
+    """
+    factors = []
+    for factor in sp.Mul.make_args(sp.factor(value)):
+        base, exponent = factor.as_base_exp()
+        factors.append((sp.collect(sp.expand(base), m, sp.factor) if base.is_Add else base) ** exponent)
+    return sp.Mul(*factors)
 
 
 def suffix(scene: str) -> str:

@@ -201,63 +201,49 @@ static inline void duffing_saddle_node_onset(double m, double zeta, const double
 
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
    Equation from (24), (30). Domain: roots with A > 0.
-   Operations: 286 structured, 152 common subexpressions, 128 power chains
+   Operations: 191 structured, 115 common subexpressions, 98 power chains
  */
 #define DUFFING_SADDLE_NODES_COUNT 11
 static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
-    const double t0 = F_0 + m;
-    const double t1 = -F_0 + m;
-    const double m2 = m * m;
-    const double t2 = alpha * m2;
-    const double F_0_2 = F_0 * F_0;
-    const double t3 = F_0_2 * alpha;
+    const double excess = (F_0 - m) * (F_0 + m);
     const double zeta2 = zeta * zeta;
-    const double t4 = 2.0 * F_0_2;
-    const double t5 = t4 * zeta2;
-    const double t6 = m2 * zeta2;
-    const double F_0_3 = F_0 * F_0_2;
-    const double F_0_6 = F_0_3 * F_0_3;
-    const double t7 = F_0_6 * beta;
-    const double m3 = m * m2;
-    const double m6 = m3 * m3;
+    const double m2 = m * m;
+    const double t0 = 2.0 * zeta2;
+    const double t1 = excess * (alpha - t0);
+    const double t2 = excess * m2;
+    const double excess2 = excess * excess;
+    const double excess3 = excess * excess2;
+    const double t3 = beta * excess3;
+    const double t4 = 3.0 * beta;
+    const double t5 = excess2 * t4;
+    const double t6 = alpha * alpha;
     const double m4 = m2 * m2;
-    const double t8 = beta * m4;
-    const double t9 = F_0_2 * t8;
-    const double F_0_4 = F_0_2 * F_0_2;
-    const double t10 = m4 * zeta2;
-    const double t11 = alpha * alpha;
-    const double t12 = 8.0 * t11;
-    const double t13 = 3.0 * beta;
-    const double t14 = beta * m2;
+    const double t7 = m4 * zeta2;
     const double zeta4 = zeta2 * zeta2;
+    const double t8 = alpha * zeta4;
     const double beta2 = beta * beta;
-    const double t15 = beta2 * zeta2;
-    const double t16 = F_0_4 * t13;
-    const double t17 = F_0_2 * t14;
-    const double t18 = 64.0 * zeta4;
+    const double t9 = beta2 * zeta2;
+    const double t10 = excess * t4;
+    const double t11 = t6 * zeta2;
     const double beta4 = beta2 * beta2;
-    const double t19 = beta4 * zeta2;
-    const double t20 = t0 * t0;
-    const double t21 = t20 * t20;
-    const double t22 = t1 * t1;
-    const double t23 = t22 * t22;
+    const double t12 = beta4 * zeta2;
+    const double excess4 = excess2 * excess2;
     const double beta3 = beta * beta2;
     const double beta5 = beta * beta4;
     const double beta6 = beta3 * beta3;
-    out[0] = 16.0 * t21 * t23;
-    out[1] = -128.0 * t0 * t1 * t6 * (t2 - t3 + t5);
-    out[2] = -32.0 * zeta2 * (15.0 * F_0_4 * beta * m2 + 3.0 * beta * m6 - t10 * t12 - 6.0 * t7 - 12.0 * t9);
-    out[3] = 24.0 * beta * (32.0 * F_0_2 * t2 * zeta4 + 9.0 * F_0_4 * t14 + 16.0 * alpha * m4 * zeta4 + m6 * t13 -
-        3.0 * t7 - 9.0 * t9);
-    out[4] = -144.0 * t15 * (-2.0 * F_0_4 * alpha - 4.0 * F_0_4 * zeta2 + 4.0 * alpha * m4 - t10 - t2 * t4);
-    out[5] = -72.0 * t15 * (-16.0 * t11 * t6 + t16 - 9.0 * t17 + 6.0 * t8);
-    out[6] = 27.0 * beta3 * (m4 * t13 + t16 - 6.0 * t17 + t18 * t2 + t18 * t3);
-    out[7] = -648.0 * t19 * (t2 + t3 - t5 - t6);
-    out[8] = -162.0 * t19 * (F_0_2 * t13 + m2 * t13 - t12 * zeta2);
-    out[9] = 1944.0 * alpha * beta5 * zeta4;
+    out[0] = 16.0 * excess4;
+    out[1] = 128.0 * t2 * zeta2 * (2.0 * m2 * zeta2 - t1);
+    out[2] = 32.0 * zeta2 * (m2 * t5 + 6.0 * t3 + 8.0 * t6 * t7);
+    out[3] = 24.0 * beta * (48.0 * m4 * t8 + 32.0 * t2 * t8 - 3.0 * t3);
+    out[4] = 144.0 * t9 * (2.0 * excess2 * (alpha + t0) + 2.0 * t2 * (3.0 * alpha + 4.0 * zeta2) + 5.0 * t7);
+    out[5] = 72.0 * t9 * (m2 * (t10 + 16.0 * t11) - t5);
+    out[6] = 27.0 * beta3 * (excess * (t10 + 64.0 * t8) + 128.0 * m2 * t8);
+    out[7] = -648.0 * t12 * (m2 * (2.0 * alpha - 3.0 * zeta2) + t1);
+    out[8] = -162.0 * t12 * (6.0 * beta * m2 + t10 - 8.0 * t11);
+    out[9] = 1944.0 * beta5 * t8;
     out[10] = 729.0 * beta6 * zeta4;
 }
 

@@ -239,7 +239,7 @@ static inline void slow_flow_peak_cubic(double A, double m, double zeta, double 
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
-   Operations: 103 structured, 67 common subexpressions, 50 power chains
+   Operations: 72 structured, 41 common subexpressions, 37 power chains
  */
 #define SLOW_FLOW_DETACHMENT_COUNT 4
 static inline void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
@@ -247,25 +247,17 @@ static inline void slow_flow_detachment(double A, double m, double zeta, double 
     const double m2 = m * m;
     const double zeta2 = zeta * zeta;
     const double t0 = A * zeta2;
-    const double t1 = h * t0;
-    const double h2 = h * h;
+    const double t1 = h + t0;
+    const double t2 = h * t0;
+    const double t3 = h * h;
     const double zeta4 = zeta2 * zeta2;
-    const double A2 = A * A;
-    const double t2 = A2 * zeta4;
-    const double t3 = 2.0 * m2;
-    const double t4 = 8.0 * t2;
-    const double t5 = m2 + 4.0 * t1;
+    const double t4 = A * A * zeta4;
+    const double t5 = -t3;
+    const double t6 = m2 + 4.0 * t2;
     const double m4 = m2 * m2;
-    const double h3 = h * h2;
-    const double zeta8 = zeta4 * zeta4;
-    const double A4 = A2 * A2;
-    const double zeta3 = zeta * zeta2;
-    const double zeta6 = zeta3 * zeta3;
-    const double A3 = A * A2;
-    out[0] = -t5 * t5 * (h2 + m2 + 2.0 * t1 + t2);
-    out[1] = 32.0 * A3 * h * zeta6 + 16.0 * A4 * zeta8 + h2 * t3 + h2 * t4 - 8.0 * h3 * t0 + 20.0 * m2 * t2 + 3.0
-        * m4 + t1 * t3;
-    out[2] = -h2 - 3.0 * m2 + 8.0 * t1 + t4;
+    out[0] = -t6 * t6 * (m2 + t1 * t1);
+    out[1] = 2.0 * m2 * (t2 + t3 + 10.0 * t4) + 3.0 * m4 - 8.0 * t0 * t1 * (-2.0 * t2 - 2.0 * t4 - t5);
+    out[2] = -3.0 * m2 + 8.0 * t2 + 8.0 * t4 + t5;
     out[3] = 1.0;
 }
 
@@ -498,42 +490,59 @@ static inline double slow_flow_cusp_bend(double Omega, double A, double m, doubl
 
 /* The same at an isola point.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
-   Operations: 46 structured, 35 common subexpressions, 35 power chains
+   Operations: 77 structured, 50 common subexpressions, 50 power chains
  */
 static inline double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
-    const double t1 = A * t0;
-    const double R = h + t1;
+    const double R = A * t0 + h;
+    const double t1 = 2.0 * zeta;
     const double t2 = A * Omega;
-    const double I_ = m + 2.0 * t2 * zeta;
-    const double t3 = h_A + t0;
-    const double t4 = zeta * zeta;
-    const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3);
-    const double t5 = 2.0 * t4;
-    const double F_AOmega = 4.0 * (I_ * zeta + Omega * R + t2 * t3 + t2 * t5);
-    const double F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1);
-    return F_AA * (F_AA * F_OmegaOmega - F_AOmega * F_AOmega);
+    const double I_ = m + t1 * t2;
+    const double t3 = R * h_AA;
+    const double t4 = h_A + t0;
+    const double t5 = zeta * zeta;
+    const double t6 = 4.0 * t5;
+    const double t7 = t0 * t6 + t4 * t4;
+    const double F_AA = 2.0 * (t3 + t7);
+    const double G_AOmega = 2.0 * t2 * t4 + t2 * t6;
+    const double t8 = A * A;
+    const double G_OmegaOmega = 4.0 * t0 * t8 + t6 * t8;
+    const double t9 = 2.0 * R;
+    const double S_AOmega = I_ * t1 + Omega * t9;
+    const double S_OmegaOmega = A * t9;
+    const double t10 = 4.0 * S_OmegaOmega;
+    const double t11 = -h_A + t0;
+    return F_AA * (-8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t3 - 4.0 * S_AOmega * S_AOmega + t10 * t3 +
+        t10 * t7 + 16.0 * t11 * t11 * t5 * t8);
 }
 
 /* F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.
    Equation from (24). Domain: Omega > 0, A > 0.
-   Operations: 45 structured, 34 common subexpressions, 34 power chains
+   Operations: 65 structured, 47 common subexpressions, 47 power chains
  */
 static inline double slow_flow_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
-    const double t1 = A * t0;
-    const double R = h + t1;
+    const double R = A * t0 + h;
+    const double t1 = 2.0 * zeta;
     const double t2 = A * Omega;
-    const double I_ = m + 2.0 * t2 * zeta;
+    const double I_ = m + t1 * t2;
     const double t3 = h_A + t0;
     const double t4 = zeta * zeta;
-    const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3);
-    const double t5 = 2.0 * t4;
-    const double F_AOmega = 4.0 * (I_ * zeta + Omega * R + t2 * t3 + t2 * t5);
-    const double F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1);
-    return F_AA * F_OmegaOmega - F_AOmega * F_AOmega;
+    const double t5 = 4.0 * t4;
+    const double G_AA = t0 * t5 + t3 * t3;
+    const double G_AOmega = 2.0 * t2 * t3 + t2 * t5;
+    const double t6 = A * A;
+    const double G_OmegaOmega = 4.0 * t0 * t6 + t5 * t6;
+    const double S_AA = R * h_AA;
+    const double t7 = 2.0 * R;
+    const double S_AOmega = I_ * t1 + Omega * t7;
+    const double S_OmegaOmega = A * t7;
+    const double t8 = 4.0 * S_OmegaOmega;
+    const double t9 = -h_A + t0;
+    return G_AA * t8 - 8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * S_AA + S_AA * t8 - 4.0 * S_AOmega *
+        S_AOmega + 16.0 * t4 * t6 * t9 * t9;
 }
 
 /* An amplitude of the size of that far above resonance.

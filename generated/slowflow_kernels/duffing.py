@@ -259,61 +259,47 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
     """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
 
     Equation from (24), (30). Domain: roots with A > 0.
-    Operations: 286 structured, 152 common subexpressions, 128 power chains.
+    Operations: 191 structured, 115 common subexpressions, 98 power chains.
     """
     F_0, m, zeta, alpha, beta = floats(F_0, m, zeta, alpha, beta)
-    t0 = F_0 + m
-    t1 = -F_0 + m
-    m2 = m * m
-    t2 = alpha * m2
-    F_0_2 = F_0 * F_0
-    t3 = F_0_2 * alpha
+    excess = (F_0 - m) * (F_0 + m)
     zeta2 = zeta * zeta
-    t4 = 2.0 * F_0_2
-    t5 = t4 * zeta2
-    t6 = m2 * zeta2
-    F_0_3 = F_0 * F_0_2
-    F_0_6 = F_0_3 * F_0_3
-    t7 = F_0_6 * beta
-    m3 = m * m2
-    m6 = m3 * m3
+    m2 = m * m
+    t0 = 2.0 * zeta2
+    t1 = excess * (alpha - t0)
+    t2 = excess * m2
+    excess2 = excess * excess
+    excess3 = excess * excess2
+    t3 = beta * excess3
+    t4 = 3.0 * beta
+    t5 = excess2 * t4
+    t6 = alpha * alpha
     m4 = m2 * m2
-    t8 = beta * m4
-    t9 = F_0_2 * t8
-    F_0_4 = F_0_2 * F_0_2
-    t10 = m4 * zeta2
-    t11 = alpha * alpha
-    t12 = 8.0 * t11
-    t13 = 3.0 * beta
-    t14 = beta * m2
+    t7 = m4 * zeta2
     zeta4 = zeta2 * zeta2
+    t8 = alpha * zeta4
     beta2 = beta * beta
-    t15 = beta2 * zeta2
-    t16 = F_0_4 * t13
-    t17 = F_0_2 * t14
-    t18 = 64.0 * zeta4
+    t9 = beta2 * zeta2
+    t10 = excess * t4
+    t11 = t6 * zeta2
     beta4 = beta2 * beta2
-    t19 = beta4 * zeta2
-    t20 = t0 * t0
-    t21 = t20 * t20
-    t22 = t1 * t1
-    t23 = t22 * t22
+    t12 = beta4 * zeta2
+    excess4 = excess2 * excess2
     beta3 = beta * beta2
     beta5 = beta * beta4
     beta6 = beta3 * beta3
     return stacked(
         (
-            16.0 * t21 * t23,
-            -128.0 * t0 * t1 * t6 * (t2 - t3 + t5),
-            -32.0 * zeta2 * (15.0 * F_0_4 * beta * m2 + 3.0 * beta * m6 - t10 * t12 - 6.0 * t7 - 12.0 * t9),
-            24.0 * beta * (32.0 * F_0_2 * t2 * zeta4 + 9.0 * F_0_4 * t14 + 16.0 * alpha * m4 * zeta4 + m6 * t13 -
-            3.0 * t7 - 9.0 * t9),
-            -144.0 * t15 * (-2.0 * F_0_4 * alpha - 4.0 * F_0_4 * zeta2 + 4.0 * alpha * m4 - t10 - t2 * t4),
-            -72.0 * t15 * (-16.0 * t11 * t6 + t16 - 9.0 * t17 + 6.0 * t8),
-            27.0 * beta3 * (m4 * t13 + t16 - 6.0 * t17 + t18 * t2 + t18 * t3),
-            -648.0 * t19 * (t2 + t3 - t5 - t6),
-            -162.0 * t19 * (F_0_2 * t13 + m2 * t13 - t12 * zeta2),
-            1944.0 * alpha * beta5 * zeta4,
+            16.0 * excess4,
+            128.0 * t2 * zeta2 * (2.0 * m2 * zeta2 - t1),
+            32.0 * zeta2 * (m2 * t5 + 6.0 * t3 + 8.0 * t6 * t7),
+            24.0 * beta * (48.0 * m4 * t8 + 32.0 * t2 * t8 - 3.0 * t3),
+            144.0 * t9 * (2.0 * excess2 * (alpha + t0) + 2.0 * t2 * (3.0 * alpha + 4.0 * zeta2) + 5.0 * t7),
+            72.0 * t9 * (m2 * (t10 + 16.0 * t11) - t5),
+            27.0 * beta3 * (excess * (t10 + 64.0 * t8) + 128.0 * m2 * t8),
+            -648.0 * t12 * (m2 * (2.0 * alpha - 3.0 * zeta2) + t1),
+            -162.0 * t12 * (6.0 * beta * m2 + t10 - 8.0 * t11),
+            1944.0 * beta5 * t8,
             729.0 * beta6 * zeta4,
         ),
         (F_0, m, zeta, alpha, beta),

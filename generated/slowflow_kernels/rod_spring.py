@@ -818,7 +818,7 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
 
     Equation (33). Domain: roots with 0 < A <= u_cr.
-    Operations: 591 structured, 307 common subexpressions, 261 power chains.
+    Operations: 546 structured, 276 common subexpressions, 238 power chains.
     """
     m, zeta, alpha, beta, gamma, u_cr = floats(m, zeta, alpha, beta, gamma, u_cr)
     t0 = alpha * alpha
@@ -827,37 +827,35 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     m2 = m * m
     m4 = m2 * m2
     t1 = m4 * zeta4
-    t2 = alpha * gamma
+    t2 = alpha * beta
+    t3 = alpha * gamma
     beta2 = beta * beta
-    t3 = beta * t0
-    t4 = gamma * m2
+    t4 = 9.0 * beta2
     t5 = m2 * zeta4
-    beta3 = beta * beta2
-    t6 = alpha * beta3
     gamma2 = gamma * gamma
-    t7 = gamma2 * m2
     beta4 = beta2 * beta2
-    t8 = beta2 * zeta2
-    t9 = t0 * zeta2
-    t10 = 1600.0 * gamma2
-    t11 = m2 * zeta2
-    t12 = alpha * zeta2
-    t13 = beta * zeta2
-    beta5 = beta * beta4
-    t14 = beta5 * zeta2
+    t6 = alpha * beta4
+    t7 = beta4 * zeta2
+    t8 = beta2 * t3
+    t9 = t8 * zeta2
+    t10 = gamma2 * zeta2
+    t11 = 1600.0 * t10
+    t12 = t0 * t11
+    t13 = m2 * zeta2
+    t14 = t0 * zeta2
+    beta3 = beta * beta2
+    t15 = 27648.0 * beta3
+    t16 = alpha * t10
+    t17 = gamma * zeta2
+    t18 = beta2 * t17
+    t19 = beta * zeta2
     gamma3 = gamma * gamma2
-    t15 = gamma3 * t11
-    t16 = gamma * zeta2
-    t17 = gamma2 * zeta2
     beta6 = beta3 * beta3
-    beta7 = beta * beta6
     gamma4 = gamma2 * gamma2
-    t18 = gamma * t14
-    t19 = gamma4 * t11
-    t20 = t17 * t6
-    t21 = gamma2 * zeta4
-    t22 = alpha * gamma3 * zeta4
-    t23 = beta2 * t16
+    t20 = gamma2 * zeta4
+    t21 = alpha * gamma3 * zeta4
+    t22 = gamma4 * t13
+    t23 = beta2 * t20
     beta8 = beta4 * beta4
     gamma5 = gamma * gamma4
     gamma6 = gamma3 * gamma3
@@ -866,31 +864,29 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     return stacked(
         (
             4096.0 * t0 * t1,
-            36864.0 * alpha * beta * t1,
-            3840.0 * t1 * (9.0 * beta2 + 20.0 * t2),
-            3072.0 * beta * t5 * (96.0 * t3 + 35.0 * t4),
-            2880.0 * t5 * (512.0 * gamma * t3 + 576.0 * t6 + 25.0 * t7),
-            1152.0 * t11 * (-1485.0 * alpha * beta4 + 1242.0 * beta4 * zeta2 + t10 * t9 + 9840.0 * t2 * t8),
-            -192.0 * t13 * (88740.0 * alpha * beta2 * gamma * m2 - 27648.0 * beta3 * t9 + 9477.0 * beta4 * m2 -
-            133600.0 * t12 * t7 - 59040.0 * t4 * t8),
-            -48.0 * zeta2 * (1321200.0 * alpha * beta2 * gamma2 * m2 - 248832.0 * alpha * t14 - 400000.0 * alpha *
-            t15 - 680400.0 * beta2 * t7 * zeta2 - 1105920.0 * beta3 * t0 * t16 + 410265.0 * beta4 * gamma * m2),
-            -288.0 * t13 * (3888.0 * alpha * beta5 + 363000.0 * alpha * gamma3 * m2 + 289575.0 * beta2 * gamma2 * m2
-            - 449280.0 * beta3 * t2 * zeta2 - 23328.0 * t14 - 139000.0 * t15 - 691200.0 * t17 * t3),
-            -32.0 * zeta2 * (447120.0 * alpha * beta5 * gamma + 2012500.0 * alpha * gamma4 * m2 + 5365125.0 * beta2
-            * gamma3 * m2 + 39366.0 * beta7 - 10368000.0 * gamma3 * t3 * zeta2 - 2449440.0 * t18 - 537500.0 * t19 -
-            17193600.0 * t20),
-            -81.0 * (931200.0 * alpha * beta4 * gamma2 * zeta2 + 2100000.0 * beta * gamma4 * m2 * zeta2 - 14080000.0
-            * beta2 * t22 - 4588800.0 * beta4 * t21 + 211680.0 * beta6 * gamma * zeta2 - 729.0 * beta8 - 2560000.0 *
-            gamma4 * t0 * zeta4),
-            -60.0 * gamma * (-19008000.0 * beta * t22 - 15206400.0 * beta3 * t21 - 15309.0 * beta7 + 1642680.0 * t18
-            + 1062500.0 * t19 + 3499200.0 * t20),
-            -4500.0 * gamma2 * (72320.0 * alpha * beta2 * gamma2 * zeta2 - 270080.0 * beta2 * t21 + 68868.0 * beta4
-            * gamma * zeta2 - 1377.0 * beta6 - 96000.0 * t22),
-            -22500.0 * beta * gamma3 * (-1053.0 * beta4 + 11840.0 * gamma2 * t12 - 36800.0 * t21 + 25560.0 * t23),
-            -56250.0 * gamma4 * (-999.0 * beta4 + t10 * t12 - 4000.0 * t21 + 11184.0 * t23),
-            37500.0 * beta * gamma5 * (2259.0 * beta2 - 10000.0 * t16),
-            187500.0 * gamma6 * (423.0 * beta2 - 500.0 * t16),
+            36864.0 * t1 * t2,
+            3840.0 * t1 * (20.0 * t3 + t4),
+            3072.0 * beta * t5 * (96.0 * beta * t0 + 35.0 * gamma * m2),
+            2880.0 * t5 * (25.0 * gamma2 * m2 + 64.0 * t2 * (8.0 * t3 + t4)),
+            1152.0 * t13 * (t12 - 1485.0 * t6 + 1242.0 * t7 + 9840.0 * t9),
+            -192.0 * t19 * (m2 * (9477.0 * beta4 - 133600.0 * t16 - 59040.0 * t18 + 88740.0 * t8) - t14 * t15),
+            -48.0 * zeta2 * (-alpha * t15 * zeta2 * (40.0 * t3 + t4) + 5.0 * gamma * m2 * (82053.0 * beta4 - 80000.0
+            * t16 - 136080.0 * t18 + 264240.0 * t8)),
+            -288.0 * t19 * (-432.0 * beta * (t12 - 9.0 * t6 + 54.0 * t7 + 1040.0 * t9) + 25.0 * gamma2 * m2 *
+            (11583.0 * beta2 - 5560.0 * t17 + 14520.0 * t3)),
+            -32.0 * zeta2 * (-54.0 * beta * (318400.0 * beta2 * t16 - 8280.0 * beta4 * t3 - 729.0 * beta6 + 45360.0
+            * gamma * t7 + 192000.0 * gamma3 * t14) + 125.0 * gamma3 * m2 * (42921.0 * beta2 - 4300.0 * t17 +
+            16100.0 * t3)),
+            -170100000.0 * beta * t22 + 1140480000.0 * beta2 * t21 + 371692800.0 * beta4 * t20 - 17146080.0 * beta6
+            * t17 + 59049.0 * beta8 + 207360000.0 * gamma4 * t0 * zeta4 - 75427200.0 * t10 * t6,
+            -60.0 * gamma * (27.0 * beta * (129600.0 * alpha * beta2 * gamma2 * zeta2 + 60840.0 * beta4 * gamma *
+            zeta2 - 567.0 * beta6 - 704000.0 * t21 - 563200.0 * t23) + 1062500.0 * t22),
+            -4500.0 * gamma2 * (72320.0 * alpha * beta2 * gamma2 * zeta2 + 68868.0 * beta4 * gamma * zeta2 - 1377.0
+            * beta6 - 96000.0 * t21 - 270080.0 * t23),
+            -22500.0 * beta * gamma3 * (-1053.0 * beta4 + 11840.0 * t16 + 25560.0 * t18 - 36800.0 * t20),
+            -56250.0 * gamma4 * (alpha * t11 - 999.0 * beta4 + 11184.0 * t18 - 4000.0 * t20),
+            37500.0 * beta * gamma5 * (2259.0 * beta2 - 10000.0 * t17),
+            187500.0 * gamma6 * (423.0 * beta2 - 500.0 * t17),
             42187500.0 * beta * gamma7,
             9765625.0 * gamma8,
         ),
@@ -902,147 +898,105 @@ def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
 
     Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
-    Operations: 1281 structured, 510 common subexpressions, 476 power chains.
+    Operations: 780 structured, 382 common subexpressions, 355 power chains.
     """
     F_0, m, zeta, alpha, beta, gamma, u_cr = floats(F_0, m, zeta, alpha, beta, gamma, u_cr)
-    t0 = F_0 + m
-    t1 = -F_0 + m
+    excess = (F_0 - m) * (F_0 + m)
     m2 = m * m
     zeta2 = zeta * zeta
-    t2 = alpha * m2
-    F_0_2 = F_0 * F_0
-    t3 = F_0_2 * alpha
-    t4 = F_0_2 * zeta2
-    F_0_3 = F_0 * F_0_2
-    F_0_6 = F_0_3 * F_0_3
-    t5 = F_0_6 * beta
-    m3 = m * m2
-    m6 = m3 * m3
+    t0 = m2 * zeta2
+    t1 = excess * t0
+    excess2 = excess * excess
+    excess3 = excess * excess2
+    t2 = 6.0 * beta
+    t3 = beta * excess2
     m4 = m2 * m2
-    t6 = F_0_2 * m4
-    t7 = beta * t6
-    F_0_4 = F_0_2 * F_0_2
-    t8 = alpha * alpha
-    t9 = m4 * zeta2
-    beta2 = beta * beta
-    t10 = 9.0 * beta2
-    t11 = 40.0 * gamma
-    t12 = gamma * zeta2
+    t4 = alpha * alpha
+    t5 = t4 * zeta2
+    t6 = 128.0 * zeta2
     zeta4 = zeta2 * zeta2
-    t13 = m4 * zeta4
-    t14 = alpha * t13
-    t15 = 27.0 * beta2
-    t16 = F_0_4 * m2
-    t17 = gamma * m4
-    t18 = beta * zeta4
-    t19 = F_0_2 * t18
-    t20 = 15.0 * gamma
-    t21 = 45.0 * gamma
-    t22 = F_0_4 * zeta4
-    t23 = 36.0 * beta2
-    t24 = alpha * zeta2
-    t25 = alpha * t9
-    t26 = gamma * zeta4
-    t27 = t2 * t4
+    t7 = beta * zeta4
+    t8 = alpha * t7
+    beta2 = beta * beta
+    t9 = 9.0 * beta2
+    t10 = gamma * zeta2
+    t11 = 40.0 * t10
+    t12 = excess * gamma
+    t13 = 5.0 * t12
+    t14 = alpha * zeta2
+    t15 = beta * t14
+    t16 = alpha * gamma
+    t17 = m4 * zeta4
+    t18 = alpha * beta2
+    t19 = gamma * t7
     gamma2 = gamma * gamma
-    t28 = 25.0 * gamma2
-    t29 = beta * gamma
-    t30 = 240.0 * t29
-    t31 = 75.0 * gamma2
+    t20 = excess * gamma2
+    t21 = -25.0 * t20
     beta3 = beta * beta2
-    t32 = beta3 * zeta2
-    t33 = alpha * t12
-    t34 = beta * t33
-    t35 = F_0_2 * m2
-    t36 = gamma * t35
-    t37 = beta3 * m2
-    t38 = m2 * zeta4
-    t39 = t38 * t8
+    t22 = beta3 * zeta2
+    t23 = 120.0 * alpha
+    t24 = beta * t10
+    t25 = excess * t10
+    t26 = 48.0 * beta
     beta4 = beta2 * beta2
-    t40 = 81.0 * beta4
-    t41 = 1600.0 * gamma2
-    t42 = beta3 * zeta4
-    t43 = 1728.0 * t42
-    t44 = 800.0 * gamma2
-    t45 = beta2 * gamma
-    t46 = m2 * t4
-    t47 = 135.0 * beta3
-    t48 = beta4 * zeta4
-    t49 = beta4 * zeta2
-    t50 = 162.0 * t49
-    t51 = beta * gamma2
-    t52 = 600.0 * t51
-    t53 = 2160.0 * t3
-    t54 = t2 * zeta4
+    t27 = 81.0 * excess
+    t28 = beta3 * zeta4
+    t29 = 1728.0 * alpha
+    t30 = t20 * zeta4
+    t31 = 200.0 * t20
+    t32 = 45.0 * beta2 * t12
+    t33 = 243.0 * beta4
+    t34 = t10 * t18
+    t35 = 400.0 * gamma2
+    t36 = 720.0 * t16
     beta5 = beta * beta4
-    t55 = 243.0 * beta5
-    t56 = beta2 * gamma2
-    t57 = 675.0 * t56
+    t37 = 243.0 * beta5
     gamma3 = gamma * gamma2
-    t58 = F_0_4 * gamma3
-    t59 = t55 * zeta2
-    t60 = 500.0 * gamma3
-    t61 = gamma * t42
-    t62 = gamma * t32
-    t63 = gamma3 * m2
-    t64 = 1500.0 * beta
-    t65 = gamma3 * zeta4
-    t66 = beta * gamma3
-    t67 = 3645.0 * gamma
-    t68 = t56 * zeta4
-    t69 = 10800.0 * t56
-    t70 = t3 * zeta2
-    t71 = t2 * zeta2
+    t38 = excess * gamma3
+    t39 = beta3 * t10
+    t40 = beta4 * zeta4
+    t41 = beta2 * gamma2
+    t42 = gamma3 * zeta2
+    t43 = alpha * zeta4
+    t44 = 43200.0 * t20
     gamma4 = gamma2 * gamma2
-    t72 = 625.0 * gamma4
-    t73 = alpha * gamma
-    t74 = 1250.0 * gamma4
-    t75 = 12000.0 * t66
-    t76 = 10800.0 * gamma2
-    t77 = t8 * zeta2
-    t78 = t0 * t0
-    t79 = t78 * t78
-    t80 = t1 * t1
-    t81 = t80 * t80
+    t45 = gamma2 * t5
+    t46 = 40.0 * t16
+    excess4 = excess2 * excess2
     beta6 = beta3 * beta3
     gamma5 = gamma * gamma4
     gamma6 = gamma3 * gamma3
     return stacked(
         (
-            64.0 * t79 * t81,
-            -512.0 * m2 * t0 * t1 * zeta2 * (t2 - t3 + 2.0 * t4),
-            -128.0 * zeta2 * (15.0 * F_0_4 * beta * m2 + 3.0 * beta * m6 - 6.0 * t5 - 12.0 * t7 - 8.0 * t8 * t9),
-            32.0 * (-F_0_6 * t10 + F_0_6 * t11 * zeta2 + 48.0 * beta * t14 + m6 * t10 - 10.0 * m6 * t12 - 90.0 * t12
-            * t16 + t15 * t16 - t15 * t6 + 60.0 * t17 * t4 + 96.0 * t19 * t2),
-            64.0 * (80.0 * F_0_2 * t2 * t26 + 18.0 * F_0_4 * beta2 * t24 + beta * m6 * t20 + beta * t16 * t21 + 18.0
-            * beta2 * t27 + 20.0 * gamma * t14 + t10 * t13 - t20 * t5 - t21 * t7 + t22 * t23 - t23 * t25),
-            32.0 * (-27.0 * F_0_4 * t32 + 120.0 * F_0_4 * t34 - F_0_6 * t28 + 144.0 * beta2 * t39 - 54.0 * m4 * t32
-            + m6 * t28 + 30.0 * t13 * t29 + t16 * t31 - 60.0 * t18 * t36 + t22 * t30 - t25 * t30 + 120.0 * t27 * t29
-            - t31 * t6 + 81.0 * t37 * t4),
-            -4.0 * (162.0 * F_0_2 * beta4 * m2 + 800.0 * F_0_2 * gamma2 * m2 * zeta4 + 1260.0 * F_0_4 * beta2 *
-            gamma * zeta2 - F_0_4 * t24 * t44 - F_0_4 * t40 + 1600.0 * alpha * gamma2 * m4 * zeta2 + 1800.0 * beta2
-            * gamma * m4 * zeta2 - 3840.0 * gamma * m2 * t18 * t8 - 100.0 * gamma2 * t13 - m4 * t40 - t2 * t43 - t22
-            * t41 - t27 * t44 - t3 * t43 - 3060.0 * t45 * t46),
-            16.0 * (324.0 * F_0_2 * beta4 * zeta4 + F_0_4 * gamma * t47 - F_0_4 * t52 * zeta2 - 270.0 * beta3 * t36
-            + 162.0 * m2 * t48 + t17 * t47 - t2 * t50 - t3 * t50 + t39 * t44 + t45 * t53 * zeta4 + 1800.0 * t45 *
-            t54 + 1200.0 * t46 * t51 - t52 * t9),
-            8.0 * (3780.0 * F_0_2 * t61 + F_0_4 * t57 - m2 * t59 + m4 * t57 - 2160.0 * t2 * t62 + 1620.0 * t26 * t37
-            + 7200.0 * t3 * t51 * zeta4 - 1350.0 * t35 * t56 - t4 * t55 + 1250.0 * t4 * t63 + 648.0 * t48 * t8 +
-            4800.0 * t51 * t54 - t53 * t62 - 750.0 * t58 * zeta2 - t60 * t9),
-            4.0 * (16200.0 * F_0_2 * t68 + 1944.0 * alpha * beta5 * zeta4 - beta4 * t4 * t67 + gamma3 * m4 * t64 -
-            m2 * t49 * t67 + 4000.0 * t2 * t65 + 8000.0 * t3 * t65 - 3000.0 * t35 * t66 + 5850.0 * t38 * t56 + t58 *
-            t64 + 8640.0 * t61 * t8 - t69 * t70 - t69 * t71),
-            4.0 * (F_0_4 * t72 - beta3 * t4 * t76 + 729.0 * beta6 * zeta4 + 15000.0 * gamma3 * t19 - m2 * t32 * t76
-            + m4 * t72 + 4500.0 * t18 * t63 - t35 * t74 + 14580.0 * t48 * t73 + 21600.0 * t68 * t8 - t70 * t75 - t71
-            * t75),
-            -100.0 * t12 * (200.0 * F_0_2 * alpha * gamma3 + 630.0 * F_0_2 * beta2 * gamma2 + 200.0 * alpha * gamma3
-            * m2 + 630.0 * beta2 * gamma2 * m2 - 200.0 * gamma3 * t4 - 1728.0 * t32 * t73 - 960.0 * t51 * t77 - t59
-            - 50.0 * t63 * zeta2),
-            -t28 * zeta2 * (1800.0 * F_0_2 * beta * gamma2 + 1800.0 * beta * gamma2 * m2 - 10080.0 * beta2 * t33 -
-            t41 * t77 - 3321.0 * t49),
-            -t60 * zeta2 * (F_0_2 * t28 + m2 * t28 - 297.0 * t32 - 360.0 * t34),
-            t74 * zeta4 * (alpha * t11 + 117.0 * beta2),
-            75000.0 * gamma5 * t18,
+            64.0 * excess4,
+            512.0 * t1 * (-excess * (alpha - 2.0 * zeta2) + 2.0 * m2 * zeta2),
+            t6 * (excess3 * t2 + 3.0 * m2 * t3 + 8.0 * m4 * t5),
+            -32.0 * excess3 * (-t11 + t9) + 4608.0 * m4 * t8 + 192.0 * t1 * (t13 + 16.0 * t15),
+            excess * m2 * t6 * (alpha * t11 + 36.0 * beta2 * zeta2 + 27.0 * t18) + 320.0 * t17 * (20.0 * t16 + t9) +
+            192.0 * t3 * (-t13 + t14 * t2 + 12.0 * t7),
+            96.0 * beta * t0 * (excess * t9 + t12 * t23 + 140.0 * t25 + t26 * t5) + 32.0 * excess2 * (240.0 * t19 +
+            t21 - 27.0 * t22 + t23 * t24) + 6720.0 * m4 * t19,
+            4.0 * excess * (-1260.0 * beta2 * t25 + beta4 * t27 + 800.0 * t14 * t20 + t28 * t29 + 1600.0 * t30) +
+            3600.0 * gamma2 * t17 + 48.0 * t0 * (288.0 * alpha * t22 + alpha * t31 + 320.0 * t24 * t4 + t31 * zeta2
+            + t32),
+            -excess * t26 * (54.0 * alpha * beta3 * zeta2 + 200.0 * excess * gamma2 * zeta2 - 108.0 * t28 - t32 -
+            t36 * t7) + 32.0 * m2 * zeta2 * (-162.0 * alpha * beta4 + t33 * zeta2 + 1980.0 * t34 + t35 * t5),
+            -16.0 * t0 * (2160.0 * beta3 * t16 - 6000.0 * gamma2 * t15 + t37 + 125.0 * t38 - 2700.0 * t39) + 24.0 *
+            (-720.0 * alpha * beta3 * t25 - beta5 * t27 * zeta2 + 225.0 * excess2 * t41 - 250.0 * excess2 * t42 +
+            1260.0 * t12 * t28 + 2400.0 * t20 * t8 + 216.0 * t4 * t40),
+            64800.0 * beta2 * t30 - 14580.0 * beta4 * t25 + 7776.0 * beta5 * t43 + 34560.0 * gamma * t28 * t4 +
+            6000.0 * gamma3 * t3 - 120.0 * m2 * t10 * (-735.0 * beta2 * t10 + beta2 * t36 - t14 * t35 + t33) - t18 *
+            t44 * zeta2 + 32000.0 * t38 * t43,
+            -1200.0 * beta * gamma2 * m2 * zeta2 * (72.0 * beta2 - 65.0 * t10 + 80.0 * t16) + 2916.0 * beta6 * zeta4
+            + 2500.0 * excess2 * gamma4 - 48000.0 * t15 * t38 + 58320.0 * t16 * t40 - t22 * t44 + 60000.0 * t38 * t7
+            + 86400.0 * t4 * t41 * zeta4,
+            -100.0 * t10 * (200.0 * alpha * excess * gamma3 - 960.0 * beta * t45 + 630.0 * beta2 * excess * gamma2 +
+            10.0 * gamma2 * m2 * (126.0 * beta2 - 25.0 * t10 + t46) - t29 * t39 - t37 * zeta2 - 200.0 * t38 * zeta2),
+            -25.0 * gamma2 * zeta2 * (1800.0 * beta * excess * gamma2 + 3600.0 * beta * gamma2 * m2 - 3321.0 * beta4
+            * zeta2 - 10080.0 * t34 - 1600.0 * t45),
+            -500.0 * t42 * (-360.0 * alpha * t24 + 50.0 * gamma2 * m2 - t21 - 297.0 * t22),
+            1250.0 * gamma4 * zeta4 * (117.0 * beta2 + t46),
+            75000.0 * gamma5 * t7,
             15625.0 * gamma6 * zeta4,
         ),
         (F_0, m, zeta, alpha, beta, gamma, u_cr),

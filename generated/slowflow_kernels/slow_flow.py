@@ -323,33 +323,25 @@ def detachment(A, m, zeta, h):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0.
-    Operations: 103 structured, 67 common subexpressions, 50 power chains.
+    Operations: 72 structured, 41 common subexpressions, 37 power chains.
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     m2 = m * m
     zeta2 = zeta * zeta
     t0 = A * zeta2
-    t1 = h * t0
-    h2 = h * h
+    t1 = h + t0
+    t2 = h * t0
+    t3 = h * h
     zeta4 = zeta2 * zeta2
-    A2 = A * A
-    t2 = A2 * zeta4
-    t3 = 2.0 * m2
-    t4 = 8.0 * t2
-    t5 = m2 + 4.0 * t1
+    t4 = A * A * zeta4
+    t5 = -t3
+    t6 = m2 + 4.0 * t2
     m4 = m2 * m2
-    h3 = h * h2
-    zeta8 = zeta4 * zeta4
-    A4 = A2 * A2
-    zeta3 = zeta * zeta2
-    zeta6 = zeta3 * zeta3
-    A3 = A * A2
     return stacked(
         (
-            -t5 * t5 * (h2 + m2 + 2.0 * t1 + t2),
-            32.0 * A3 * h * zeta6 + 16.0 * A4 * zeta8 + h2 * t3 + h2 * t4 - 8.0 * h3 * t0 + 20.0 * m2 * t2 + 3.0 *
-            m4 + t1 * t3,
-            -h2 - 3.0 * m2 + 8.0 * t1 + t4,
+            -t6 * t6 * (m2 + t1 * t1),
+            2.0 * m2 * (t2 + t3 + 10.0 * t4) + 3.0 * m4 - 8.0 * t0 * t1 * (-2.0 * t2 - 2.0 * t4 - t5),
+            -3.0 * m2 + 8.0 * t2 + 8.0 * t4 + t5,
             1.0,
         ),
         (A, m, zeta, h),
@@ -630,42 +622,63 @@ def isola_bend(Omega, A, m, zeta, h, h_A, h_AA):
     """The same at an isola point.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
-    Operations: 46 structured, 35 common subexpressions, 35 power chains.
+    Operations: 77 structured, 50 common subexpressions, 50 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
     t0 = Omega * Omega
-    t1 = A * t0
-    R = h + t1
+    R = A * t0 + h
+    t1 = 2.0 * zeta
     t2 = A * Omega
-    I = m + 2.0 * t2 * zeta
-    t3 = h_A + t0
-    t4 = zeta * zeta
-    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3)
-    t5 = 2.0 * t4
-    F_AOmega = 4.0 * (I * zeta + Omega * R + t2 * t3 + t2 * t5)
-    F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1)
-    return F_AA * (F_AA * F_OmegaOmega - F_AOmega * F_AOmega)
+    I = m + t1 * t2
+    t3 = R * h_AA
+    t4 = h_A + t0
+    t5 = zeta * zeta
+    t6 = 4.0 * t5
+    t7 = t0 * t6 + t4 * t4
+    F_AA = 2.0 * (t3 + t7)
+    G_AOmega = 2.0 * t2 * t4 + t2 * t6
+    t8 = A * A
+    G_OmegaOmega = 4.0 * t0 * t8 + t6 * t8
+    t9 = 2.0 * R
+    S_AOmega = I * t1 + Omega * t9
+    S_OmegaOmega = A * t9
+    t10 = 4.0 * S_OmegaOmega
+    t11 = -h_A + t0
+    return (
+        F_AA * (-8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t3 - 4.0 * S_AOmega * S_AOmega + t10 * t3 + t10 *
+        t7 + 16.0 * t11 * t11 * t5 * t8)
+    )
 
 
 def hessian(Omega, A, m, zeta, h, h_A, h_AA):
     """F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.
 
     Equation from (24). Domain: Omega > 0, A > 0.
-    Operations: 45 structured, 34 common subexpressions, 34 power chains.
+    Operations: 65 structured, 47 common subexpressions, 47 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
     t0 = Omega * Omega
-    t1 = A * t0
-    R = h + t1
+    R = A * t0 + h
+    t1 = 2.0 * zeta
     t2 = A * Omega
-    I = m + 2.0 * t2 * zeta
+    I = m + t1 * t2
     t3 = h_A + t0
     t4 = zeta * zeta
-    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3)
-    t5 = 2.0 * t4
-    F_AOmega = 4.0 * (I * zeta + Omega * R + t2 * t3 + t2 * t5)
-    F_OmegaOmega = 4.0 * A * (A * t5 + R + 2.0 * t1)
-    return F_AA * F_OmegaOmega - F_AOmega * F_AOmega
+    t5 = 4.0 * t4
+    G_AA = t0 * t5 + t3 * t3
+    G_AOmega = 2.0 * t2 * t3 + t2 * t5
+    t6 = A * A
+    G_OmegaOmega = 4.0 * t0 * t6 + t5 * t6
+    S_AA = R * h_AA
+    t7 = 2.0 * R
+    S_AOmega = I * t1 + Omega * t7
+    S_OmegaOmega = A * t7
+    t8 = 4.0 * S_OmegaOmega
+    t9 = -h_A + t0
+    return (
+        G_AA * t8 - 8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * S_AA + S_AA * t8 - 4.0 * S_AOmega * S_AOmega +
+        16.0 * t4 * t6 * t9 * t9
+    )
 
 
 def tail(Omega, F_0, m):

@@ -285,7 +285,8 @@ def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
 
     def in_derivatives(name: str, output: sp.Expr, doc: str, equation: str) -> Kernel:
         values = [(symbol, value) for symbol, value in slopes.values.items() if symbol in output.free_symbols]
-        lets = [(R, flow.R), (I, flow.I), *values]
+        of_hessian = [(symbol, value) for symbol, value in slopes.hessian_lets if symbol in output.free_symbols]
+        lets = [(R, flow.R), (I, flow.I), *values, *of_hessian]
         needs = set().union(*(value.free_symbols for _, value in lets))
         order = (Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
         return plain(name, [symbol for symbol in order if symbol in needs], output, doc, equation, lets=lets)

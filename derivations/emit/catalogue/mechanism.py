@@ -487,6 +487,8 @@ def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
     first = derived.whole.breakpoints[:1]
     # the resultants hold for the first regime: its breakpoint does not enter
     domain = f"roots with 0 < A <= {first[0]}" if first else "roots with A > 0"
+    excess = sp.Symbol("excess", real=True)
+    by_excess = {power: in_excess(value, excess) for power, value in derived.saddle_nodes.reduced.items()}
     return [
         plain(
             "saddle_node_onset",
@@ -501,14 +503,23 @@ def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
         plain(
             "saddle_nodes",
             (F_0, m, zeta, *parameters),
-            by_even_power(derived.saddle_nodes),
+            by_even_power(replace(derived.saddle_nodes, reduced=by_excess)),
             "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.",
             "from (24), (30)",
             domain,
+            lets=((excess, (F_0 - m) * (F_0 + m)),),
             parameters=len(parameters),
             returns="stack",
         ),
     ]
+
+
+def in_excess(value: sp.Expr, excess: sp.Symbol) -> sp.Expr:
+    """A polynomial in F_0^2 by what this exceeds m^2 by: next to sticking, where that is small, it is of high powers."""
+    terms = sp.Poly(value, F_0).terms()
+    if any(power % 2 for (power,), _ in terms):
+        raise ArithmeticError("a resultant that is not even in F_0")
+    return sum(coefficient * (excess + m**2) ** (power // 2) for (power,), coefficient in terms)
 
 
 def compositions(
