@@ -515,7 +515,7 @@ def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
 
 
 def in_excess(value: sp.Expr, excess: sp.Symbol) -> sp.Expr:
-    """A polynomial in F_0^2 by what this exceeds m^2 by: next to sticking, where that is small, it is of high powers."""
+    """A polynomial in F_0^2 by what this exceeds m^2 by, of which it has high powers: it is small next to sticking."""
     terms = sp.Poly(value, F_0).terms()
     if any(power % 2 for (power,), _ in terms):
         raise ArithmeticError("a resultant that is not even in F_0")
