@@ -38,7 +38,10 @@ windows = st.tuples(numbers, numbers) | st.sampled_from([(0.0, 2.0), (0.5, 1.5),
 samples = st.sampled_from([2, 10, 300, 1, 0, -3, 2.5, "many"])
 questions = st.one_of(
     *(st.tuples(st.just(name), st.just(()), st.just({})) for name in ("saddle_node_onset", "detachment")),
-    *(st.tuples(st.just(name), st.tuples(anything), st.just({})) for name in ("peak", "saddle_nodes", "backbone")),
+    *(
+        st.tuples(st.just(name), st.tuples(anything), st.just({}))
+        for name in ("peak", "saddle_nodes", "backbone", "margins", "hysteresis", "isolation")
+    ),
     st.tuples(
         st.just("frequency_response"),
         st.tuples(anything),
@@ -46,7 +49,7 @@ questions = st.one_of(
     ),
     *(
         st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"Omega": anything, "F_0": anything}))
-        for name in ("amplitudes", "limit_envelope")
+        for name in ("amplitudes", "limit_envelope", "spectrum")
     ),
     *(
         st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"Omega": anything, "A": anything}))
@@ -60,6 +63,33 @@ questions = st.one_of(
     st.tuples(st.just("certify"), st.tuples(anything), st.fixed_dictionaries({"Omega": anything})),
     st.tuples(st.just("explain"), st.tuples(st.just("saddle_nodes"), anything), st.just({})),
 )
+#: a data sheet in SI units, and its questions: forces, frequencies
+sheets = st.fixed_dictionaries(
+    {
+        "m": st.floats(0.1, 100) | anything,
+        "k_v": st.floats(10, 1e5) | anything,
+        "k_h": st.floats(10, 1e5) | anything,
+        "L": st.floats(0.01, 1) | anything,
+        "preload": st.floats(0, 0.01) | anything,
+        "friction": st.floats(0, 1) | anything,
+        "zeta": st.floats(0, 0.2) | anything,
+        "load": st.none() | anything,
+    }
+)
+physical = st.one_of(
+    *(st.tuples(st.just(name), st.just(()), st.just({})) for name in ("at_rest", "saddle_node_onset", "detachment")),
+    *(
+        st.tuples(st.just(name), st.tuples(anything), st.just({}))
+        for name in ("peak", "saddle_nodes", "margins", "hysteresis", "isolation", "force", "backbone", "sag")
+    ),
+    *(
+        st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"f": anything, "F": anything}))
+        for name in ("amplitudes", "limit_envelope", "spectrum")
+    ),
+    st.tuples(
+        st.just("frequency_response"), st.tuples(anything), st.fixed_dictionaries({"f": windows, "samples": samples})
+    ),
+)
 #: refusals: each has words
 REFUSED = (ValueError, TypeError, ArithmeticError)
 
@@ -69,16 +99,13 @@ def undefined(value):
     return isinstance(value, (float, np.ndarray)) and np.asarray(value).dtype.kind == "f" and np.isnan(value).any()
 
 
-@pytest.mark.both_backends
-@settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
-@given(oscillators, st.lists(questions, min_size=1, max_size=3))
-def test_an_answer_or_a_refusal_in_words(made, asked):
-    kind, parameters = made
+def asked_all(make, asked):
+    """Everything that is asked of what is made is answered, or refused in words, without a warning."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", message=".*negative stiffness at rest")  # meant for the user
         try:
-            oscillator = kind(**parameters)
+            oscillator = make()
         except REFUSED as refusal:
             assert str(refusal)
             return
@@ -90,3 +117,17 @@ def test_an_answer_or_a_refusal_in_words(made, asked):
                 continue
             found = [value for value in vars(answer).values() if undefined(value)] if hasattr(answer, "message") else []
             assert not found or answer.message
+
+
+@pytest.mark.both_backends
+@settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@given(oscillators, st.lists(questions, min_size=1, max_size=3))
+def test_an_answer_or_a_refusal_in_words(made, asked):
+    kind, parameters = made
+    asked_all(lambda: kind(**parameters), asked)
+
+
+@settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@given(sheets, st.lists(physical, min_size=1, max_size=3))
+def test_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):
+    asked_all(lambda: Isolator.physical(**sheet), asked)

@@ -215,6 +215,9 @@ def test_quantities_are_copied_compared_and_read_by_entry(mount):
     assert folds != mount.saddle_nodes(4.5)
     assert [fold.kind for fold in folds] == ["jump-up", "jump-down"] and folds[-1].f == folds.f[1]
     assert folds.to_dict()["units"]["A"] == "m" and folds.to_dict()["A"] == folds.A.tolist()
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        mount.scales = None
+    assert mount != mount.replace(m=13) and mount != mount.replace(k_h=1701)
     assert pickle.loads(pickle.dumps(mount)) == mount == copy.deepcopy(mount) and hash(mount) == hash(copy.copy(mount))
     with pytest.raises(AttributeError, match="'Omega' is no part of this answer: it has f, A"):
         _ = folds.Omega

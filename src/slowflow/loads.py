@@ -25,6 +25,7 @@ Flags = npt.NDArray[np.bool_]
 
 ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
 ISOLATES = "every motion transmits less than the force"
+NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
 #: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
@@ -241,21 +242,23 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
     given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
     shape = validate.common_shape(given)
     at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
-    rows = []
+    rows, said = [], []
     before: tuple[float, float] | None = None
     for here in zip(at.tolist(), F.tolist(), strict=True):
-        rows.append(_row(oscillator, before, here))
+        row, message = _row(oscillator, before, here)
+        rows.append(row)
+        said.append(message)
         before = here
     columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
     kinds = {"motions": np.intp, "crosses": np.bool_, "detaches": np.bool_, "sticks": np.bool_}
     typed: dict[str, Any] = {
         name: column.astype(kinds.get(name, float)) for name, column in zip(Load._fields, columns, strict=True)
     }
-    return Spectrum(**typed, message="")
+    return Spectrum(**typed, message=words.at_several(said))
 
 
-def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[float, float]) -> Load:
-    """One row; `before` is where the one before it stands."""
+def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[float, float]) -> tuple[Load, str]:
+    """One row, and what is said beside it; `before` is where the one before it stands."""
     Omega, F_0 = here
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     crosses = False
@@ -266,8 +269,10 @@ def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[f
     stable = np.flatnonzero(states.stable)
     sticks = F_0 <= oscillator.sticking_forcing
     if not stable.size:
-        return Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
+        none = Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
+        return none, states.message if sticks else joined(states.message, NONE_STABLE.format(Omega, F_0))
     top = stable[np.argmax(states.A[stable])]
     A = float(states.A[top])
     detaches = bool(oscillator.breakpoints) and A > oscillator.breakpoints[0]
-    return Load(Omega, F_0, A, float(states.transmissibility_dB[top]), stable.size, crosses, detaches, sticks)
+    dB = float(states.transmissibility_dB[top])
+    return Load(Omega, F_0, A, dB, stable.size, crosses, detaches, sticks), states.message

@@ -11,6 +11,7 @@ import dataclasses
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType, SimpleNamespace
 from typing import Any
 
@@ -220,17 +221,29 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
     }
 
 
+@dataclass(frozen=True, kw_only=True)
 class Scales:
     """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
 
-    Raises ValueError for one that is not > 0.
+    Numbers, or quantities of pint. Raises ValueError for one that is not > 0.
     """
 
-    def __init__(self, *, m: Any, k_v: Any, L: Any) -> None:
-        self.m = validate.number("m", si("m", m, "kilogram"), above=0.0)
-        self.k_v = validate.number("k_v", si("k_v", k_v, "newton/meter"), above=0.0)
-        self.L = validate.number("L", si("L", L, "meter"), above=0.0)
-        self.sizes: dict[str, float] = sizes(m=self.m, k_v=self.k_v, L=self.L)
+    m: float
+    k_v: float
+    L: float
+
+    def __post_init__(self) -> None:
+        for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
+            self.__dict__[name] = validate.number(name, si(name, getattr(self, name), unit), above=0.0)
+        if not all(0 < value < math.inf for value in self.sizes.values()):
+            raise ValueError(
+                f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, beyond doubles"
+            )
+
+    @cached_property
+    def sizes(self) -> dict[str, float]:
+        """What numbers of each kind are measured in."""
+        return sizes(m=self.m, k_v=self.k_v, L=self.L)
 
     def of(self, scale: Scale) -> float:
         """What one of these numbers is measured in."""
@@ -265,6 +278,7 @@ class Scales:
         return Quantities(values, units, answer, tuple(KINDS.get(name, (name, ""))[0] for name in entry))
 
 
+@dataclass(frozen=True, repr=False)
 class Physical:
     """An oscillator whose questions take forces in N, frequencies f in Hz and lengths in m, and are answered in these.
 
@@ -272,23 +286,16 @@ class Physical:
     scales     -- what its numbers are measured in
     given      -- what it was made from, for `replace`
 
-    Arguments may be quantities of pint too. What is asked, and what is raised, is the oscillator's.
+    It does not change. Arguments may be quantities of pint too. What is asked, and what is raised, is the oscillator's.
     """
 
-    def __init__(self, oscillator: Any, scales: Scales, given: Mapping[str, Any]) -> None:
-        self.oscillator = oscillator
-        self.scales = scales
-        self.given = given
+    oscillator: Any
+    scales: Scales
+    given: Mapping[str, Any] = dataclasses.field(compare=False)
 
     def __repr__(self) -> str:
         told = ", ".join(f"{name}={value!r}" for name, value in self.given.items())
         return f"{type(self.oscillator).__name__}.physical({told})"
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Physical) and (self.oscillator, self.given) == (other.oscillator, other.given)
-
-    def __hash__(self) -> int:
-        return hash((self.oscillator, *self.given.values()))
 
     def replace(self, **changes: Any) -> Physical:
         """Another one with some of the numbers changed that this one was made from, by name."""

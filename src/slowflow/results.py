@@ -253,8 +253,9 @@ class SteadyStates(Table):
 
     @property
     def transmissibility_dB(self) -> Floats:
-        """The same in decibels, 20 log10."""
-        return np.asarray(20.0 * np.log10(self.transmissibility))
+        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(20.0 * np.log10(self.transmissibility))
 
     @cached_property
     def validity(self) -> Validity:

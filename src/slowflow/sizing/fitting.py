@@ -7,7 +7,7 @@ counts.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -56,7 +56,7 @@ class Fit(Table):
     error: Floats
     low: Floats
     high: Floats
-    design: Any
+    design: Any = field(repr=False)
     residuals: Floats
     deviation: float
     correlation: Floats

@@ -6,7 +6,7 @@ By SciPy's differential evolution over the batch questions, from a seed: each ge
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -37,7 +37,7 @@ class Met(Answer):
     binding  -- of an infeasible design the requirement that it violates most, in words; "" of others
     """
 
-    design: Any
+    design: Any = field(repr=False)
     feasible: bool
     numbers: Mapping[str, float]
     reached: Mapping[str, float]
