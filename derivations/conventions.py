@@ -129,6 +129,19 @@ EXTRA = Table(
     ),
 )
 
+SECOND = Table(
+    ("SecondStatus", "sf_second_status"),
+    "How one answer of the second approximation fared.",
+    (
+        Word("OK", "an answer"),
+        Word("FIRST_HAS_NONE", "the first approximation has none to start from"),
+        Word("NO_CUSP", "the onset of the first approximation is no cusp, which is all that is followed"),
+        Word("STATIC", "the first approximation's motion is at Omega = 0: it has no harmonics"),
+        Word("FAR", "it does not come near the first approximation: the harmonics are not small"),
+    ),
+    suffix="_SECOND",
+)
+
 CONVENTIONS = (
     Conventions(
         "conventions",
@@ -163,6 +176,36 @@ CONVENTIONS = (
             ),
             Number("NEAR_END", sp.Rational(1, 2**40), "frequencies closer than this are one where a curve ends"),
             Number("SAME", sp.Rational(1, 2**49), "amplitudes closer than this, relatively, are one"),
+        ),
+    ),
+    Conventions(
+        "second_conventions",
+        "What the solvers of the second approximation have in common",
+        (SECOND,),
+        (
+            Number(
+                "SMALL", sp.Rational(1, 5), "change of ln A, ln Omega up to which it is a correction, share of A too"
+            ),
+            Number(
+                "HARMONICS",
+                sp.Rational(1, 10),
+                "the same of the spring's harmonics: from 1/8 on the mass might not turn where they add up",
+            ),
+            Number("STEPS", 25, "of Newton's iteration, at most"),
+            Number("LONGEST", sp.Rational(1, 10), "longest step in ln A, R/F_0 and ln Omega"),
+            Number("DONE", sp.Rational(1, 10**11), "the step that ends the iteration"),
+            Number("MOVED", sp.Rational(1, 10**8), "the last step of a point of a curve, where the next is its square"),
+            Number("ROUNDING", sp.Rational(1, 2**49), "of R, over A Omega^2"),
+            Number("WEIGHT", sp.Integer(2), "of ln Omega in the distance beside ln A and R/F_0"),
+            Number("MATCHING", 5, "steps to the frequency of a given R"),
+            Number("SETTLED", sp.Rational(1, 10**7), "relative distance up to which two answers are one"),
+            Number(
+                "VANISHED", sp.Rational(1, 1000), "size of F_A where it has vanished, over that at the points beside"
+            ),
+            Number("SAMPLES", 600, "points of the curve on which folds and states are looked for"),
+            Number(
+                "BEYOND", sp.Rational(13, 10), "how far that curve reaches beyond the frequencies that are asked for"
+            ),
         ),
     ),
     Conventions(

@@ -39,6 +39,7 @@ MODULES = (
     "slowflow_kernels.conventions",
     "slowflow.averaged.plan",
     "slowflow.second",
+    "slowflow.second.many",
     "slowflow.exact",
     "slowflow.mechanism",
     "slowflow.derive",

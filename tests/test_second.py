@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import itertools
+import json
 
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
 from derivations.second_approximation import friction_sum
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, backend
+from slowflow.averaged.questions import Averaged
 from slowflow.paper.example import isolator
 from slowflow.results import joined
+from slowflow.second import compiled, reference
 from slowflow.second.balance import Balance
 from slowflow.second.curve import follow
 from slowflow_kernels import den_hartog, second_approximation
+from slowflow_kernels.conventions import Status
+from tests.oracles.second import DATA
 
 FORCES = ("truncated", "untruncated")
 
@@ -242,6 +247,18 @@ def test_what_is_not_there_is_told_in_words():
     assert joined(linear.saddle_nodes(0.04).message)
 
 
+def test_a_question_that_it_does_not_answer_is_refused_with_the_reason():
+    second = isolator().second_approximation
+    unanswered = [name for name in dir(Averaged) if not name.startswith("_") and not hasattr(second, name)]
+    facts = {"model", "mu", "zeta", "sticking_forcing", "breakpoints", "curve", "states", "folds"}
+    for name in set(unanswered) - facts:
+        with pytest.raises(AttributeError, match=f"no {name}: "):
+            getattr(second, name)
+    assert {"fold_locus", "backbone", "certify"} < set(unanswered)
+    with pytest.raises(AttributeError, match=r"has no nonsense$"):
+        _ = second.nonsense
+
+
 def test_states_in_which_the_mass_stops_are_named():
     """By what was measured; the exact motion has stops where friction is largest beside inertia, none where least."""
     iso, F_0 = isolator(), 0.018
@@ -361,3 +378,121 @@ def test_states_next_to_a_fold_are_found_where_points_are_far_apart(mu):
     for Omega in (0.888, 0.89, 0.9):
         states = iso.second_approximation.amplitudes(Omega=Omega, F_0=0.04)
         assert states.stable.tolist() == [True, False, True] and not states.message
+
+
+#: random designs of which both paths are asked: isolators whose springs come off, and cubic springs, soft ones too
+def random_oscillators(count=12):
+    rng = np.random.default_rng(11)
+    for _ in range(count):
+        lam, r = rng.uniform(1, 4), rng.uniform(0.5, 3)
+        mu, zeta = rng.uniform(0.0, 0.03), rng.uniform(0.005, 0.1)
+        yield Isolator(lam=lam, r=r, delta_h=rng.uniform(0.1, 0.9) / (lam * r), mu=mu, zeta=zeta), 4 * mu / np.pi + 0.03
+        yield Duffing(1.0, rng.uniform(-0.2, 2.0), mu, zeta), 4 * mu / np.pi + rng.uniform(0.02, 0.2)
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
+def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
+    """The same number of folds and states, equal to 1e-12; points of one curve on the other's balance."""
+    seen = 0
+    for oscillator, F_0 in random_oscillators():
+        balance = Balance(oscillator.model)
+        first = oscillator.curve(F_0, 600, (0.5, 2.0))
+        one, other = compiled.follow(balance, first), reference.follow(balance, first)
+        assert abs(one.A.size - other.A.size) <= 0.01 * first.A.size
+        met = balance.response(one.Omega, one.A, F_0)
+        assert np.abs(met.F).max() < 1e-11 * F_0**2
+        assert np.allclose(one.u_max, met.u_max, rtol=1e-12, atol=0) and np.array_equal(one.stable, met.F_A > 0)
+        folds, others = (path.folds(balance, curve, F_0)[0] for path, curve in ((compiled, one), (reference, other)))
+        assert [fold.up for fold in folds] == [fold.up for fold in others]
+        assert np.allclose(folds, others, rtol=1e-12, atol=0)
+        at = np.linspace(0.55, 1.9, 9)
+        states, others = (path.states(balance, curve, at, F_0) for path, curve in ((compiled, one), (reference, other)))
+        assert np.allclose(states, others, rtol=1e-12, atol=0)
+        peak, beside = (path.peak(balance, curve, F_0) for path, curve in ((compiled, one), (reference, other)))
+        assert (peak is None) == (beside is None)
+        assert peak is None or np.allclose(peak, beside, rtol=1e-9, atol=0)
+        seen += len(folds)
+    assert seen > 20
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
+def test_compiled_and_numpy_find_the_same_critical_forcings():
+    found = 0
+    for oscillator, _ in random_oscillators(20):
+        balance = Balance(oscillator.model)
+        onset, lift = oscillator.saddle_node_onset(), oscillator.detachment()
+        for question, given in (
+            ("cusp", (onset.F_SN, onset.Omega, onset.A) if onset.kind == "cusp" else None),
+            ("detachment", (lift.F_cr, lift.Omega_cr, lift.u_cr) if lift.F_cr else None),
+        ):
+            if given is None:
+                continue
+            one, other = (getattr(path, question)(balance, *given) for path in (compiled, reference))
+            assert (one is None) == (other is None)
+            if one is not None:
+                # a cusp's place is known to a third of its digits only: F_A vanishes there with its slope
+                assert one[0] == pytest.approx(other[0], rel=1e-11) and np.allclose(one, other, rtol=1e-7, atol=0)
+                found += 1
+    assert found > 20
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("name", ["table 1", "duffing"])
+def test_states_and_folds_have_the_digits_of_an_independent_solution(name):
+    """Of tests/oracles/second.py, which knows no derivation: h_n by quadrature, friction's sum in closed form."""
+    case = json.loads(DATA.read_text())[name]
+    oscillator = isolator() if name == "table 1" else Duffing(1.0, 0.5, 0.01, 0.02)
+    second = oscillator.second_approximation
+    states = second.amplitudes(Omega=case["Omega"], F_0=case["F_0"])
+    assert len(states) == len(case["states"]) == 3
+    for found, digits in zip(zip(states.A, states.A_1, strict=True), case["states"], strict=True):
+        assert all(abs(mpf(one) / mpf(text) - 1) < 1e-14 for one, text in zip(found, digits, strict=True))
+    folds = second.saddle_nodes(case["F_0"])
+    assert len(folds) == len(case["folds"]) == 2
+    for fold, (Omega, u_max) in zip(folds, case["folds"], strict=True):
+        assert abs(mpf(fold.Omega) / mpf(Omega) - 1) < 1e-14
+        assert abs(mpf(fold.A) / mpf(u_max) - 1) < 1e-13
+
+
+@pytest.mark.both_backends
+def test_the_peak_is_the_highest_point_of_the_curve():
+    """Of one drawn finely about it; where it has no answer it says why."""
+    for oscillator, F_0 in ((isolator(), 0.04), (isolator(mu=0.0), 0.03), (Duffing(1.0, 0.5, 0.01, 0.02), 0.1)):
+        second = oscillator.second_approximation
+        peak = second.peak(F_0)
+        curve = second.frequency_response(F_0, samples=5000, Omega=(0.98 * peak.Omega, 1.02 * peak.Omega))
+        assert 0 <= 1 - curve.A.max() / peak.A < 1e-5
+        assert abs(curve.Omega[curve.A.argmax()] / peak.Omega - 1) < 1e-3
+    assert "sticks" in isolator().second_approximation.peak(0.01).message
+    unbounded = isolator(zeta=0.0).second_approximation.peak(0.03)
+    assert unbounded.A is None and unbounded.message
+
+
+@pytest.mark.both_backends
+def test_many_designs_have_the_answers_of_each():
+    """The same digits, and a status where a single answer has words; with workers too."""
+    rng = np.random.default_rng(5)
+    n = 8
+    lam, r = rng.uniform(1, 4, n), rng.uniform(0.5, 3, n)
+    design = {"lam": lam, "r": r, "delta_h": rng.uniform(0.1, 0.9, n) / (lam * r), "mu": 0.01, "zeta": 0.03}
+    design["mu"] = np.where(np.arange(n) == 3, 0.2, 0.01)  # one sticks
+    many, F_0 = Isolator.many(**design).second_approximation, 0.05
+    onset, lift = many.saddle_node_onset(workers=2), many.detachment(workers=2)
+    folds, peak = many.saddle_nodes(F_0, workers=2), many.peak(F_0, workers=2)
+    for k in range(n):
+        one = Isolator(**{name: np.broadcast_to(value, n)[k] for name, value in design.items()}).second_approximation
+        for found, names, answer in (
+            (onset, ("F_SN", "Omega", "A"), one.saddle_node_onset()),
+            (lift, ("F_cr", "Omega_cr"), one.detachment()),
+            (peak, ("A", "Omega"), one.peak(F_0)),
+        ):
+            for name in names:
+                value = getattr(answer, name)
+                assert (found.status[k] == Status.OK) == (value is not None)
+                assert np.isnan(getattr(found, name)[k]) if value is None else getattr(found, name)[k] == value
+        beside = one.saddle_nodes(F_0)
+        assert folds.count[k] == len(beside)
+        assert np.array_equal(folds.Omega[k, : len(beside)], beside.Omega)
+        assert np.array_equal(folds.A[k, : len(beside)], beside.A)
+    assert folds.status[3] == peak.status[3] == Status.STICKS
+    assert np.count_nonzero(folds.status == Status.OK) == n - 1

@@ -116,6 +116,26 @@ static void duffing_record_averaged_2(ptrdiff_t n, const double *A, const double
     }
 }
 
+static void duffing_record_harmonics(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    if (n == 1) {
+        duffing_harmonics(A[0], p, out);
+        return;
+    }
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[8];
+        duffing_harmonics(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+        out[2 * n + i] = h[2];
+        out[3 * n + i] = h[3];
+        out[4 * n + i] = h[4];
+        out[5 * n + i] = h[5];
+        out[6 * n + i] = h[6];
+        out[7 * n + i] = h[7];
+    }
+}
+
 static double duffing_record_intercept(double A, const double *p)
 {
     return duffing_intercept(A, p[0], p[1]);
@@ -153,6 +173,8 @@ static const sf_mechanism duffing_record = {
     .averaged = duffing_record_averaged,
     .averaged_2 = duffing_record_averaged_2,
     .intercept = duffing_record_intercept,
+    .harmonics = duffing_record_harmonics,
+    .harmonics_up_to = INFINITY,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -187,6 +209,26 @@ static void rod_spring_record_averaged_2(ptrdiff_t n, const double *A, const dou
         rod_spring_averaged_2(A[i], p, h);
         out[i] = h[0];
         out[n + i] = h[1];
+    }
+}
+
+static void rod_spring_record_harmonics(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    if (n == 1) {
+        rod_spring_harmonics(A[0], p, out);
+        return;
+    }
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[8];
+        rod_spring_harmonics(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+        out[2 * n + i] = h[2];
+        out[3 * n + i] = h[3];
+        out[4 * n + i] = h[4];
+        out[5 * n + i] = h[5];
+        out[6 * n + i] = h[6];
+        out[7 * n + i] = h[7];
     }
 }
 
@@ -225,6 +267,8 @@ static const sf_mechanism rod_spring_record = {
     .averaged = rod_spring_record_averaged,
     .averaged_2 = rod_spring_record_averaged_2,
     .intercept = rod_spring_record_intercept,
+    .harmonics = rod_spring_record_harmonics,
+    .harmonics_up_to = INFINITY,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -263,6 +307,26 @@ static void rod_spring_untruncated_record_averaged_2(ptrdiff_t n, const double *
     }
 }
 
+static void rod_spring_untruncated_record_harmonics(ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    if (n == 1) {
+        rod_spring_untruncated_harmonics(A[0], p, out);
+        return;
+    }
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[8];
+        rod_spring_untruncated_harmonics(A[i], p, h);
+        out[i] = h[0];
+        out[n + i] = h[1];
+        out[2 * n + i] = h[2];
+        out[3 * n + i] = h[3];
+        out[4 * n + i] = h[4];
+        out[5 * n + i] = h[5];
+        out[6 * n + i] = h[6];
+        out[7 * n + i] = h[7];
+    }
+}
+
 static double rod_spring_untruncated_record_intercept(double A, const double *p)
 {
     return rod_spring_untruncated_intercept(A, p[0], p[1], p[2]);
@@ -286,6 +350,8 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .averaged = rod_spring_untruncated_record_averaged,
     .averaged_2 = rod_spring_untruncated_record_averaged_2,
     .intercept = rod_spring_untruncated_record_intercept,
+    .harmonics = rod_spring_untruncated_record_harmonics,
+    .harmonics_up_to = 0.75,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,

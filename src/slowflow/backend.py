@@ -4,6 +4,7 @@
     SOLVER    compiled solvers (slowflow._native)
     EXACT     the compiled equation of motion (slowflow._exact)
     record_of, compiled_model   what the solvers take: a mechanism's record, and one oscillator
+    solver    the compiled solvers, where they are known to be there
 
 `slowflow_kernels` decides, once, at its first import: SLOWFLOW_BACKEND=native demands what is compiled,
 SLOWFLOW_BACKEND=numpy leaves it alone, and without it the compiled code runs where it was built.
@@ -19,7 +20,7 @@ from typing import Any
 
 from slowflow_support.backend import NATIVE, BackendWarning
 
-__all__ = ["EXACT", "KERNELS", "NAME", "SOLVER", "BackendWarning", "compiled_model", "record_of"]
+__all__ = ["EXACT", "KERNELS", "NAME", "SOLVER", "BackendWarning", "compiled_model", "record_of", "solver"]
 
 
 def _loaded(name: str, what: str) -> ModuleType | None:
@@ -50,3 +51,10 @@ def compiled_model(mechanism: str, parameters: tuple[float, ...], damping: tuple
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism."""
     record = record_of(mechanism)
     return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping)
+
+
+def solver() -> ModuleType:
+    """The compiled solvers, where a model is known to have been made by them."""
+    if SOLVER is None:
+        raise RuntimeError("the compiled solvers are not there")
+    return SOLVER

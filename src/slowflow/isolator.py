@@ -9,11 +9,10 @@ import warnings
 from typing import Any
 
 from slowflow import validate
-from slowflow.averaged.many import Designs
 from slowflow.grid.designs import Grid, designs
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import Model
-from slowflow.oscillator import FORCES, Oscillator
+from slowflow.oscillator import FORCES, Designs, Oscillator
 from slowflow.physical import Physical, Scales, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING
@@ -150,7 +149,7 @@ class Isolator(Oscillator):
         design: each answer has a status.
         """
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return designs(_averaged(force), values)
+        return designs(_averaged(force), values, Designs)
 
 
 class Duffing(Oscillator):
@@ -174,4 +173,4 @@ class Duffing(Oscillator):
     @classmethod
     def many(cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs | Grid:  # type: ignore[override]
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        return designs(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})
+        return designs(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}, Designs)

@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
 
 from slowflow import validate
-from slowflow.averaged.many import Designs
+from slowflow.averaged import many
 from slowflow.averaged.questions import Answer, Averaged
 from slowflow.grid.designs import Grid, designs
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
@@ -29,6 +29,7 @@ from slowflow.results import (
 if TYPE_CHECKING:
     from slowflow import exact, loads
     from slowflow.second import SecondApproximation
+    from slowflow.second.many import SecondDesigns
 
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
 EXACT_WINDOW = (0.5, 1.5)
@@ -258,7 +259,18 @@ class Oscillator(Averaged):
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
-        return designs(mechanism, {**design, "mu": mu, "zeta": zeta})
+        return designs(mechanism, {**design, "mu": mu, "zeta": zeta}, Designs)
+
+
+class Designs(many.Designs):
+    """Arrays of designs of one mechanism, and the questions about them, at two depths; see `slowflow.averaged.many`."""
+
+    @cached_property
+    def second_approximation(self) -> SecondDesigns:
+        """The same questions with the higher harmonics of force and friction."""
+        from slowflow.second.many import SecondDesigns
+
+        return SecondDesigns(self)
 
 
 def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:

@@ -34,6 +34,8 @@ class Mechanism(ctypes.Structure):
         ("averaged", Averages),
         ("averaged_2", Averages),
         ("intercept", ctypes.c_void_p),
+        ("harmonics", ctypes.c_void_p),
+        ("harmonics_up_to", ctypes.c_double),
         ("dissipation", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles)),
         ("level", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles, ctypes.c_double)),
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),

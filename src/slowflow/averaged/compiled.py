@@ -5,8 +5,6 @@ Same names, arguments and answers as in `reference.answers`, which run on NumPy;
 
 from __future__ import annotations
 
-from types import ModuleType
-
 import numpy as np
 
 from slowflow import backend
@@ -26,13 +24,6 @@ from slowflow.results import (
     joined,
 )
 from slowflow_kernels.conventions import OnsetKind, Status
-
-
-def _solver() -> ModuleType:
-    if backend.SOLVER is None:
-        raise RuntimeError("the compiled solvers are not there")
-    return backend.SOLVER
-
 
 #: the words for its kinds
 ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
@@ -57,7 +48,7 @@ def _remark(model: Model, F_0: float) -> str:
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
-    status, Omega, A, up, corner, undecided = _solver().saddle_nodes(model.native, F_0)
+    status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.native, F_0)
     _check(status, F_0)
     message = _remark(model, F_0) if A.size or undecided else words.NO_FOLD.format(F_0)
     beside = Remark.UNDECIDED if undecided else Remark(0)
@@ -66,7 +57,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    status, F_SN, Omega, A, kind, at_rest = _solver().onset(model.native)
+    status, F_SN, Omega, A, kind, at_rest = backend.solver().onset(model.native)
     _check(status)
     if status == Status.OK:
         found = SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], "")
@@ -79,7 +70,7 @@ def onset(model: Model) -> SaddleNodeOnset:
 
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
-    status, F_cr, Omega_cr, u_cr = _solver().detachment(model.native)
+    status, F_cr, Omega_cr, u_cr = backend.solver().detachment(model.native)
     if status == Status.NONE:
         return Detachment(None, None, None, words.NO_DETACHMENT)
     return Detachment(F_cr, Omega_cr, u_cr, "")
@@ -87,7 +78,7 @@ def detachment(model: Model) -> Detachment:
 
 def peak(model: Model, F_0: float) -> Peak:
     """The highest peak at F_0 > m."""
-    status, A, Omega = _solver().peak(model.native, F_0)
+    status, A, Omega = backend.solver().peak(model.native, F_0)
     _check(status, F_0)
     if status == Status.UNBOUNDED:
         return Peak(None, None, F_0, words.NO_PEAK)
@@ -96,14 +87,14 @@ def peak(model: Model, F_0: float) -> Peak:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
-    status, Omega, A, F_0, branch, _ = _solver().fold_locus(model.native, A_max, samples)
+    status, Omega, A, F_0, branch, _ = backend.solver().fold_locus(model.native, A_max, samples)
     _check(status)
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.NO_LOCUS.format(A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    status, _, _, _, _, found = _solver().fold_locus(model.native, A_max, 0)
+    status, _, _, _, _, found = backend.solver().fold_locus(model.native, A_max, 0)
     _check(status)
     table = np.array(found, dtype=float).reshape(-1, 6)
     isola = table[:, 3] == 1
@@ -116,7 +107,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
-    status, Omega, A, stable, branch, isola = _solver().frequency_response(model.native, F_0, samples, *window)
+    status, Omega, A, stable, branch, isola = backend.solver().frequency_response(model.native, F_0, samples, *window)
     _check(status, F_0)
     message = _remark(model, F_0)
     if not A.size:
@@ -126,6 +117,6 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
-    status, at, A, stable = _solver().steady_states(model.native, F_0, Omega)
+    status, at, A, stable = backend.solver().steady_states(model.native, F_0, Omega)
     _check(status, F_0)
     return SteadyStates(at, A, stable, F_0, joined(_remark(model, F_0), words.without_a_state(Omega, at)), model)

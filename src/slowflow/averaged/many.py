@@ -218,20 +218,20 @@ class Designs:
 
     def detachment(self, *, workers: int = 1) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; `Status.NONE` for a mechanism without breakpoints."""
-        return Detachments(*self._ask(DETACHMENT, workers), _designs=self)
+        return Detachments(*self.ask(DETACHMENT, workers), _designs=self)
 
     def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
         """F_SN of every design, with its Omega and A."""
-        return Onsets(*self._ask(ONSET, workers), _designs=self)
+        return Onsets(*self.ask(ONSET, workers), _designs=self)
 
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
         """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`."""
         places = validate.count("places", places, least=1)
-        return Folds(*self._ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0)
+        return Folds(*self.ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""
-        return Peaks(*self._ask(PEAK, workers, F_0), _designs=self, _F_0=F_0)
+        return Peaks(*self.ask(PEAK, workers, F_0), _designs=self, _F_0=F_0)
 
     def untruncated_onset(self, wanted: npt.NDArray[np.bool_]) -> Floats:
         """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
@@ -272,7 +272,8 @@ class Designs:
                 raise ValueError(f"{name} varies too: a map is over two parameters")
         return (x, lines[x][1]), (y, lines[y][1]), (of, values if lines[x][0] == 1 else values.T)
 
-    def _ask(self, question: Question, workers: int, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
+    def ask(self, question: Question, workers: int, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
+        """The columns of the answer to a question; a question of its own is another depth's."""
         threads = validate.workers(workers)
         if validate.is_labelled(F_0):
             raise ValueError("F_0 has named axes, or is cut into blocks: at least one number of the designs must too")

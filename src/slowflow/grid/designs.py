@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -21,14 +21,16 @@ from slowflow.model import check_names
 
 __all__ = ["Grid", "designs"]
 
+Plain = TypeVar("Plain", bound=Designs)
+
 #: designs in a block where the arrays do not say how they are to be cut: some tens of MB
 AT_ONCE = 2**18
 
 
-def designs(mechanism: Mechanism, values: Mapping[str, Any]) -> Designs | Grid:
-    """Many designs: a `Grid` if any number is an array of xarray or dask, `Designs` if none is."""
+def designs(mechanism: Mechanism, values: Mapping[str, Any], plain: type[Plain]) -> Plain | Grid:
+    """Many designs: a `Grid` if any number is an array of xarray or dask, `plain` ones if none is."""
     lazy = any(validate.is_labelled(value) for value in values.values())
-    return Grid(mechanism, values) if lazy else Designs(mechanism, dict(values))
+    return Grid(mechanism, values) if lazy else plain(mechanism, dict(values))
 
 
 class Grid:

@@ -3,6 +3,7 @@
 #define SF_INTERFACE_H
 
 #include "certificate.h"
+#include "second_work.h"
 #include "work.h"
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
@@ -29,7 +30,18 @@ typedef struct {
     sf_status (*certify_states)(const sf_model *, const sf_given *, double F_0, double Omega, sf_proof *, sf_certificate *);
     sf_status (*certify_detachment)(const sf_given *, sf_interval *F_cr, sf_interval *Omega_cr);
     sf_status (*certify_onset)(const sf_model *, const sf_given *, sf_work *, sf_proof *, sf_proved_onset *);
+    sf_second_curve *(*second_follow)(const sf_model *, double F_0, long n, const double *Omega, const double *A,
+                                      const long long *branch, const unsigned char *closed);
+    void (*second_free)(sf_second_curve *);
+    void (*second_folds)(const sf_model *, double F_0, const sf_second_curve *, sf_second_folds *);
+    long (*second_most)(const sf_second_curve *, double Omega);
+    int (*second_states)(const sf_model *, double F_0, const sf_second_curve *, double Omega, sf_second_point *);
+    sf_second_status (*second_peak)(const sf_model *, double F_0, const sf_second_curve *, sf_second_point *);
+    sf_second_status (*second_cusp)(const sf_model *, const sf_onset *first, sf_onset *, double *u_max);
+    sf_second_status (*second_detach)(const sf_model *, double F_first, double Omega_first, double u_cr, double *F_cr,
+                                      double *Omega_cr);
     sf_many many_detachment, many_onsets, many_folds, many_peaks;
+    sf_many many_second_detachment, many_second_onsets, many_second_folds, many_second_peaks;
     const sf_mechanism *const *records;
     int count;
 } sf_solvers;

@@ -13,7 +13,7 @@
 #include "interval.h"
 
 enum {
-    SF_FORM = 3, /* of the record below; one of another form is refused */
+    SF_FORM = 4, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -42,6 +42,11 @@ typedef struct sf_mechanism {
     void (*averaged_2)(ptrdiff_t n, const double *A, const double *p, double *out);
     /* h - A h_A without what cancels in it. */
     double (*intercept)(double A, const double *p);
+
+    /* The spring's higher harmonics, as averaged gives h: h_3 with three derivatives, then h_5, for breakpoints up to
+     * harmonics_up_to; NULL where they are not known. */
+    void (*harmonics)(ptrdiff_t n, const double *A, const double *p, double *out);
+    double harmonics_up_to;
 
     /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
     double (*dissipation)(double Omega, double A, const double *damping);

@@ -5,6 +5,7 @@
 #include "many.h"
 #include "onset.h"
 #include "records.h"
+#include "second_many.h"
 
 const sf_solvers SF_SOLVERS = {
     sf_find_onset,
@@ -24,10 +25,22 @@ const sf_solvers SF_SOLVERS = {
     sf_certify_states,
     sf_certify_detachment,
     sf_certify_onset,
+    sf_second_follow,
+    sf_second_free,
+    sf_folds_on,
+    sf_most_crossings,
+    sf_states_on,
+    sf_peak_on,
+    sf_second_cusp,
+    sf_second_detach,
     sf_many_detachment,
     sf_many_onsets,
     sf_many_folds,
     sf_many_peaks,
+    sf_many_second_detachment,
+    sf_many_second_onsets,
+    sf_many_second_folds,
+    sf_many_second_peaks,
     records,
     sizeof records / sizeof records[0],
 };

@@ -13,13 +13,9 @@ import numpy.typing as npt
 
 from slowflow.model import Floats, Model
 from slowflow_kernels import second_approximation as kernels
+from slowflow_kernels.second_conventions import HARMONICS, SMALL
 
 Flags = npt.NDArray[np.bool_]
-
-#: relative change of amplitude or frequency, and share that friction takes off A, up to which they are a correction
-SMALL = 0.2
-#: the same for the share of the spring's harmonics in A; from 1/8 on the mass might not turn where they add up
-HARMONICS = 0.1
 
 
 class Values(NamedTuple):

@@ -5,42 +5,19 @@ Points follow by Newton's iteration on the balance; those whose harmonics are no
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow.model import Floats
-from slowflow.results import FrequencyResponse, joined
-from slowflow.second.balance import SMALL, Balance, Flags
+from slowflow.results import FrequencyResponse
+from slowflow.second.balance import Balance, Flags
+from slowflow.second.found import Curve, told
+from slowflow_kernels.second_conventions import DONE, LONGEST, MATCHING, MOVED, ROUNDING, SMALL, STEPS, WEIGHT
 
-#: Newton steps along the gradient, the longest one in ln A, R/F_0 and ln Omega, and the one that ends them
-STEPS, LONGEST, DONE = 25, 0.1, 1e-11
-#: rounding of R over A Omega^2
-ROUNDING = 8 * float(np.finfo(float).eps)
-#: weight of ln Omega in the distance beside ln A and R/F_0
-WEIGHT = 2.0
-#: Newton steps to the frequency of a given R
-MATCHING = 5
 #: amplitudes over that of a breakpoint at which the force jumps, and whose fold has another close above
 BESIDE = np.concatenate(([1 - 1e-6, 1.0], 1 + np.logspace(-13, -2, 34)))
-
-LOST = (
-    "left out: {} of {} points of the first approximation, at Omega from {:.3g} to {:.3g}; its harmonics are not small"
-)
-
-
-@dataclass(frozen=True)
-class Curve:
-    """A response curve: Omega, A of the kernels, stability; number of the branch, whether each is closed; remarks."""
-
-    Omega: Floats
-    A: Floats
-    stable: Flags
-    branch: npt.NDArray[np.intp]
-    isola: tuple[bool, ...]
-    message: str
 
 
 def follow(balance: Balance, first: FrequencyResponse) -> Curve:
@@ -54,8 +31,10 @@ def follow(balance: Balance, first: FrequencyResponse) -> Curve:
     stable = balance.response(at, A, first.F_0).F_A > 0
     order = _order(at, stable, branch)
     at, A, stable = at[order], A[order], stable[order]
-    remark = LOST.format(lost.size, kept.size, lost.min(), lost.max()) if lost.size else ""
-    return Curve(at, A, stable, branch, isola, joined(first.message, remark))
+    there = balance.response(at, A, first.F_0)
+    ends = (lost.min(), lost.max()) if lost.size else (0.0, 0.0)
+    message = told(first, lost.size, kept.size, *ends)
+    return Curve(at, A, there.u_max, there.A_1, there.phi, stable, branch, isola, message)
 
 
 def _across(
@@ -119,7 +98,7 @@ def _moved(balance: Balance, Omega_1: Floats, A_1: Floats, F_0: float) -> tuple[
 
 def _done(Omega: Floats, A: Floats, F_0: float) -> Floats:
     """The step that ends Newton's iteration: on a peak as sharp as a needle R/F_0 is known to no more."""
-    return DONE + ROUNDING * A * Omega**2 / F_0
+    return np.asarray(MOVED + ROUNDING * A * Omega**2 / F_0)
 
 
 def on_curve(balance: Balance, Omega: Any, A: Any, F_0: float) -> tuple[Floats, Floats]:

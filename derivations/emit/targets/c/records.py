@@ -36,12 +36,14 @@ class Spring:
     enclosed    -- what stands before the names of its functions on intervals, or "": a proof takes the whole force
     averaged_by_pieces -- whether these take the number of breakpoints passed
     domain      -- C condition: the design lies inside its domain
+    harmonics_up_to -- the largest breakpoint for which its harmonics hold
     """
 
     name: str
     mechanism: Mechanism
     breakpoints: int
     domain: str
+    harmonics_up_to: sp.Expr
     enclosed: str = ""
     averaged_by_pieces: bool = False
 
@@ -78,7 +80,8 @@ def spring_of(module: Module) -> Spring:
     mechanism = module.record.mechanism
     domain = within(mechanism.design, DESIGN)
     enclosed = (interval.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ("", False)
-    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, *enclosed)
+    up_to = module.record.harmonics_up_to
+    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *enclosed)
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

@@ -49,7 +49,7 @@ static int fill(PyObject *self)
             return -1;
     }
     if (sf_add_records(self) < 0 || sf_add_answers(self) < 0 || sf_add_batches(self) < 0 ||
-        sf_add_certificates(self) < 0)
+        sf_add_certificates(self) < 0 || sf_add_second(self) < 0)
         return -1;
     return sf_add_build(self, SF_FMA_BUILDS, SF_FMA_CHOSEN);
 }

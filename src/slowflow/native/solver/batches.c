@@ -106,12 +106,37 @@ static PyObject *many_peak(PyObject *cache, PyObject *record)
     return batch(cache, record, &peak, sf_here()->many_peaks);
 }
 
+static PyObject *many_second_detachment(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &detachment, sf_here()->many_second_detachment);
+}
+
+static PyObject *many_second_onset(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &onset, sf_here()->many_second_onsets);
+}
+
+static PyObject *many_second_saddle_nodes(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &saddle_nodes, sf_here()->many_second_folds);
+}
+
+static PyObject *many_second_peak(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &peak, sf_here()->many_second_peaks);
+}
+
 static PyMethodDef functions[] = {
     {"many_detachment", many_detachment, METH_O, "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
     {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
     {"many_saddle_nodes", many_saddle_nodes, METH_O,
      "record -> ufunc of (design, damping, F_0) -> Omega, A, kind, count, undecided, status"},
     {"many_peak", many_peak, METH_O, "record -> ufunc of (design, damping, F_0) -> A, Omega, status"},
+    {"many_second_detachment", many_second_detachment, METH_O, "as many_detachment, in the second approximation"},
+    {"many_second_onset", many_second_onset, METH_O, "as many_onset, in the second approximation"},
+    {"many_second_saddle_nodes", many_second_saddle_nodes, METH_O,
+     "as many_saddle_nodes, in the second approximation, with whether some are lost for undecided"},
+    {"many_second_peak", many_second_peak, METH_O, "as many_peak, in the second approximation"},
 };
 
 int sf_add_batches(PyObject *module)

@@ -22,11 +22,13 @@ const sf_model *sf_model_in(struct _object *capsule);
 /* As many numbers as the tuple has to hold; -1 with an exception set. */
 int sf_read_numbers(struct _object *tuple, int n, const char *name, const char *what, double *values);
 
-/* Members of a module: records and models, questions about one oscillator, those about many, proofs;
+/* Members of a module: records and models, questions about one oscillator, those about many, proofs, and the second
+ * approximation;
  * -1 with an exception set. */
 int sf_add_records(struct _object *module);
 int sf_add_answers(struct _object *module);
 int sf_add_batches(struct _object *module);
 int sf_add_certificates(struct _object *module);
+int sf_add_second(struct _object *module);
 
 #endif

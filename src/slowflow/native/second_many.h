@@ -1,0 +1,198 @@
+/* The second approximation of many designs: in go a record and strided arrays, out come strided arrays, as in many.h. */
+#ifndef SF_SECOND_MANY_H
+#define SF_SECOND_MANY_H
+
+#include "many.h"
+#include "second.h"
+
+/* Whether the spring's harmonics are known for this model. */
+static int sf_has_second(const sf_model *model) {
+    return model->mechanism->harmonics != NULL &&
+           !(model->breaks > 0 && model->b[model->breaks - 1] > model->mechanism->harmonics_up_to);
+}
+
+/* The curve about some frequencies and what may lie beside them; NULL if there is no memory. */
+static sf_second_curve *sf_second_around(const sf_model *model, double F_0, double low, double high, sf_work *work) {
+    const long n = sf_show(model, F_0, low / SF_BEYOND, high * SF_BEYOND, SF_SAMPLES, work);
+    double *room = malloc((size_t)(2 * n + 1) * sizeof *room);
+    long long *branch = malloc((size_t)(n + 1) * sizeof *branch);
+    unsigned char *flags = malloc((size_t)(n + work->shown.curves + 1));
+    sf_second_curve *curve = NULL;
+    if (room != NULL && branch != NULL && flags != NULL) {
+        int i;
+        sf_draw(model, F_0, SF_SAMPLES, &work->shown, room, room + n, flags, branch);
+        for (i = 0; i < work->shown.curves; i++)
+            flags[n + i] = (unsigned char)work->shown.closed[i];
+        curve = sf_second_follow(model, F_0, n, room, room + n, branch, flags + n);
+    }
+    free(room);
+    free(branch);
+    free(flags);
+    return curve;
+}
+
+/* Every fold at F_0; SF_NONE where nothing of the first approximation is there to start from. */
+static sf_status sf_second_saddle_nodes(const sf_model *model, double F_0, sf_work *work, sf_second_folds *out) {
+    double A, Omega, low = HUGE_VAL, high = 0;
+    sf_second_curve *curve;
+    sf_status status = sf_peak(model, F_0, work, &A, &Omega);
+    int i;
+    out->n = out->lost = out->tried = 0, out->status = SF_OK;
+    if (status != SF_OK && status != SF_UNBOUNDED)
+        return status;
+    if (status == SF_OK && Omega > 0)
+        low = high = Omega;
+    status = sf_make_skeleton(model, F_0, work);
+    if (status != SF_OK)
+        return status;
+    for (i = 0; i < work->folds.n; i++)
+        low = fmin(low, work->folds.at[i].Omega), high = fmax(high, work->folds.at[i].Omega);
+    if (high == 0)
+        return SF_OK;
+    curve = sf_second_around(model, F_0, low, high, work);
+    if (curve == NULL)
+        return SF_NO_MEMORY;
+    sf_folds_on(model, F_0, curve, out);
+    sf_second_free(curve);
+    return out->status;
+}
+
+/* The highest peak at F_0, and its frequency. */
+static sf_status sf_second_peak(const sf_model *model, double F_0, sf_work *work, double *u_max, double *Omega) {
+    sf_second_point top;
+    sf_second_curve *curve;
+    double A, first;
+    sf_status status = sf_peak(model, F_0, work, &A, &first);
+    if (status == SF_OK && first == 0)
+        status = SF_NONE;
+    if (status == SF_OK)
+        status = sf_make_skeleton(model, F_0, work);
+    if (status != SF_OK)
+        return status;
+    curve = sf_second_around(model, F_0, first, first, work);
+    if (curve == NULL)
+        return SF_NO_MEMORY;
+    status = sf_peak_on(model, F_0, curve, &top) == SF_OK_SECOND ? SF_OK : SF_NONE;
+    if (status == SF_OK)
+        *u_max = top.at.u_max, *Omega = top.Omega;
+    sf_second_free(curve);
+    return status;
+}
+
+/* design, damping -> F_cr, Omega_cr, u_cr, status */
+static void sf_loop_second_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const sf_mechanism *mechanism = data;
+    const int out = mechanism->design_size + mechanism->damping_size;
+    ptrdiff_t k;
+    for (k = 0; k < dimensions[0]; k++) {
+        sf_model model;
+        double first[3] = {NAN, NAN, NAN}, F_cr = NAN, Omega_cr = NAN;
+        sf_status status = SF_INVALID;
+        if (sf_design_at(mechanism, args, steps, k, &model) && sf_has_second(&model))
+            status = sf_detachment(&model, &first[0], &first[1], &first[2]);
+        if (status == SF_OK && sf_second_detach(&model, first[0], first[1], first[2], &F_cr, &Omega_cr) != SF_OK_SECOND)
+            status = SF_NONE, F_cr = Omega_cr = NAN;
+        sf_output(args, steps, out, k, F_cr);
+        sf_output(args, steps, out + 1, k, Omega_cr);
+        sf_output(args, steps, out + 2, k, first[2]);
+        sf_output_code(args, steps, out + 3, k, status);
+    }
+}
+
+/* design, damping -> F_SN, Omega, A, kind, whether folds that end at Omega = 0 are below it, status */
+static void sf_loop_second_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const sf_mechanism *mechanism = data;
+    const int out = mechanism->design_size + mechanism->damping_size;
+    sf_work *work = malloc(sizeof *work);
+    ptrdiff_t k;
+    for (k = 0; k < dimensions[0]; k++) {
+        sf_model model;
+        sf_onset first = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL}, found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL};
+        double u_max = NAN;
+        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
+        if (work != NULL && sf_design_at(mechanism, args, steps, k, &model) && sf_has_second(&model))
+            status = sf_find_onset(&model, work, &first);
+        if (status == SF_OK && (first.kind != SF_CUSP_KIND || sf_second_cusp(&model, &first, &found, &u_max) != SF_OK_SECOND))
+            status = SF_NONE;
+        sf_output(args, steps, out, k, found.F_SN);
+        sf_output(args, steps, out + 1, k, found.Omega);
+        sf_output(args, steps, out + 2, k, u_max);
+        sf_output_code(args, steps, out + 3, k, found.kind);
+        sf_output_code(args, steps, out + 4, k, first.rest < (first.kind == SF_NO_KIND ? HUGE_VAL : first.F_SN));
+        sf_output_code(args, steps, out + 5, k, status);
+    }
+    free(work);
+}
+
+/* design, damping, F_0 -> A, Omega, status */
+static void sf_loop_second_peaks(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const sf_mechanism *mechanism = data;
+    const int out = mechanism->design_size + mechanism->damping_size + 1;
+    sf_work *work = malloc(sizeof *work);
+    ptrdiff_t k;
+    for (k = 0; k < dimensions[0]; k++) {
+        const double F_0 = sf_input(args, steps, out - 1, k);
+        sf_model model;
+        double A = NAN, Omega = NAN;
+        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
+        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
+            sf_has_second(&model))
+            status = sf_second_peak(&model, F_0, work, &A, &Omega);
+        sf_output(args, steps, out, k, A);
+        sf_output(args, steps, out + 1, k, Omega);
+        sf_output_code(args, steps, out + 2, k, status);
+    }
+    free(work);
+}
+
+/* design, damping, F_0 -> Omega (places), A (places), kind (places), count, whether some are lost, status */
+static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const sf_mechanism *mechanism = data;
+    const int out = mechanism->design_size + mechanism->damping_size + 1;
+    const ptrdiff_t places = dimensions[1], *inner = steps + out + 6;
+    sf_work *work = malloc(sizeof *work);
+    ptrdiff_t k, i;
+    for (k = 0; k < dimensions[0]; k++) {
+        const double F_0 = sf_input(args, steps, out - 1, k);
+        sf_model model;
+        sf_second_folds found;
+        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
+        found.n = found.lost = 0;
+        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
+            sf_has_second(&model))
+            status = sf_second_saddle_nodes(&model, F_0, work, &found);
+        if (found.n > places && status == SF_OK)
+            status = SF_TOO_MANY;
+        for (i = 0; i < places; i++) {
+            const int filled = i < found.n;
+            const sf_second_fold *fold = &found.at[i];
+            const sf_fold kind = {0, 0, filled && fold->up, filled && fold->corner};
+            *(double *)(void *)(args[out] + k * steps[out] + i * inner[0]) = filled ? fold->Omega : NAN;
+            *(double *)(void *)(args[out + 1] + k * steps[out + 1] + i * inner[1]) = filled ? fold->u_max : NAN;
+            *(signed char *)(args[out + 2] + k * steps[out + 2] + i * inner[2]) =
+                filled ? (signed char)sf_kind_of(&kind) : 0;
+        }
+        sf_output_code(args, steps, out + 3, k, found.n);
+        sf_output_code(args, steps, out + 4, k, found.lost > 0);
+        sf_output_code(args, steps, out + 5, k, status);
+    }
+    free(work);
+}
+
+static void sf_many_second_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    sf_quietly(sf_loop_second_detachment, args, dimensions, steps, data);
+}
+
+static void sf_many_second_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    sf_quietly(sf_loop_second_onsets, args, dimensions, steps, data);
+}
+
+static void sf_many_second_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    sf_quietly(sf_loop_second_folds, args, dimensions, steps, data);
+}
+
+static void sf_many_second_peaks(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    sf_quietly(sf_loop_second_peaks, args, dimensions, steps, data);
+}
+
+#endif

@@ -1,0 +1,111 @@
+"""Many designs in the second approximation: in go arrays of designs, out come critical forcings, folds and peaks.
+
+The answers are those of `slowflow.averaged.many`, with the largest displacement as A. A design has the status
+`Status.NONE` where the second approximation has no answer though averaging may have one, as where its harmonics are not
+small, and `Status.INVALID` also where the harmonics of its force are not derived.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.averaged import many
+from slowflow.averaged.many import Designs, Detachments, Folds, Onsets, Peaks
+from slowflow.averaged.questions import Averaged
+from slowflow.results import Remark
+from slowflow.second.questions import SecondApproximation
+from slowflow_kernels.conventions import OnsetKind, Status
+
+
+@dataclass(frozen=True)
+class SecondDesigns:
+    """The questions of many designs in the second approximation; `.second_approximation` of designs makes it.
+
+    `workers` as of the designs.
+
+    first -- the designs, averaged
+    """
+
+    first: Designs
+
+    def detachment(self, *, workers: int = 1) -> Detachments:
+        """The lowest forcing whose largest displacement is u_cr, and its frequency, of every design."""
+        return Detachments(*self.first.ask(DETACHMENT, workers), _designs=self.first)
+
+    def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
+        """F_SN of every design whose onset is a cusp, with its Omega and largest displacement."""
+        return Onsets(*self.first.ask(ONSET, workers), _designs=self.first)
+
+    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
+        """Every fold at F_0 that is found along the curve; `undecided` where one was lost.
+
+        F_0 and places as of the designs.
+        """
+        places = validate.count("places", places, least=1)
+        return Folds(*self.first.ask(SADDLE_NODES, workers, F_0, places), _designs=self.first, _F_0=F_0)
+
+    def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
+        """The highest peak at F_0 beside averaging's: its largest displacement and frequency."""
+        return Peaks(*self.first.ask(PEAK, workers, F_0), _designs=self.first, _F_0=F_0)
+
+
+def _second(one: Callable[..., tuple[Any, ...]]) -> Callable[..., tuple[Any, ...]]:
+    """The answer of one design, from its averaged oscillator or from None for a blank one."""
+
+    def ask(oscillator: Averaged | None, *arguments: Any) -> tuple[Any, ...]:
+        return one(None if oscillator is None else SecondApproximation(oscillator), *arguments)
+
+    return ask
+
+
+def _onset(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
+    if second is None:
+        return np.nan, np.nan, np.nan, 0, 0, Status.NONE
+    found = second.saddle_node_onset()
+    at_rest = Remark.FOLDS_AT_REST in second.first.saddle_node_onset().remarks
+    if found.F_SN is None:
+        unbounded = second.first.zeta == 0 and "no lowest forcing" in found.message
+        return np.nan, np.nan, np.nan, 0, at_rest, Status.UNBOUNDED if unbounded else Status.NONE
+    return found.F_SN, found.Omega, found.A, OnsetKind.CUSP, at_rest, Status.OK
+
+
+def _saddle_nodes(second: SecondApproximation | None, F_0: float, places: int) -> tuple[Any, ...]:
+    Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
+    if second is None:
+        return Omega, A, kind, 0, False, Status.NONE
+    found = second.saddle_nodes(F_0)
+    n = min(places, len(found))
+    Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
+    kind[:n] = [many.FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
+    lost = "next to which the curve is lost" in found.message
+    return Omega, A, kind, len(found), lost, Status.OK if n == len(found) else Status.TOO_MANY
+
+
+def _peak(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:
+    found = second and second.peak(F_0)
+    if second is None or not found or found.A is None:
+        unbounded = second is not None and second.first.zeta == 0
+        return np.nan, np.nan, Status.UNBOUNDED if unbounded else Status.NONE
+    return found.A, found.Omega, Status.OK
+
+
+def _detachment(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
+    found = second and second.detachment()
+    if not found or found.F_cr is None:
+        return np.nan, np.nan, np.nan if not found or found.u_cr is None else found.u_cr, Status.NONE
+    return found.F_cr, found.Omega_cr, found.u_cr, Status.OK
+
+
+DETACHMENT = replace(
+    many.DETACHMENT, one=_second(_detachment), batch=lambda native: native.many_second_detachment, at_once=2**13
+)
+ONSET = replace(many.ONSET, one=_second(_onset), batch=lambda native: native.many_second_onset, at_once=2**13)
+SADDLE_NODES = replace(
+    many.SADDLE_NODES, one=_second(_saddle_nodes), batch=lambda native: native.many_second_saddle_nodes, at_once=2**9
+)
+PEAK = replace(many.PEAK, one=_second(_peak), batch=lambda native: native.many_second_peak, at_once=2**9)
