@@ -2,7 +2,7 @@
 
 In:  a name, the pieces of u + F_k(u) as SymPy expressions, the parameters.
 Out: `stated`, the `Mechanism` that a file of `mechanisms/` would hold; `sources`, what `emit/` prints for it alone: a
-     Python module, and C headers with a record that the compiled solvers take.
+     Python module, and C headers with a record that the compiled solvers take; `told`, its derivation as a document.
 
 Nothing here reads a string as code: forces are SymPy expressions already, and names are names.
 """
@@ -19,6 +19,8 @@ from typing import Any
 
 import sympy as sp
 
+from .averaging import averaged
+from .document import document
 from .elliptic import restoring as average_of_roots
 from .emit.catalogue.mechanism import mechanism_module
 from .emit.form import Module
@@ -30,6 +32,7 @@ from .monotone import prove_monotone
 from .oscillator import oscillator
 from .restoring import restoring
 from .results import OfMechanism
+from .slow_flow import slow_flow
 from .symbols import u
 
 _x = sp.Symbol("x", real=True)
@@ -137,6 +140,12 @@ def sources(mechanism: Mechanism) -> Sources:
         {Path(file).name: text for file, text in files.items()},
         c.records.of_one(module),
     )
+
+
+def told(mechanism: Mechanism) -> str:
+    """Its derivation as Markdown with LaTeX."""
+    equations = averaged()
+    return document(of_mechanism(mechanism), equations, slow_flow(equations))
 
 
 def name_of(mechanism: Mechanism) -> str:

@@ -138,6 +138,24 @@ def test_a_cubic_spring_is_the_packages_own(folder):
     np.testing.assert_allclose(one.saddle_nodes(0.1).Omega, other.saddle_nodes(0.1).Omega, rtol=4e-15)
 
 
+def test_its_derivation_reads_as_a_document(stop):
+    text = stop.document()
+    sections = [line[3:] for line in text.splitlines() if line.startswith("## ")]
+    assert sections == [
+        "Equation of motion", "Parameters", "Slow flow", "The average of the force", "Response and folds"
+    ]  # fmt: skip
+    assert "| $k_{2}$ | k_v | stiffness of the stop | > 0 |" in text
+    assert text.count("$$") % 2 == 0 and r"\sigma" not in text
+    # the two regimes, and in the second what is named before it is used
+    attached, stopped = text.split("For $")[2:4]
+    assert attached.startswith(r"A \le u_{1}$") and stopped.startswith("u_{1} < A$")
+    rows = [row.partition(" &= ") for row in stopped.split(r"\begin{aligned}")[1].split("\n\\end")[0].split(r" \\")]
+    names = [name.strip() for name, _, _ in rows]
+    assert names[-2:] == ["h", "h_A"]
+    for k, (_, _, value) in enumerate(rows):
+        assert not [later for later in names[k:-2] if len(later) > 1 and later in value]
+
+
 def test_floats_in_a_force_are_the_decimals_that_were_written(folder):
     half = derive.mechanism("half", [(0.5 * u + beta * u**3, None)], {"beta": ABOVE_0})
     assert half(beta=1.0, zeta=0.02).force(np.array([0.3])) == pytest.approx(0.5 * 0.3 + 0.3**3, rel=1e-15)

@@ -48,9 +48,10 @@ class Derived:
     record: Mechanism
     folder: Path
 
-    def __init__(self, record: Mechanism, folder: Path) -> None:
+    def __init__(self, record: Mechanism, folder: Path, stated: Any) -> None:
         self.record = record
         self.folder = folder
+        self._stated = stated
 
     @property
     def compiled(self) -> bool:
@@ -64,6 +65,11 @@ class Derived:
     def many(self, *, mu: Any = 0.0, zeta: Any = 0.0, **design: Any) -> Designs | Grid:
         """Many designs at once: `Oscillator.many(record, ...)`."""
         return Oscillator.many(self.record, mu=mu, zeta=zeta, **design)
+
+    def document(self) -> str:
+        """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
+        text: str = _derivation().told(self._stated)
+        return text
 
     def __repr__(self) -> str:
         names = ", ".join(parameter.name for parameter in self.record.design)
@@ -104,7 +110,7 @@ def mechanism(
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
     if compile and backend.record_of(record.name) is None:
         _attach(record.name, _compiled(folder, module))
-    return Derived(record, folder)
+    return Derived(record, folder, stated)
 
 
 def include() -> list[Path]:
