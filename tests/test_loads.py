@@ -110,6 +110,15 @@ def test_isolation_may_begin_where_a_motion_that_transmits_more_ends_in_a_fold()
     assert low.stable.tolist() == [True, False, True] and low.transmissibility[0] < 1 < low.transmissibility[-1]
 
 
+def test_a_motion_without_end_leaves_no_frequency_of_isolation_and_a_band_without_end():
+    """A hardening spring without viscous damping: its resonance goes on to any frequency."""
+    hardening = Duffing(1.0, 1.0, mu=0.01)
+    found = hardening.isolation(0.1)
+    assert found.Omega is None and "has no end towards high frequencies" in found.message
+    (band,), (fold,) = hardening.hysteresis(0.1), hardening.saddle_nodes(0.1)
+    assert (band.Omega_low, band.Omega_high, band.motions) == (fold.Omega, math.inf, 2)
+
+
 def test_where_the_mass_sticks_there_is_no_isolation():
     found = isolator().isolation(0.01)
     assert found.Omega is None and "sticks" in found.message

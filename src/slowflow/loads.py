@@ -25,6 +25,7 @@ Flags = npt.NDArray[np.bool_]
 
 ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
 ISOLATES = "every motion transmits less than the force"
+NEVER = "a motion that transmits more than the force has no end towards high frequencies"
 NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
@@ -71,7 +72,7 @@ class Band(NamedTuple):
 class Hysteresis(Table):
     """Bands of frequencies in which more than one motion is stable: which of them is seen depends on what was before.
 
-    Omega_low, Omega_high -- ends of the band, both folds, or 0
+    Omega_low, Omega_high -- ends of the band: folds, 0, or inf where without viscous damping a motion has no end
     motions -- number of stable ones in it
     """
 
@@ -88,7 +89,7 @@ class Hysteresis(Table):
 class Isolation(Single):
     """From where on every stable motion transmits less than the force.
 
-    Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion
+    Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion, or no such frequency
     A     -- the amplitude there
     at_fold -- whether a motion that transmits more ends there in a fold, and does not pass transmissibility 1
     """
@@ -168,10 +169,11 @@ def _detaches(oscillator: Averaged, F_0: float) -> bool:
 def hysteresis(oscillator: Averaged, F_0: float) -> Hysteresis:
     """See `Oscillator.hysteresis`."""
     folds = oscillator.saddle_nodes(F_0)
-    ends = [0.0, *np.unique(folds.Omega).tolist()]
+    # beyond the last fold the number of motions does not change any more
+    ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
     bands = []
-    for low, high in pairwise(ends):
-        middle = oscillator.amplitudes(Omega=0.5 * (low + high), F_0=F_0)
+    for low, high in pairwise(ends) if len(folds) else ():
+        middle = oscillator.amplitudes(Omega=0.5 * (low + high) if high < math.inf else 2 * low, F_0=F_0)
         if (stable := int(middle.stable.sum())) > 1:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
@@ -193,16 +195,14 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
     if not full.any():
         return Isolation(0.0, None, False, F_0, joined(curve.message, ISOLATES))
     last = int(np.flatnonzero(full)[np.argmax(curve.Omega[full])])
-    beside = [
-        k
-        for k in (last - 1, last + 1)
-        if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last] and curve.Omega[k] > curve.Omega[last]
-    ]
-    for k in beside:
-        if curve.stable[k]:
+    around = [k for k in (last - 1, last + 1) if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last]]
+    for k in around:
+        if curve.stable[k] and curve.Omega[k] > curve.Omega[last]:
             A = _between(oscillator, F_0, float(curve.A[last]), float(curve.A[k]))
             (Omega,) = _of_full(oscillator, np.array([A])).tolist()
             return Isolation(Omega, A, False, F_0, curve.message)
+    if all(curve.stable[k] for k in around):
+        return Isolation(None, None, False, F_0, joined(curve.message, NEVER))
     return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message)
 
 

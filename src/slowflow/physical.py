@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import validate
-from slowflow.answer import PLAIN, Answer, Table, in_text, plain
+from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.results import SteadyStates
@@ -169,9 +169,12 @@ def _times(value: Any, size: float) -> Any:
 
 
 def _lines(shown: Quantities) -> Iterator[str]:
-    """The answer, then those that it holds."""
+    """The answer, intervals that it holds, then answers that it holds."""
     yield from in_text(shown)
     for name, value in shown.values.items():
+        if isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.shape[-1:] == (2,) and not shown.entry:
+            for low, high in value.reshape(-1, 2).tolist():
+                yield f"{head(name, shown.units):14}{low:.15g} to {high:.15g}"
         if isinstance(value, Quantities):
             yield from (f"{name}:", *(f"  {line}" for line in _lines(value)))
 
@@ -416,7 +419,11 @@ class Physical:
         return np.asarray(A * self.scales.sizes["length"])
 
     def certify(self, F: Any, *, f: Any = None) -> Quantities:
-        """What is proved at a force amplitude, of the dimensionless numbers as they are: see `Averaged.certify`."""
+        """What is proved at a force amplitude: see `Averaged.certify`.
+
+        Of the dimensionless numbers as they are: `.answer` has the intervals that are proved, and these are the same
+        times what is measured in, rounded.
+        """
         Omega = None if f is None else self._frequency("f", f)
         return self.scales.quantities(self.oscillator.certify(self._force("F", F), Omega=Omega))
 
