@@ -89,6 +89,10 @@ class SecondApproximation:
                     f"u_cr <= {mechanism.harmonics_up_to:g}"
                 )
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # its solvers are a module, which cannot be pickled: they are found again
+        return SecondApproximation, (self.first,)
+
     def __getattr__(self, name: str) -> Any:
         """Raises AttributeError, with the reason where averaging answers the question of that name."""
         why = f": {UNANSWERED[name]}" if name in UNANSWERED else ""
