@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -207,12 +208,68 @@ def test_a_store_that_was_stopped_before_it_was_prepared_is_prepared_anew(tmp_pa
     def stopped(*args, **more):
         raise KeyboardInterrupt
 
-    for broken in ("xarray.Dataset.to_zarr", "zarr.Group.create_array"):
+    for broken in ("xarray.Dataset.to_zarr", "zarr.Group.require_array"):
         with monkeypatch.context() as patched:
             patched.setattr(broken, stopped)
             with pytest.raises(KeyboardInterrupt):
                 over().store(path, "detachment")
-    assert_same_bits(over().store(path, "detachment"), batch("detachment"), "detachment")
+    found = over().store(path, "detachment")
+    assert_same_bits(found, batch("detachment"), "detachment")
+    assert set(found.coords) == {"lam", "r", "delta_h", "mu", "zeta", "share"}
+
+
+@pytest.mark.parametrize("written", [1, 4, 6, 13])
+def test_a_block_that_was_stopped_while_it_was_written_is_written_again(written, tmp_path, monkeypatch):
+    """Of the six arrays of a block some are written: it is not ticked off."""
+    over({"r": 3}).store(tmp_path / "whole.zarr", "detachment")
+    path, put, puts = tmp_path / "map.zarr", zarr.Array.__setitem__, []
+
+    def stopped(self, *args):
+        if "done" in self.name or self.name.strip("/") in over().asked("detachment", 1)[0].columns():
+            if len(puts) == written:
+                raise KeyboardInterrupt
+            puts.append(self.name)
+        put(self, *args)
+
+    with monkeypatch.context() as patched, dask.config.set(scheduler="synchronous"):
+        patched.setattr(zarr.Array, "__setitem__", stopped)
+        with pytest.raises(KeyboardInterrupt):
+            over({"r": 3}).store(path, "detachment")
+    assert ticked(path) == sum("done" in name for name in puts) == written // 6
+    over({"r": 3}).store(path, "detachment")
+    assert files(path) == files(tmp_path / "whole.zarr")
+
+
+def test_two_that_fill_one_store_at_the_same_time_do_each_other_no_harm(tmp_path):
+    over({"r": 2}).store(tmp_path / "whole.zarr", "saddle_node_onset")
+    path = tmp_path / "map.zarr"
+    with dask.config.set(scheduler="synchronous"), pytest.MonkeyPatch.context() as patched:
+        blocks_asked(patched, stop_after=1)
+        with pytest.raises(KeyboardInterrupt):
+            over({"r": 2}).store(path, "saddle_node_onset")
+    with ThreadPoolExecutor(2) as pool:
+        both = [pool.submit(over({"r": 2}).store, path, "saddle_node_onset") for _ in range(2)]
+        one, other = (each.result() for each in both)
+    assert one.identical(other) and files(path) == files(tmp_path / "whole.zarr")
+
+
+def test_a_store_keeps_the_numbers_and_not_how_they_came(tmp_path):
+    """Numbers read from a file bring an encoding along, which may round."""
+    r = axis("r", R)
+    r.encoding = r.coords["r"].encoding = {"dtype": np.dtype("float32"), "scale_factor": 0.1, "_FillValue": -9}
+    found = Isolator.many(lam=3, r=r, delta_h=0.1, zeta=0.01).store(tmp_path / "map.zarr", "detachment")
+    assert found["r"].values.tobytes() == R.tobytes()
+
+
+def test_a_store_of_zarr_that_is_no_folder_is_filled():
+    memory = zarr.storage.MemoryStore()
+    assert_same_bits(over({"r": 3}).store(memory, "detachment"), batch("detachment"), "detachment")
+    assert over({"r": 3}).store(memory, "detachment").attrs["complete"] == 1
+
+
+def test_a_map_without_designs_is_complete(tmp_path):
+    found = Isolator.many(lam=3, r=axis("r", R[:0]), delta_h=0.1).store(tmp_path / "map.zarr", "detachment")
+    assert found.sizes["r"] == 0 and found.attrs["complete"] == 1
 
 
 PROGRAM = """
@@ -377,6 +434,8 @@ def test_bad_questions_are_refused_before_anything_is_written(asked, error, word
         ({"r": lazy.ones(3), "delta_h": R}, ValueError, "do not broadcast"),
         ({"r": xarray.DataArray(R, dims="r", coords={"r": R + 1})}, ValueError, "the coordinate r is not the numbers"),
         ({"r": axis("delta_h", R), "delta_h": 0.1}, ValueError, "an axis is named delta_h"),
+        ({"r": xarray.DataArray(R, dims=[3])}, ValueError, "names of axes must be strings"),
+        ({"r": lazy.ones(3)[lazy.ones(3) > 0]}, ValueError, "unknown length"),
         ({"r": axis("r", R), "stiffness": 1}, TypeError, "stiffness"),
     ],
 )

@@ -106,6 +106,11 @@ class Grid:
             raise TypeError(f"{wrong} {'is missing for' if wrong in takes else 'is nothing for'} {question}")
         ask, values = self.asked(question, workers, **asked)
         must_travel(self.mechanism)
+        nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
+        if nested:
+            raise ValueError(
+                f"the coordinate {nested.pop()} has several levels, which Zarr does not hold: .reset_index it"
+            )
         lengths = sizes(values)
         return filled(path, ask, values, lengths, blocks(values, lengths))
 
@@ -155,6 +160,8 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
     found = {}
     for name, value in values.items():
         array = value if validate.is_labelled(value) else validate.real_array(name, value)
+        if not all(length == length for length in array.shape):  # dask counts what it has not counted as NaN
+            raise ValueError(f"{name} has blocks of unknown length: {name}.compute_chunk_sizes() counts them")
         if array.dtype.kind not in "fiu":
             raise ValueError(f"{name} holds {array.dtype}: it must hold real numbers")
         if isinstance(array, (xarray.DataArray, xarray.Variable)):
@@ -167,6 +174,8 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
             found[name] = xarray.DataArray(array) if named else array
     if not named:
         found = _by_position(xarray, found)
+    if not all(isinstance(dim, str) for value in found.values() for dim in value.dims):
+        raise ValueError("the names of axes must be strings")
     aligned = xarray.align(*found.values(), join="exact", copy=False)
     found = {name: _parameter(name, value) for name, value in zip(found, aligned, strict=True)}
     own = [name for name in found if name in sizes(found) and found[name].dims != (name,)]

@@ -43,10 +43,11 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
     path = _absolute(path)
     values = {name: value.compute() if value.size <= READ else value for name, value in values.items()}
     asked = _asked(ask, values, sizes)
-    group = _begun(path, asked)
-    if group is None:
-        group = _prepared(path, ask, values, asked, sizes, blocks)
+    about = {**meaning.of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
+    group = _begun(path, asked, about)
     blocks = json.loads(group.attrs["blocks"])
+    if DONE not in group:
+        _prepare(path, ask, values, group, sizes, blocks)
     if not group.attrs["complete"]:
         dask.compute(*_missing(path, ask, values, group, sizes, blocks))
         group.attrs["complete"] = int(np.all(group[DONE][...]))
@@ -134,15 +135,15 @@ def _absolute(path: Any) -> Any:
     return os.path.abspath(path) if isinstance(path, Path) or (isinstance(path, str) and "://" not in path) else path
 
 
-def _begun(path: Any, asked: dict[str, Any]) -> Any:
-    """The store that was begun with the same numbers; None where none was, or where it was not prepared."""
+def _begun(path: Any, asked: dict[str, Any], about: dict[str, Any]) -> Any:
+    """The store that was begun with the same numbers, or a new one, which has nothing but what it is about."""
     folder = Path(path) if isinstance(path, str) and "://" not in path else None
     try:
         group = zarr.open_group(path, mode="r+")
     except (FileNotFoundError, FileExistsError):
         if folder is not None and folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise FileExistsError(f"{path} is there, and is no store of Zarr") from None
-        return None
+        return zarr.create_group(path, attributes=about)
     begun = json.loads(group.attrs.get("asked", "{}"))
     if not begun:
         raise FileExistsError(f"{path} is a store of Zarr, but not one of these maps")
@@ -150,55 +151,53 @@ def _begun(path: Any, asked: dict[str, Any]) -> Any:
     if other:
         told = "; ".join(f"{name}: {begun.get(name, 'none')} there, {asked.get(name, 'none')} here" for name in other)
         raise ValueError(f"{path} was begun with others, and is left as it is: {told}")
-    return group if DONE in group else None
+    return group
 
 
-def _prepared(
-    path: Any,
-    ask: Ask,
-    values: Mapping[str, Any],
-    asked: dict[str, Any],
-    sizes: dict[str, int],
-    blocks: dict[str, int],
-) -> Any:
-    """A new store with all its arrays, of which those are filled that were read; `done` comes last."""
-    about = {**meaning.of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
-    zarr.create_group(path, attributes=about, overwrite=True)
+def _prepare(
+    path: Any, ask: Ask, values: Mapping[str, Any], group: Any, sizes: dict[str, int], blocks: dict[str, int]
+) -> None:
+    """All arrays of a store, of which those are filled that were read; `done` comes last.
+
+    What is there is left, so that two processes that begin at the same time do each other no harm.
+    """
     unread = {name: value for name, value in values.items() if _unread(value)}
     read = {
         name: value.assign_attrs(meaning.of_column(ask, name)) for name, value in values.items() if name not in unread
     }
     coords = {dim: coord for value in values.values() for dim, coord in value.coords.items()}
-    xarray.Dataset(coords=coords | read, attrs=about).to_zarr(path, mode="a", consolidated=False)
-    group = zarr.open_group(path, mode="r+")
-    group.attrs["coordinates"] = " ".join([*group.attrs.get("coordinates", "").split(), *unread])
+    # an encoding is of where they come from, and may round
+    about = {name: value for name, value in group.attrs.items() if name != "coordinates"}
+    known = xarray.Dataset(coords=coords | read, attrs=about).drop_encoding()
+    known.to_zarr(path, mode="a", consolidated=False)
+    group.attrs["coordinates"] = " ".join(sorted(set(known.coords) - set(known.sizes) | unread.keys()))
+    lengths, cut = {**sizes, "place": ask.places}, {**blocks, "place": ask.places}
 
-    def make(name: str, dims: list[str], lengths: list[int], cut: list[int], kind: Any, fill: Any, told: Any) -> None:
-        group.create_array(
+    def make(name: str, dims: list[str], kind: Any, fill: Any) -> None:
+        group.require_array(
             name,
-            shape=lengths,
-            chunks=cut,
+            shape=[lengths[dim] for dim in dims],
+            chunks=[cut[dim] for dim in dims],
             dtype=kind,
             fill_value=fill,
             dimension_names=dims,
-            attributes=told,
-            overwrite=True,
+            attributes=meaning.of_column(ask, name),
         )
 
     for name, value in unread.items():
-        dims = _dims(value, sizes)
-        lengths, cut = [sizes[dim] for dim in dims], [blocks[dim] for dim in dims]
-        make(name, dims, lengths, cut, value.dtype, FILL[value.dtype.kind], meaning.of_column(ask, name))
+        make(name, _dims(value, sizes), value.dtype, np.nan)
     for name, column in ask.columns().items():
-        inner = list(column.inner)
         fill = meaning.NOT_YET if name == "status" else FILL[column.kind.kind]
-        dims = [*sizes, *(["place"] if inner else [])]
-        lengths, cut = [*sizes.values(), *inner], [*blocks.values(), *inner]
-        make(name, dims, lengths, cut, column.kind, fill, meaning.of_column(ask, name))
-    counts = [-(-length // blocks[dim]) for dim, length in sizes.items()]
-    told = {"long_name": "which blocks are written"}
-    make(DONE, [f"block_of_{dim}" for dim in sizes], counts, [1] * len(counts), bool, False, told)
-    return group
+        make(name, [*sizes, *(["place"] if column.inner else [])], column.kind, fill)
+    group.require_array(
+        DONE,
+        shape=[-(-length // blocks[dim]) for dim, length in sizes.items()],
+        chunks=[1] * len(sizes),
+        dtype=bool,
+        fill_value=False,
+        dimension_names=[f"block_of_{dim}" for dim in sizes],
+        attributes={"long_name": "which blocks are written"},
+    )
 
 
 def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
