@@ -89,7 +89,8 @@ class Model:
         with np.errstate(all="ignore"):
             parameters = tuple(float(value) for value in mechanism.coefficients(*design))
             model = cls(mechanism, parameters, mu, zeta, design=tuple(design))
-        if not all(abs(value) <= LARGEST for value in (*model.parameters, model.m)):
+        numbers = (*model.parameters, model.m)
+        if not sum(map(abs, numbers)) <= LARGEST and not all(abs(value) <= LARGEST for value in numbers):
             named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
             name = next(name for name, value in (*named, ("4 mu/pi", model.m)) if not abs(value) <= LARGEST)
             given = ", ".join(f"{domain.name} = {values[domain.name]!r}" for domain in domains)

@@ -31,13 +31,26 @@ static void sf_consider_end(const sf_model *model, const sf_sample *at, double l
         best->rest = fmin(best->rest, level);
 }
 
+/* Whether h_A is negative on all of a piece, and so h behind its beginning: then nothing ends at Omega = 0 and there are no
+ * isola points. */
+static int sf_only_falls(const sf_stretch *piece) {
+    sf_known first, last;
+    sf_cell cell;
+    sf_know(&piece->first, &first);
+    sf_know(&piece->last, &last);
+    sf_make_cell(&piece->first, &piece->last, &first, &last, &cell);
+    return first.h.hi <= 0 && cell.h_A.hi < 0;
+}
+
 /* Where the level may be least inside a piece: cusps, isola points, ends. */
 static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
     sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
     double most = best->F_SN;
     int i;
-    sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
-    sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
+    if (!sf_only_falls(piece)) {
+        sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
+        sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
+    }
     cusps.most = &most;
     sf_find_zeros(&cusps, piece, zeros);
     best->undecided |= zeros->undecided;

@@ -334,6 +334,7 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
 static void sf_keep_points(const sf_second *second, const sf_first *first, const sf_moved *moved, unsigned char *kept,
                            sf_second_curve *curve) {
     double Omega[SF_LANES], A[SF_LANES], known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
+    const double far = exp(SF_SMALL);
     long i, k;
     int j;
     for (i = 0; i < first->n; i += SF_LANES) {
@@ -348,8 +349,8 @@ static void sf_keep_points(const sf_second *second, const sf_first *first, const
         for (k = 0; k < n; k++) {
             const long at = i + k;
             sf_second_point *point = &curve->point[curve->n];
-            kept[at] = sf_is_settled(second, moved, at) && fabs(log(A[k] / first->A[at])) < SF_SMALL &&
-                       fabs(log(Omega[k] / first->Omega[at])) < SF_SMALL &&
+            kept[at] = sf_is_settled(second, moved, at) && A[k] < far * first->A[at] && far * A[k] > first->A[at] &&
+                       Omega[k] < far * first->Omega[at] && far * Omega[k] > first->Omega[at] &&
                        sf_is_small(Omega[k], A[k], known[k], out[SF_LANES + k], out[k]);
             if (!kept[at])
                 continue;
