@@ -49,14 +49,15 @@ def over(cut=None, **more):
     return Isolator.many(**{"lam": 3, "r": r, "delta_h": share / (3 * abs(r)), "mu": 0.012, "zeta": 0.02, **more})
 
 
-def batch(question):
+def batch(question, depth=None):
     """The same in one batch of NumPy's arrays; forces along the last axis."""
     r = np.append(R, -1.0)[:, np.newaxis]
     forced = "F_0" in ASK[question]
     given = {"r": r, "delta_h": SHARE / (3 * abs(r))}
     given = {name: value[..., np.newaxis] if forced else value for name, value in given.items()}
     asked = {**ASK[question], "F_0": FORCES} if forced else {}
-    return getattr(Isolator.many(lam=3, mu=0.012, zeta=0.02, **given), question)(**asked)
+    designs = Isolator.many(lam=3, mu=0.012, zeta=0.02, **given)
+    return getattr(getattr(designs, depth) if depth else designs, question)(**asked)
 
 
 def assert_same_bits(found, expected, question):
@@ -90,7 +91,7 @@ def test_a_store_says_what_is_in_it(tmp_path):
     assert dict(found.sizes) == {"r": 8, "share": 5, "F_0": 3, "place": 3}
     assert set(found.coords) == {"lam", "r", "delta_h", "mu", "zeta", "F_0", "share"}
     assert found.attrs["mechanism"] == "rod_spring" and found.attrs["question"] == "saddle_nodes"
-    assert (found.attrs["slowflow"], found.attrs["backend"]) == tuple(block.made_by().values())
+    assert (found.attrs["slowflow"], found.attrs["backend"]) == tuple(block.made_by(rod_spring.MECHANISM).values())
     for name in ("r", "delta_h", "F_0", "Omega", "A"):
         assert found[name].attrs["units"] == "dimensionless" and found[name].attrs["long_name"]
     status = found["status"].attrs
@@ -104,6 +105,16 @@ def test_a_store_says_what_is_in_it(tmp_path):
     assert masks == {remark.name: remark.value for remark in Remark}
     soft = found["remarks"].sel(share=SHARE[-1], F_0=0.05).isel(r=0)
     assert int(soft) & masks["NEGATIVE_STIFFNESS"]
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="takes long on NumPy")
+@pytest.mark.parametrize("question", ASK)
+def test_the_second_approximation_has_maps_too(question, tmp_path):
+    found = over({"r": 3}).second_approximation.store(tmp_path / "map.zarr", question, **ASK[question])
+    assert_same_bits(found, batch(question, "second_approximation"), question)
+    assert found.attrs["depth"] == "second approximation"
+    with pytest.raises(ValueError, match="depth: second approximation there, averaging here"):
+        over().store(tmp_path / "map.zarr", question, **ASK[question])
 
 
 def test_numbers_of_dask_without_names_broadcast_as_those_of_numpy(tmp_path):

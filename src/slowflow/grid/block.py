@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +16,9 @@ from slowflow import backend
 from slowflow.averaged import many
 from slowflow.mechanism import Mechanism
 from slowflow.version import __version__
+
+if TYPE_CHECKING:
+    from slowflow.second.many import SecondDesigns
 
 
 class Question(NamedTuple):
@@ -35,6 +38,10 @@ QUESTIONS = {
 }
 
 
+#: averaging, and beyond
+DEPTHS = ("averaging", "second approximation")
+
+
 class Column(NamedTuple):
     """A column of an answer: its shape behind that of the designs, and its type."""
 
@@ -42,15 +49,17 @@ class Column(NamedTuple):
     kind: np.dtype[Any]
 
 
-def made_by() -> dict[str, str]:
-    """Which slowflow computes here: two that differ may differ in the last place."""
-    return {"slowflow": __version__, "backend": backend.NAME}
+def made_by(mechanism: Mechanism) -> dict[str, str]:
+    """Which slowflow computes here, and how: two that differ may differ in the last place."""
+    compiled = backend.record_of(mechanism.name) is not None
+    return {"slowflow": __version__, "backend": backend.NAME if compiled else "numpy"}
 
 
 @dataclass(frozen=True)
 class Ask:
     """A question about designs, asked block by block.
 
+    depth   -- one of `DEPTHS`
     names   -- of the numbers that it is called with: the design's, mu and zeta, and F_0 where the question takes it
     places  -- of folds; 0 for a question without
     workers -- threads that share a block
@@ -59,6 +68,7 @@ class Ask:
 
     mechanism: Mechanism
     question: str
+    depth: str
     names: tuple[str, ...]
     places: int
     workers: int
@@ -75,12 +85,20 @@ class Ask:
 
     def __call__(self, *values: Any) -> tuple[npt.NDArray[Any], ...]:
         """The columns for numbers that broadcast. Raises RuntimeError where another slowflow runs."""
-        if self.made_by != made_by():
-            raise RuntimeError(f"this process runs {made_by()}, the map is made by {self.made_by}")
+        here = made_by(self.mechanism)
+        if self.made_by != here:
+            raise RuntimeError(f"this process runs {here}, the map is made by {self.made_by}")
         given = dict(zip(self.names, values, strict=True))
         beside = {name: value for name, value in (("places", self.places),) if name in QUESTIONS[self.question].takes}
         if "F_0" in given:
             beside["F_0"] = given.pop("F_0")
-        ask = getattr(many.Designs(self.mechanism, given), self.question)
-        answer = ask(**beside, workers=self.workers)
+        answer = getattr(self._designs(given), self.question)(**beside, workers=self.workers)
         return tuple(getattr(answer, name) for name in self.columns())
+
+    def _designs(self, given: dict[str, Any]) -> many.Designs | SecondDesigns:
+        designs = many.Designs(self.mechanism, given)
+        if self.depth == DEPTHS[0]:
+            return designs
+        from slowflow.second.many import SecondDesigns
+
+        return SecondDesigns(designs)

@@ -5,8 +5,10 @@ Numbers of dask stay where they are until an answer is computed, block by block;
 
 from __future__ import annotations
 
+import copy
 import pickle
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Any, TypeVar
 
 import numpy as np
@@ -15,7 +17,7 @@ from slowflow import validate
 from slowflow.answer import optional
 from slowflow.averaged.many import Designs
 from slowflow.grid import meaning
-from slowflow.grid.block import QUESTIONS, Ask, made_by
+from slowflow.grid.block import DEPTHS, QUESTIONS, Ask, made_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import check_names
 
@@ -50,8 +52,16 @@ class Grid:
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, Any]) -> None:
         self.mechanism = mechanism
+        self._depth = DEPTHS[0]
         self._given = {name: values[name] for name in check_names(mechanism, dict(values))}
         self.values = labelled(self._given)
+
+    @cached_property
+    def second_approximation(self) -> Grid:
+        """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""
+        deeper = copy.copy(self)
+        deeper._depth = DEPTHS[1]
+        return deeper
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -121,7 +131,7 @@ class Grid:
             places = validate.count("places", places, least=1)
         validate.workers(workers)
         values = labelled({**self._given, "F_0": F_0}) if "F_0" in takes else self.values
-        ask = Ask(self.mechanism, question, tuple(values), places, workers, made_by())
+        ask = Ask(self.mechanism, question, self._depth, tuple(values), places, workers, made_by(self.mechanism))
         taken = {"place", "done", *ask.columns()} & {*sizes(values), *values}
         if taken:
             raise ValueError(

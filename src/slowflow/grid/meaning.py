@@ -24,7 +24,7 @@ WORDS = {
     "u_cr": "amplitude at which the springs leave",
     "F_SN": "lowest forcing that has a fold (33)",
     "Omega": "frequency",
-    "A": "amplitude",
+    "A": "amplitude; in the second approximation the largest displacement",
     "at_rest": "1 where there are folds below the onset, or without it, that end at Omega = 0",
     "count": "how many folds there are, also where they are more than places",
     "undecided": "1 where doubles do not tell whether there is another pair of folds",
@@ -38,7 +38,8 @@ KINDS: dict[str, type[IntEnum]] = {"saddle_node_onset": OnsetKind, "saddle_nodes
 
 def of_map(ask: Ask) -> dict[str, Any]:
     """Of a whole map."""
-    return {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "question": ask.question, **ask.made_by}
+    about = {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "question": ask.question}
+    return {**about, "depth": ask.depth, **ask.made_by}
 
 
 def of_column(ask: Ask, name: str) -> dict[str, Any]:

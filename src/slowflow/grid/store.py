@@ -206,7 +206,7 @@ def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dic
     Of a parameter that is not read the name that dask gives it stands for the content.
     """
     found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, "places": ask.places}
-    found |= {**ask.made_by, "axes": list(sizes.items())}
+    found |= {"depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
     for name, value in values.items():
         dims = _dims(value, sizes)
         kept = value.data.name if value.chunks is not None else _digest(value.transpose(*dims).values)
