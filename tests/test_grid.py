@@ -67,12 +67,14 @@ def assert_same_bits(found, expected, question):
         assert column.dtype == value.dtype and column.values.tobytes() == value.tobytes(), name
 
 
-@pytest.mark.both_backends
-@pytest.mark.parametrize("cut", [None, {"r": 3}, {"r": 2, "share": 2}], ids=["whole", "by r", "by both"])
+CUTS = {"whole": None, "by r": {"r": 3}, "by both": {"r": 2, "share": 2}}
+
+
+@pytest.mark.parametrize("cut", ["whole", pytest.param("by r", marks=pytest.mark.both_backends), "by both"])
 @pytest.mark.parametrize("question", ASK)
 def test_a_map_is_the_batch_of_its_designs_with_names(question, cut):
-    found = getattr(over(cut), question)(**ASK[question])
-    assert (found["status"].chunks is not None) == (cut is not None)
+    found = getattr(over(CUTS[cut]), question)(**ASK[question])
+    assert (found["status"].chunks is not None) == (cut != "whole")
     assert_same_bits(found.compute(), batch(question), question)
     codes = set(np.unique(found["status"]))
     assert {Status.OK, Status.INVALID} <= codes
