@@ -100,8 +100,13 @@ def prepare() -> dict[str, Job]:
         iso = isolator()
         return iso.fold_locus(samples=SAMPLES), iso.cusps()
 
+    def second() -> tuple[Any, Any]:
+        better = isolator().second_approximation
+        return better.frequency_response(certified.F_0, samples=SAMPLES), better.saddle_nodes(certified.F_0)
+
     jobs: dict[str, Job] = {
         "curve": (curve, of_folds),
+        "second curve": (second, of_folds),
         "locus": (locus, of_locus),
         "certified detachment": (
             lambda: Isolator.many(**certified.designs().parameters).detachment(),
@@ -121,16 +126,26 @@ def prepare() -> dict[str, Job]:
         for question in ("detachment", "saddle_node_onset"):
             for family in FAMILIES:
                 jobs[f"{family} {question} {count}"] = batch(question, family, count), of_batch
+        for question in ("saddle_nodes", "peak"):
+            jobs[f"random {question} {count}"] = batch(question, "random", count, above=0.03), of_batch
+            jobs[f"second {question} {count}"] = batch(question, "random", count, above=0.03, second=True), of_batch
+        for question in ("detachment", "saddle_node_onset"):
+            jobs[f"second {question} {count}"] = batch(question, "random", count, second=True), of_batch
     return jobs
 
 
-def batch(question: str, family: str, count: int) -> Callable[[], Any]:
-    """A question to so many designs, which are made when it is first asked."""
+def batch(
+    question: str, family: str, count: int, *, above: float | None = None, second: bool = False
+) -> Callable[[], Any]:
+    """A question to so many designs, which are made when it is first asked; its forcing is so much above sticking."""
     made: list[Any] = []
 
     def ask() -> Any:
         if not made:
-            made.append(FAMILIES[family](count))
-        return getattr(made[0], question)()
+            designs = FAMILIES[family](count)
+            made.append(designs.second_approximation if second else designs)
+            if above is not None:
+                made.append(4 / np.pi * designs.values["mu"] + above)
+        return getattr(made[0], question)(*made[1:])
 
     return ask

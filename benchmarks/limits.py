@@ -53,6 +53,9 @@ WORK = {
     "locus": ("one fold locus with cusps", "iso.fold_locus(1000), iso.cusps()", 1),
     "detachment": ("one F_cr", "many.detachment()", 200),
     "saddle_node_onset": ("one F_SN", "many.saddle_node_onset()", 200),
+    "saddle_nodes": ("all folds of one design", "many.saddle_nodes(0.07)", 200),
+    "peak": ("one peak", "many.peak(0.07)", 200),
+    "second": ("one curve of the second approximation", "iso.second_approximation.frequency_response(0.04)", 1),
 }
 
 

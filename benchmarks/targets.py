@@ -5,15 +5,19 @@ Out: one dictionary for each target: job, target, measured, reached; `ratio` and
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from functools import partial
 from typing import Any
 
+import numpy as np
+from mpmath import mpf, workdps
+
 from benchmarks import bench_exact, bench_kernels, bench_roots, certified, footprint
 from benchmarks.document import quantity
-from benchmarks.remote import Remote, in_turn
+from benchmarks.remote import ROOT, Remote, in_turn
 from slowflow import backend
 
 
@@ -60,7 +64,7 @@ class Target:
 def measure(size: Size) -> list[dict[str, Any]]:
     """All targets."""
     found: list[Target] = []
-    for part in (quartics, kernels, curves, batches, motions, starting, remembering):
+    for part in (quartics, kernels, curves, batches, rates, second, motions, starting, remembering):
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         found += part(size)
     return [{**asdict(row), "reached": row.reached} for row in found]
@@ -230,6 +234,56 @@ def batches(size: Size) -> list[Target]:
             )
         )
     return out
+
+
+def rates(size: Size) -> list[Target]:
+    """Answers a second on one core: folds and peaks of random designs, whole curves of one."""
+    wanted = {"saddle_nodes": ("every fold at F_0", 3e5), "peak": ("highest peak at F_0", 1e6)}
+    names: list[tuple[str, str | None]] = [(f"random {name} {size.onsets}", f"random {name} 10") for name in wanted]
+    answers = both([*names, ("curve", None)], min(size.rounds, 3))
+    out = []
+    for name, (title, least) in wanted.items():
+        answer = answers[f"random {name} {size.onsets}"]
+        out.append(
+            Target(
+                f"{title}, {size.onsets} random designs, one core",
+                *(least, size.onsets / answer["here"]["seconds"], "a second", False),
+                f"NumPy path {quantity(10 / answer['NumPy']['seconds'], 'a second')}",
+                *("", name, answer["here"]["status"] < UNSOLVED),
+            )
+        )
+    curve = answers["curve"]["here"]
+    job = f"whole curves of {curve['points']} points, stability, folds, one core"
+    return [*out, Target(job, *(15e3, 1 / curve["seconds"], "a second", False), "", *("", "curve"))]
+
+
+def second(size: Size) -> list[Target]:
+    """The second approximation: a curve with its folds, and batches."""
+    shares = {"saddle_node_onset": 1.0, "detachment": 1.0, "saddle_nodes": 0.01, "peak": 0.01}
+    counts = {name: 10 ** round(np.log10(size.onsets * share)) for name, share in shares.items()}
+    names: list[tuple[str, str | None]] = [(f"second {name} {count}", None) for name, count in counts.items()]
+    answers = both([("second curve", "second curve"), ("curve", None), *names], min(size.rounds, 3))
+    curve, first = answers["second curve"], answers["curve"]["here"]
+    known = json.loads((ROOT / "tests" / "data" / "second.json").read_text())["table 1"]["folds"]
+    with workdps(certified.DIGITS):
+        errors = [
+            certified.relative_error(value, mpf(digits))
+            for found, wanted in zip(curve["here"]["folds"], known, strict=True)
+            for value, digits in zip(found, wanted, strict=True)
+        ]
+    many = ", ".join(
+        f"{name} {quantity(count / answers[f'second {name} {count}']['here']['seconds'], 'a second')}"
+        for name, count in counts.items()
+    )
+    return [
+        Target(
+            f"second approximation: curve, {curve['here']['points']} points, stability, folds",
+            *(0.4e-3, curve["here"]["seconds"], "s", True),
+            f"NumPy path {quantity(curve['NumPy']['seconds'], 's')}; averaging's {quantity(first['seconds'], 's')}; "
+            f"random designs: {many}",
+            *(f"folds {max(errors):.1e} relative, 30 digits", "second", max(errors) <= 1e-13),
+        )
+    ]
 
 
 def motions(size: Size) -> list[Target]:
