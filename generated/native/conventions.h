@@ -68,6 +68,8 @@ typedef enum {
 #define SF_MOST_CELLS 50000
 /* events closer than this, relatively, may have changed their order */
 #define SF_COINCIDE 5.6843418860808015e-14
+/* share of its size that rounding may add to a value */
+#define SF_CLOSE 9.0949470177292824e-13
 /* frequencies closer than this are one where a curve ends */
 #define SF_NEAR_END 9.0949470177292824e-13
 /* amplitudes closer than this, relatively, are one */

@@ -96,6 +96,8 @@ NARROW = 8.8817841970012523e-16
 MOST_CELLS = 50000
 # events closer than this, relatively, may have changed their order
 COINCIDE = 5.6843418860808015e-14
+# share of its size that rounding may add to a value
+CLOSE = 9.0949470177292824e-13
 # frequencies closer than this are one where a curve ends
 NEAR_END = 9.0949470177292824e-13
 # amplitudes closer than this, relatively, are one

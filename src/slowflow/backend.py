@@ -47,10 +47,12 @@ def record_of(mechanism: str) -> Any:
     return None if SOLVER is None else SOLVER.RECORDS.get(mechanism)
 
 
-def compiled_model(mechanism: str, parameters: tuple[float, ...], damping: tuple[float, float]) -> Any:
+def compiled_model(
+    mechanism: str, parameters: tuple[float, ...], damping: tuple[float, float], design: tuple[float, ...]
+) -> Any:
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism."""
     record = record_of(mechanism)
-    return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping)
+    return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)
 
 
 def solver() -> ModuleType:

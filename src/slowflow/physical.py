@@ -51,6 +51,7 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Omega_low": ("f_low", "frequency"),
         "Omega_high": ("f_high", "frequency"),
         "Omega_cr": ("f_cr", "frequency"),
+        "Omega_undecided": ("f_undecided", "frequency"),
         "F_0": ("F", "force"),
         **{name: (name, "force") for name in ("F_SN", "F_cr", "break_loose", "sticking")},
         "f_n": ("f_n", "frequency"),

@@ -37,7 +37,7 @@ class Remark(IntFlag):
     OF_TRUNCATION = 16
     #: below the onset there are folds that end at Omega = 0
     FOLDS_AT_REST = 32
-    #: two folds are so near to each other, or to none, that doubles do not tell how many there are: `certify` may
+    #: next to where folds meet, or states do: doubles do not tell how many there are, nor does a proof in intervals
     UNDECIDED = 128
 
 
@@ -223,6 +223,7 @@ class SteadyStates(Table):
     stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part
     F_0      -- the forcing, one number; an array with that of each state where several were asked for
     message  -- remarks in words; empty if there is nothing to say
+    Omega_undecided -- those of the frequencies asked for at which doubles do not tell how many states there are
     """
 
     entry: ClassVar[Any] = State
@@ -233,6 +234,7 @@ class SteadyStates(Table):
     stable: npt.NDArray[np.bool_]
     F_0: float | Floats
     message: str
+    Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model = field(repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)

@@ -29,17 +29,16 @@ from slowflow_kernels.conventions import OnsetKind, Status
 ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
 
 
-def _check(status: int, F_0: float | None = None) -> None:
+def _check(status: int, model: Model, F_0: float | None = None) -> None:
     """Raise what the NumPy path raises where there is no answer."""
     if status == Status.OK:
         return
     if status == Status.NO_MEMORY:
         raise MemoryError
-    at = "" if F_0 is None else f" at F_0 = {F_0:.17g}"
     if status == Status.NO_BOUND:
-        raise OverflowError(f"no amplitude bounds the response{at}")
+        raise OverflowError("no amplitude bounds the response" + ("" if F_0 is None else f" at F_0 = {F_0:.17g}"))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):
-        raise ArithmeticError(f"the response is unresolved{at}")
+        raise ArithmeticError("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
 
 
 def _remark(model: Model, F_0: float) -> str:
@@ -49,7 +48,7 @@ def _remark(model: Model, F_0: float) -> str:
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.native, F_0)
-    _check(status, F_0)
+    _check(status, model, F_0)
     message = _remark(model, F_0) if A.size or undecided else words.NO_FOLD.format(F_0)
     beside = Remark.UNDECIDED if undecided else Remark(0)
     return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model, remarks=beside)
@@ -58,7 +57,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     status, F_SN, Omega, A, kind, at_rest = backend.solver().onset(model.native)
-    _check(status)
+    _check(status, model)
     if status == Status.OK:
         found = SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], "")
     elif status == Status.UNBOUNDED:
@@ -79,7 +78,7 @@ def detachment(model: Model) -> Detachment:
 def peak(model: Model, F_0: float) -> Peak:
     """The highest peak at F_0 > m."""
     status, A, Omega = backend.solver().peak(model.native, F_0)
-    _check(status, F_0)
+    _check(status, model, F_0)
     if status == Status.UNBOUNDED:
         return Peak(None, None, F_0, words.NO_PEAK)
     return Peak(A, Omega, F_0, "")
@@ -88,14 +87,14 @@ def peak(model: Model, F_0: float) -> Peak:
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
     status, Omega, A, F_0, branch, _ = backend.solver().fold_locus(model.native, A_max, samples)
-    _check(status)
+    _check(status, model)
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.NO_LOCUS.format(A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
     status, _, _, _, _, found = backend.solver().fold_locus(model.native, A_max, 0)
-    _check(status)
+    _check(status, model)
     table = np.array(found, dtype=float).reshape(-1, 6)
     isola = table[:, 3] == 1
     F_0, Omega, A, _, minimum, saddle = table[~isola].T
@@ -107,16 +106,21 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
-    status, Omega, A, stable, branch, isola = backend.solver().frequency_response(model.native, F_0, samples, *window)
-    _check(status, F_0)
+    answer = backend.solver().frequency_response(model.native, F_0, samples, *window)
+    status, Omega, A, stable, branch, isola, undecided = answer
+    _check(status, model, F_0)
     message = _remark(model, F_0)
     if not A.size:
         message = joined(message, words.empty_window(window))
-    return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola)
+    beside = Remark.UNDECIDED if undecided else Remark(0)
+    return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola, remarks=beside)
 
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
-    status, at, A, stable = backend.solver().steady_states(model.native, F_0, Omega)
-    _check(status, F_0)
-    return SteadyStates(at, A, stable, F_0, joined(_remark(model, F_0), words.without_a_state(Omega, at)), model)
+    status, at, A, stable, undecided = backend.solver().steady_states(model.native, F_0, Omega)
+    _check(status, model, F_0)
+    message = joined(_remark(model, F_0), words.without_a_state(np.setdiff1d(Omega, undecided), at))
+    message = joined(message, words.undecided_at(undecided))
+    beside = Remark.UNDECIDED if undecided.size else Remark(0)
+    return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=beside)

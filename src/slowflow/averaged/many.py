@@ -192,6 +192,25 @@ class Peaks(Batch):
         return self.Omega[..., np.newaxis], self.A[..., np.newaxis], False
 
 
+@dataclass(frozen=True, eq=False)
+class Proofs(Batch):
+    """How many folds at a forcing, or states at a frequency, each design is proved to have, in interval arithmetic.
+
+    count  -- how many are enclosed
+    proved -- 1 where these are proved to be all, with amplitudes as in `certify`; 0 where doubles do not decide
+    status -- `Status.UNRESOLVED` where no proof is possible: without the compiled solvers, or of a force whose averages
+              are not known on intervals
+    """
+
+    count: Codes
+    proved: Codes
+    status: Codes
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        none = np.full((*self.status.shape, 1), np.nan)
+        return none, none, False
+
+
 class Designs:
     """Arrays of designs of one mechanism, and the questions about them.
 
@@ -233,6 +252,12 @@ class Designs:
         """The highest peak at F_0, which broadcasts with the designs."""
         return Peaks(*self.ask(PEAK, workers, F_0), _designs=self, _F_0=F_0)
 
+    def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Proofs:
+        """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs."""
+        if Omega is None:
+            return Proofs(*self.ask(PROVED_FOLDS, workers, F_0), _designs=self, _F_0=F_0)
+        return Proofs(*self.ask(PROVED_STATES, workers, F_0, Omega=Omega), _designs=self, _F_0=F_0)
+
     def untruncated_onset(self, wanted: npt.NDArray[np.bool_]) -> Floats:
         """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
         F_SN = np.full(self.shape, np.nan)
@@ -272,12 +297,18 @@ class Designs:
                 raise ValueError(f"{name} varies too: a map is over two parameters")
         return (x, lines[x][1]), (y, lines[y][1]), (of, values if lines[x][0] == 1 else values.T)
 
-    def ask(self, question: Question, workers: int, F_0: Any = None, places: int = 0) -> list[npt.NDArray[Any]]:
+    def ask(
+        self, question: Question, workers: int, F_0: Any = None, places: int = 0, Omega: Any = None
+    ) -> list[npt.NDArray[Any]]:
         """The columns of the answer to a question; a question of its own is another depth's."""
         threads = validate.workers(workers)
-        if validate.is_labelled(F_0):
-            raise ValueError("F_0 has named axes, or is cut into blocks: at least one number of the designs must too")
-        values = dict(self.values) if F_0 is None else {**self.values, "F_0": validate.real_array("F_0", F_0)}
+        at = {name: value for name, value in (("F_0", F_0), ("Omega", Omega)) if value is not None}
+        for name, value in at.items():
+            if validate.is_labelled(value):
+                raise ValueError(
+                    f"{name} has named axes, or is cut into blocks: at least one number of the designs must too"
+                )
+        values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
         record = backend.record_of(self.mechanism.name)
@@ -292,6 +323,9 @@ class Designs:
                 solve(*(value[block] for value in given), out=out)
 
             _share(part, _blocks(shape, question.at_once), threads)
+        elif question.one is None:
+            for output, value in zip(outputs, NO_PROOF, strict=True):
+                output[...] = value
         else:
             self._loop(question.one, list(np.broadcast_arrays(*values.values())), F_0 is not None, places, outputs)
         return outputs
@@ -406,6 +440,9 @@ def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     return found.A, found.Omega, Status.OK
 
 
+#: count, whether it is proved, status, without the compiled solvers
+NO_PROOF = (0, 0, Status.UNRESOLVED)
+
 # ---- the questions
 
 
@@ -413,13 +450,13 @@ def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
 class Question:
     """A question about many designs.
 
-    one     -- the answer of one design
+    one     -- the answer of one design; None where only the compiled solvers have one
     outputs -- shape behind the designs' and type of each part of the answer, from the number of places
     batch   -- from the compiled solvers what gives the generalised ufunc of a record
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     """
 
-    one: One
+    one: One | None
     outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]]
     at_once: int
@@ -448,4 +485,16 @@ PEAK = Question(
     lambda _: [*[((), float)] * 2, ((), np.int8)],
     lambda native: native.many_peak,
     2**13,
+)
+PROVED_FOLDS = Question(
+    None,
+    lambda _: [((), np.int8)] * 3,
+    lambda native: native.many_proved_saddle_nodes,
+    2**10,
+)
+PROVED_STATES = Question(
+    None,
+    lambda _: [((), np.int8)] * 3,
+    lambda native: native.many_proved_amplitudes,
+    2**10,
 )

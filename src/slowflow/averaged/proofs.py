@@ -43,7 +43,7 @@ def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *num
         return None, NO_SOLVERS
     if not model.design:
         return None, NO_DESIGN
-    answer = proof(backend.SOLVER)(model.native, model.design, (model.mu, model.zeta), *numbers)
+    answer = proof(backend.SOLVER)(model.native, *numbers)
     return answer, "" if answer is not None else NO_INTERVALS
 
 

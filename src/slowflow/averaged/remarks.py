@@ -26,7 +26,7 @@ WORDS = {
     Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to 0",
-    Remark.UNDECIDED: "next to Omega = 0 or to a level where two folds meet: doubles do not tell how many there are",
+    Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many",
     Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 

@@ -13,7 +13,10 @@ import numpy as np
 
 from slowflow.model import Floats, Model
 from slowflow.results import Remark, SaddleNodeOnset, joined
-from slowflow_kernels.conventions import STATIC_MULTIPLE
+from slowflow_kernels.conventions import CLOSE, STATIC_MULTIPLE
+
+#: frequencies that a message names
+MOST_NAMED = 3
 
 #: messages of an answer at several forcings
 SAID = 3
@@ -33,6 +36,14 @@ NO_PEAK = "no peak: without viscous damping the response is unbounded"
 def sticks(model: Model, F_0: float) -> str:
     """Why the mass stays at rest (27)."""
     return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {model.m:g}"
+
+
+def unresolved(model: Model, F_0: float) -> str:
+    """That branches coincide within rounding, and why where F_0 hardly moves the mass."""
+    said = f"the response is unresolved at F_0 = {F_0:.17g}: branches coincide within rounding"
+    if F_0 <= model.m * (1 + CLOSE):
+        said += f", as F_0 exceeds 4 mu/pi = {model.m:.17g} by no more than rounding may make of it"
+    return said
 
 
 def cut(model: Model, F_0: float) -> tuple[float, str]:
@@ -65,6 +76,14 @@ def at_several(messages: Iterable[str]) -> str:
     """What is said at several forcings: each message once, the first `SAID` of them."""
     told = list(dict.fromkeys(message for message in messages if message))
     return joined(*told[:SAID], f"and {len(told) - SAID} remarks more" if len(told) > SAID else "")
+
+
+def undecided_at(Omega: Floats) -> str:
+    """At which of the frequencies asked for doubles do not tell how many states there are."""
+    if not Omega.size:
+        return ""
+    some = ", ".join(f"{value:.17g}" for value in Omega[:MOST_NAMED]) + ", ..." * (Omega.size > MOST_NAMED)
+    return f"how many states there are is undecided at Omega = {some}"
 
 
 def empty_window(window: tuple[float, float]) -> str:

@@ -42,6 +42,9 @@ typedef struct {
     double A_max;
 } sf_certificate;
 
+/* Whether all up to A_max are enclosed, and nothing else is there. */
+static inline int sf_is_proved(const sf_certificate *found) { return found->doubts == 0 && !found->full; }
+
 /* Of the lowest forcing that has a fold: what holds it, where it lies, and of what kind it is, if that is known.
  * proved: whether nothing lower is left in doubt */
 typedef struct {
@@ -49,5 +52,15 @@ typedef struct {
     sf_onset_kind kind;
     int proved;
 } sf_proved_onset;
+
+/* Where answers are made that a proof decides if they are in doubt. doubt: whether the folds were, undecided: whether they
+ * still are; proofs: how many have been tried of states */
+typedef struct {
+    sf_work work;
+    sf_proof proof;
+    sf_certificate found;
+    int doubt, undecided;
+    long proofs;
+} sf_room;
 
 #endif

@@ -152,6 +152,17 @@ static void sf_sort_enclosures(sf_certificate *out) {
     }
 }
 
+/* By rising A. */
+static void sf_sort_by_amplitude(sf_certificate *out) {
+    int i, k;
+    for (i = 1; i < out->n; i++) {
+        const sf_enclosure one = out->at[i];
+        for (k = i; k > 0 && out->at[k - 1].A.lo > one.A.lo; k--)
+            out->at[k] = out->at[k - 1];
+        out->at[k] = one;
+    }
+}
+
 /* What an answer is before anything is proved: the range of A, and whether the forcing moves the mass. */
 static sf_status sf_begin_certificate(const sf_model *model, const sf_given *given, double F_0, sf_certificate *out) {
     sf_status status;

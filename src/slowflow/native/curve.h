@@ -6,7 +6,7 @@
 #ifndef SF_CURVE_H
 #define SF_CURVE_H
 
-#include "locus.h"
+#include "decide.h"
 
 static void sf_add_response_event(const sf_zero *zero, int biquadratic, sf_graph *graph) {
     const int up = zero->rising ? 1 : -1;
@@ -106,10 +106,11 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
     }
 }
 
-static sf_status sf_make_skeleton(const sf_model *model, double F_0, sf_work *work) {
+static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
+    sf_work *work = &room->work;
     sf_skeleton *out = &work->skeleton;
     int arc_of[SF_MOST_FOLDS], i, c;
-    sf_status status = sf_saddle_nodes(model, F_0, work, &work->folds);
+    sf_status status = sf_decided_folds(model, given, F_0, room, &work->folds);
     out->segments = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
         return status;
@@ -202,42 +203,6 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
 
 static int sf_holds(const sf_segment *segment, double Omega) {
     return fmin(segment->Omega[0], segment->Omega[1]) <= Omega && Omega <= fmax(segment->Omega[0], segment->Omega[1]);
-}
-
-/* No fewer than the number of steady states at Omega. */
-static int sf_most_states(const sf_work *work, double Omega) {
-    int i, n = 0;
-    for (i = 0; i < work->skeleton.segments; i++)
-        n += sf_holds(&work->skeleton.segment[i], Omega);
-    return n;
-}
-
-/* A state among those by rising A; a point where two segments meet is one state, and a fold is not stable. */
-static int sf_add_state(double found, int is_stable, int n, double *A, unsigned char *stable) {
-    int i, j;
-    for (i = n; i > 0 && A[i - 1] > found; i--)
-        ;
-    for (j = i > 0 ? i - 1 : 0; j <= i && j < n; j++)
-        if (fabs(A[j] - found) <= SF_SAME * found) {
-            stable[j] = (unsigned char)(stable[j] && is_stable);
-            return n;
-        }
-    for (j = n; j > i; j--)
-        A[j] = A[j - 1], stable[j] = stable[j - 1];
-    A[i] = found, stable[i] = (unsigned char)is_stable;
-    return n + 1;
-}
-
-/* The steady states at Omega by rising A; returns their number. */
-static int sf_states(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
-                        unsigned char *stable) {
-    int i, n = 0;
-    for (i = 0; i < work->skeleton.segments; i++) {
-        const sf_segment *segment = &work->skeleton.segment[i];
-        if (sf_holds(segment, Omega))
-            n = sf_add_state(sf_amplitude_on(model, F_0, segment, Omega), segment->stable, n, A, stable);
-    }
-    return n;
 }
 
 /* ==== The window =================================================================================================== */

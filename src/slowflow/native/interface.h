@@ -13,15 +13,16 @@ typedef struct {
     sf_status (*onset)(const sf_model *, sf_work *, sf_onset *);
     sf_status (*detachment)(const sf_model *, double *F_cr, double *Omega_cr, double *u_cr);
     sf_status (*peak)(const sf_model *, double F_0, sf_work *, double *A, double *Omega);
-    sf_status (*saddle_nodes)(const sf_model *, double F_0, sf_work *, sf_folds *);
+    sf_status (*saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_folds *);
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
     sf_status (*range)(const sf_model *, double F_0, double *A_max);
-    sf_status (*skeleton)(const sf_model *, double F_0, sf_work *);
+    sf_status (*skeleton)(const sf_model *, const sf_given *, double F_0, sf_room *);
     long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *);
     void (*draw)(const sf_model *, double F_0, double samples, const sf_skeleton *shown, double *Omega,
                  double *A, unsigned char *stable, long long *branch);
-    int (*most_states)(const sf_work *, double Omega);
-    int (*states)(const sf_model *, double F_0, const sf_work *, double Omega, double *A, unsigned char *stable);
+    int (*states)(const sf_model *, const sf_given *, double F_0, sf_room *, double Omega, double *A, unsigned char *stable,
+                  int *undecided);
+    int most_states;
     sf_extremum (*extremum)(const sf_model *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
                        long long *branch);
@@ -40,7 +41,7 @@ typedef struct {
     sf_second_status (*second_cusp)(const sf_model *, const sf_onset *first, sf_onset *, double *u_max);
     sf_second_status (*second_detach)(const sf_model *, double F_first, double Omega_first, double u_cr, double *F_cr,
                                       double *Omega_cr);
-    sf_many many_detachment, many_onsets, many_folds, many_peaks;
+    sf_many many_detachment, many_onsets, many_folds, many_peaks, many_proved_folds, many_proved_states;
     sf_many many_second_detachment, many_second_onsets, many_second_folds, many_second_peaks;
     const sf_mechanism *const *records;
     int count;

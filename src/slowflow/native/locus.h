@@ -352,7 +352,7 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
     sf_zeros *found = &work->zeros;
     sf_status status;
     int i, k;
-    folds->n = folds->undecided = 0, folds->status = SF_OK;
+    folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
     if (sf_sticks(model, F_0))
         return SF_STICKS;
     status = sf_range_at(model, F_0, &work->A_max);
@@ -364,7 +364,7 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
         sf_ask_all(model, SF_FOLD_AT, F_0, &work->pieces.at[i], found);
         if (found->status != SF_OK)
             return found->status;
-        folds->undecided |= found->undecided;
+        folds->undecided |= found->undecided, folds->close |= found->close;
         for (k = 0; k < found->n; k++) {
             const double A = found->at[k].A;
             double Omega;

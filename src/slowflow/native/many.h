@@ -8,7 +8,7 @@
 
 #include <fenv.h>
 
-#include "curve.h"
+#include "decide.h"
 #include "onset.h"
 
 static double sf_input(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k) {
@@ -36,6 +36,16 @@ static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdif
         return 0;
     sf_prepare(mechanism, model);
     return 1;
+}
+
+/* Design k as it was given; 0 where no proof is possible. */
+static int sf_given_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_given *given) {
+    double design[SF_MOST_DESIGN];
+    const int damping = mechanism->design_size;
+    int i;
+    for (i = 0; i < mechanism->design_size; i++)
+        design[i] = sf_input(args, steps, i, k);
+    return sf_give(mechanism, design, sf_input(args, steps, damping, k), sf_input(args, steps, damping + 1, k), given);
 }
 
 /* A solver tries values that it then discards: the flags that these raise are no fault of the arguments. */
@@ -117,16 +127,19 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
     const sf_mechanism *mechanism = data;
     const int out = mechanism->design_size + mechanism->damping_size + 1;
     const ptrdiff_t places = dimensions[1], *inner = steps + out + 6;
-    sf_work *work = malloc(sizeof *work);
+    sf_room *room = malloc(sizeof *room);
     ptrdiff_t k, i;
     for (k = 0; k < dimensions[0]; k++) {
         const double F_0 = sf_input(args, steps, out - 1, k);
         sf_model model;
+        sf_given given;
         sf_folds found;
-        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
+        sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
         found.n = found.undecided = 0;
-        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model))
-            status = sf_saddle_nodes(&model, F_0, work, &found);
+        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model)) {
+            const int is_given = sf_given_at(mechanism, args, steps, k, &given);
+            status = sf_decided_folds(&model, is_given ? &given : NULL, F_0, room, &found);
+        }
         if (found.n > places && status == SF_OK)
             status = SF_TOO_MANY;
         for (i = 0; i < places; i++) {
@@ -140,7 +153,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         sf_output_code(args, steps, out + 4, k, found.undecided);
         sf_output_code(args, steps, out + 5, k, status);
     }
-    free(work);
+    free(room);
 }
 
 static void sf_many_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {

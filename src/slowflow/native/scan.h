@@ -33,6 +33,29 @@ static void sf_probe_at(const sf_search *search, double A, sf_probe *probe) {
     sf_ask(&search->asked, &probe->at, &probe->answer);
 }
 
+/* What a force, or its average, may be as large as at a sample; a stiffness of 1 is that of the vertical spring. */
+static double sf_size_at(const sf_sample *at, double F_0) {
+    return F_0 + fabs(at->h) + at->A * (1 + fabs(at->h_A));
+}
+
+/* Whether the function whose zeros are folds is as near to 0 as rounding may bring it. Two of its zeros that are about to
+ * meet, or have met, lead the search there. Omega in it follows from I, as sf_fold_Omega says. */
+static int sf_is_close(const sf_search *search, const sf_probe *probe) {
+    const sf_asked *asked = &search->asked;
+    const sf_sample *at = &probe->at;
+    const double zeta = asked->model->zeta, Omega = probe->answer.Omega[0];
+    double size = sf_size_at(at, asked->F_0);
+    if (asked->question != SF_FOLD_AT || !probe->answer.exists[0] || !(fabs(at->h_A) < HUGE_VAL))
+        return 0;
+    if (zeta > 0) {
+        const double least = asked->least / at->k;
+        size += Omega * (2 * zeta * at->A * Omega + asked->model->m) / (zeta * fmax((1 - least) * (1 + least), SF_CLOSE));
+    } else {
+        size *= size;
+    }
+    return fabs(probe->answer.y[0]) <= SF_CLOSE * size;
+}
+
 /* The sign of a channel at a probe; where it ends before that, its sign at the end. */
 static int sf_is_negative(const sf_probe *probe, int channel, int edge) {
     return probe->answer.exists[channel] ? probe->answer.y[channel] < 0 : edge < 0;
@@ -143,6 +166,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
             return;
     }
     sf_probe_at(search, A, &middle);
+    search->found->close |= sf_is_close(search, &middle);
     sf_know(&middle.at, &middle.known);
     if (search->asked.highest) {
         sf_search_between(search, &middle, b, open);
@@ -164,6 +188,7 @@ static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zer
     sf_ask(asked, &high.at, &high.answer);
     if (low.at.A == 0 && ((low.answer.exists[0] && low.answer.y[0] == 0) || (low.answer.exists[1] && low.answer.y[1] == 0)))
         sf_probe_at(&search, SF_FIRST, &low);
+    found->close |= sf_is_close(&search, &low) | sf_is_close(&search, &high);
     sf_know(&low.at, &low.known);
     sf_know(&high.at, &high.known);
     sf_search_between(&search, &low, &high, sf_channels(asked->question) == 2 ? 3 : 1);

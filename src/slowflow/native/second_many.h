@@ -32,7 +32,8 @@ static sf_second_curve *sf_second_around(const sf_model *model, double F_0, doub
 }
 
 /* Every fold at F_0; SF_NONE where nothing of the first approximation is there to start from. */
-static sf_status sf_second_saddle_nodes(const sf_model *model, double F_0, sf_work *work, sf_second_folds *out) {
+static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_second_folds *out) {
+    sf_work *work = &room->work;
     double A, Omega, low = HUGE_VAL, high = 0;
     sf_second_curve *curve;
     sf_status status = sf_peak(model, F_0, work, &A, &Omega);
@@ -42,7 +43,7 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, double F_0, sf_wo
         return status;
     if (status == SF_OK && Omega > 0)
         low = high = Omega;
-    status = sf_make_skeleton(model, F_0, work);
+    status = sf_make_skeleton(model, given, F_0, room);
     if (status != SF_OK)
         return status;
     for (i = 0; i < work->folds.n; i++)
@@ -58,7 +59,8 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, double F_0, sf_wo
 }
 
 /* The highest peak at F_0, and its frequency. */
-static sf_status sf_second_peak(const sf_model *model, double F_0, sf_work *work, double *u_max, double *Omega) {
+static sf_status sf_second_peak(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double *u_max, double *Omega) {
+    sf_work *work = &room->work;
     sf_second_point top;
     sf_second_curve *curve;
     double A, first;
@@ -66,7 +68,7 @@ static sf_status sf_second_peak(const sf_model *model, double F_0, sf_work *work
     if (status == SF_OK && first == 0)
         status = SF_NONE;
     if (status == SF_OK)
-        status = sf_make_skeleton(model, F_0, work);
+        status = sf_make_skeleton(model, given, F_0, room);
     if (status != SF_OK)
         return status;
     curve = sf_second_around(model, F_0, first, first, work);
@@ -128,21 +130,23 @@ static void sf_loop_second_onsets(char **args, const ptrdiff_t *dimensions, cons
 static void sf_loop_second_peaks(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
     const int out = mechanism->design_size + mechanism->damping_size + 1;
-    sf_work *work = malloc(sizeof *work);
+    sf_room *room = malloc(sizeof *room);
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
         const double F_0 = sf_input(args, steps, out - 1, k);
         sf_model model;
+        sf_given given;
         double A = NAN, Omega = NAN;
-        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
+        sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
+        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
             sf_has_second(&model))
-            status = sf_second_peak(&model, F_0, work, &A, &Omega);
+            status = sf_second_peak(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL, F_0,
+                                    room, &A, &Omega);
         sf_output(args, steps, out, k, A);
         sf_output(args, steps, out + 1, k, Omega);
         sf_output_code(args, steps, out + 2, k, status);
     }
-    free(work);
+    free(room);
 }
 
 /* design, damping, F_0 -> Omega (places), A (places), kind (places), count, whether some are lost, status */
@@ -150,17 +154,19 @@ static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const
     const sf_mechanism *mechanism = data;
     const int out = mechanism->design_size + mechanism->damping_size + 1;
     const ptrdiff_t places = dimensions[1], *inner = steps + out + 6;
-    sf_work *work = malloc(sizeof *work);
+    sf_room *room = malloc(sizeof *room);
     ptrdiff_t k, i;
     for (k = 0; k < dimensions[0]; k++) {
         const double F_0 = sf_input(args, steps, out - 1, k);
         sf_model model;
+        sf_given given;
         sf_second_folds found;
-        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
+        sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
         found.n = found.lost = 0;
-        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
+        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
             sf_has_second(&model))
-            status = sf_second_saddle_nodes(&model, F_0, work, &found);
+            status = sf_second_saddle_nodes(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL,
+                                            F_0, room, &found);
         if (found.n > places && status == SF_OK)
             status = SF_TOO_MANY;
         for (i = 0; i < places; i++) {
@@ -176,7 +182,7 @@ static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const
         sf_output_code(args, steps, out + 4, k, found.lost > 0);
         sf_output_code(args, steps, out + 5, k, status);
     }
-    free(work);
+    free(room);
 }
 
 static void sf_many_second_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {

@@ -3,22 +3,24 @@
 #include "curve.h"
 #include "interface.h"
 #include "many.h"
+#include "many_proofs.h"
 #include "onset.h"
 #include "records.h"
 #include "second_many.h"
+#include "states.h"
 
 const sf_solvers SF_SOLVERS = {
     sf_find_onset,
     sf_detachment,
     sf_peak,
-    sf_saddle_nodes,
+    sf_decided_folds,
     sf_fold_locus,
     sf_range_at,
     sf_make_skeleton,
     sf_show,
     sf_draw,
-    sf_most_states,
     sf_states,
+    SF_MOST_STATES,
     sf_extremum_at,
     sf_draw_locus,
     sf_certify_folds,
@@ -37,6 +39,8 @@ const sf_solvers SF_SOLVERS = {
     sf_many_onsets,
     sf_many_folds,
     sf_many_peaks,
+    sf_many_proved_folds,
+    sf_many_proved_states,
     sf_many_second_detachment,
     sf_many_second_onsets,
     sf_many_second_folds,

@@ -12,9 +12,10 @@ typedef struct {
     int up, corner;
 } sf_fold;
 
-/* undecided: whether there may be another pair, whose amplitudes are the same double */
+/* undecided: whether there may be another pair, whose amplitudes are the same double; close: whether rounding may have
+ * decided how many there are */
 typedef struct {
-    int n, undecided;
+    int n, undecided, close;
     sf_status status;
     sf_fold at[SF_MOST_FOLDS];
 } sf_folds;

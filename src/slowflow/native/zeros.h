@@ -13,15 +13,16 @@ typedef struct {
     int channel, rising;
 } sf_zero;
 
-/* cells: intervals looked at; undecided: whether one of them holds a number of zeros that doubles do not tell */
+/* cells: intervals looked at; undecided: whether one of them holds a number of zeros that doubles do not tell; close: of
+ * SF_FOLD_AT, whether the function was seen as near to 0 as rounding may bring it */
 typedef struct {
-    int n, cells, undecided;
+    int n, cells, undecided, close;
     sf_status status;
     sf_zero at[SF_MOST_ZEROS];
 } sf_zeros;
 
 static inline void sf_clear_zeros(sf_zeros *found) {
-    found->n = found->cells = found->undecided = 0, found->status = SF_OK;
+    found->n = found->cells = found->undecided = found->close = 0, found->status = SF_OK;
 }
 
 static inline void sf_add_zero(sf_zeros *found, sf_zero zero) {

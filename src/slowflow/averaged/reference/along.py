@@ -24,6 +24,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from slowflow.averaged.reference.cells import Cells, Samples
+from slowflow.averaged.reference.doubt import is_fold_close
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.averaged.reference.roots import Quartics, critical_points, peak_roots
 from slowflow.model import Floats, Model
@@ -106,6 +107,10 @@ class Asked:
         """On cells."""
         raise NotImplementedError
 
+    def is_close(self, at: Samples, answers: list[Channel]) -> bool:
+        """Whether a number of zeros may be decided by rounding, as far as these samples tell."""
+        return False
+
 
 class Stiffness(Asked):
     """h, next to A = 0 over A, and h_A."""
@@ -140,6 +145,12 @@ class FoldAt(Asked):
         exists = (np.abs(at.k) >= self.least) & ~np.isnan(y)
         # F_A has the sign of h_A where the channel ends
         return [_channel(at, exists, y, dy, self._Omega(at, Omega, y), 0.0, 0.0, np.sign(at.h_A))]
+
+    def is_close(self, at: Samples, answers: list[Channel]) -> bool:
+        """Whether the function is next to 0 at one of them."""
+        (answer,) = answers
+        close = is_fold_close(self.model, self.F_0, self.least, at, answer.y, answer.Omega)
+        return bool((answer.exists & close).any())
 
     def _Omega(self, at: Samples, Omega: Floats, y: Floats) -> Floats:
         """Where a fold may be, from I or from R, y being what the two lack of agreeing: what rounding moves less.

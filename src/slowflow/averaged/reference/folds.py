@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from slowflow.averaged import words
+from slowflow.averaged.reference import doubt
 from slowflow.averaged.reference.along import FoldAt
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import samples_at, stretches_up_to
@@ -32,13 +33,14 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
         # Leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it in amplitude.
         up = np.asarray(model.flow.F_AA(Omega, A, model.m, model.zeta, h, h_A, h_AA)) < 0
         corner_Omega, corner_A, corner_up = _on_corners(model, F_0, A_max)
+        undecided = found.undecided or doubt.nearly_sticks(model, F_0) or doubt.are_corners_close(model, F_0, A_max)
     Omega, A = np.concatenate((Omega, corner_Omega)), np.concatenate((A, corner_A))
     up = np.concatenate((up, corner_up))
     corner = np.arange(A.size) >= A.size - corner_A.size
     order = np.argsort(Omega, kind="stable")
-    message = remark if A.size or found.undecided else words.NO_FOLD.format(F_0)
+    message = remark if A.size or undecided else words.NO_FOLD.format(F_0)
     kind = np.where(up, "jump-up", "jump-down")[order]
-    beside = Remark.UNDECIDED if found.undecided else Remark(0)
+    beside = Remark.UNDECIDED if undecided else Remark(0)
     return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=beside)
 
 

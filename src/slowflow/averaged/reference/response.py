@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged import words
+from slowflow.averaged.reference import doubt
 from slowflow.averaged.reference.along import Peak, Rest
 from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
@@ -22,7 +23,7 @@ from slowflow.averaged.reference.folds import saddle_nodes
 from slowflow.averaged.reference.roots import Quartics
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
-from slowflow.results import FrequencyResponse, SaddleNodes, SteadyStates, joined
+from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates, joined
 from slowflow_kernels import frequencies, slow_flow
 from slowflow_kernels.conventions import LAST_STEP, SAME
 
@@ -56,6 +57,7 @@ class Skeleton:
     """
 
     roots: Roots
+    folds: SaddleNodes
     curves: list[list[tuple[Segment, bool]]]
     closed: list[bool]
     message: str
@@ -69,7 +71,10 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
     """Segments and how they hang together, for F_0 > m."""
     A_max, remark = amplitude_bound(model, F_0)
     roots, folds = Roots(model, F_0), saddle_nodes(model, F_0)
-    graph = Graph(roots, _events(model, F_0, A_max))
+    try:
+        graph = Graph(roots, _events(model, F_0, A_max))
+    except ArithmeticError as failure:
+        raise ArithmeticError(words.unresolved(model, F_0)) from failure
     on_arc = _arcs_of_folds(roots, graph, folds)
     curves = []
     for tour in graph.tours:
@@ -80,7 +85,7 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
             parts = [Segment(arc.index, arc.count, low, high) for low, high in pairwise(corners)]
             curve += [(part, upward) for part in (parts if upward else parts[::-1])]
         curves.append(curve)
-    return Skeleton(roots, _with_stability(roots, curves), [tour.closed for tour in graph.tours], remark)
+    return Skeleton(roots, folds, _with_stability(roots, curves), [tour.closed for tour in graph.tours], remark)
 
 
 def _events(model: Model, F_0: float, A_max: float) -> list[Event]:
@@ -163,10 +168,12 @@ def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarra
     which = np.array([q for q, _ in hits], dtype=np.intp)
     A = solve_segments(found.roots, [segment for _, segment in hits], Omega[which])
     stable = np.array([segment.stable for _, segment in hits], dtype=bool)
+    is_end = np.array([Omega[q] in segment.range for q, segment in hits], dtype=bool)
     order = np.lexsort((A, which))
-    which, A, stable = which[order], A[order], stable[order]
-    # a point where two segments meet belongs to both: it is one state, and a fold is not stable
-    same = (np.diff(which) == 0) & (np.diff(A) <= SAME * A[1:])
+    which, A, stable, is_end = which[order], A[order], stable[order], is_end[order]
+    # a point where two segments meet belongs to both: it is one state, and a fold is not stable; inside segments two
+    # are two, even where their amplitudes are the same double
+    same = (np.diff(which) == 0) & (np.diff(A) <= SAME * A[1:]) & (is_end[1:] | is_end[:-1])
     stable[:-1] &= stable[1:] | ~same
     keep = np.concatenate([[True], ~same]) if which.size else np.empty(0, dtype=bool)
     stable[1:] &= stable[:-1] | ~same
@@ -313,7 +320,9 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     if not steps:
         empty = np.empty(0)
         message = joined(found.message, words.empty_window(window))
-        return FrequencyResponse(empty, empty, np.empty(0, bool), F_0, message, model, np.empty(0, np.intp), ())
+        none = np.empty(0, np.intp)
+        beside = found.folds.remarks
+        return FrequencyResponse(empty, empty, empty > 0, F_0, message, model, none, (), remarks=beside)
     return FrequencyResponse(
         np.concatenate(Omega),
         np.concatenate(A),
@@ -323,6 +332,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         model,
         np.concatenate(branch),
         tuple(closed for _, closed in curves),
+        remarks=found.folds.remarks,
     )
 
 
@@ -353,4 +363,10 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     found = skeleton(model, F_0)
     at, A, stable = states_at(found, Omega)
-    return SteadyStates(at, A, stable, F_0, joined(found.message, words.without_a_state(Omega, at)), model)
+    with np.errstate(all="ignore"):
+        in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
+    undecided = Omega if found.folds.remarks else Omega[in_doubt]
+    message = joined(found.message, words.without_a_state(np.setdiff1d(Omega, undecided), at))
+    message = joined(message, words.undecided_at(undecided))
+    beside = Remark.UNDECIDED if undecided.size else Remark(0)
+    return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=beside)

@@ -38,7 +38,7 @@ class Zeros:
     A, Omega  -- where
     level     -- of cusps: the forcing
     rising    -- whether the function goes from below zero to above it with rising A
-    undecided -- whether some interval holds a number of zeros that doubles do not tell
+    undecided -- whether some interval holds a number of zeros that doubles do not tell, or rounding may decide it
     """
 
     piece: Ints
@@ -83,7 +83,7 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
     values = [question.ask(joined(a, b)) for question in questions]
     is_open = [_opened(answers, a) for answers in values]
     brackets: list[list[_Brackets]] = [[] for _ in questions]
-    undecided = [False for _ in questions]
+    undecided = [question.is_close(joined(a, b), answers) for question, answers in zip(questions, values, strict=True)]
     looked_at = 0
     while len(a):
         looked_at += len(a)
@@ -110,7 +110,8 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
                     channel = np.full(hits.size, c)
                     brackets[number].append(_Brackets(piece[hits], a.take(hits), b.take(hits), channel, of_hits))
                 is_open[number][c, some] = wanted & ~settled
-        piece, a, b, values, is_open = _cut(model, questions, base, piece, a, b, values, is_open)
+        piece, a, b, values, is_open, close = _cut(model, questions, base, piece, a, b, values, is_open)
+        undecided = [one or other for one, other in zip(undecided, close, strict=True)]
     return [
         replace(_solved(model, question, base, found), undecided=unknown)
         for question, found, unknown in zip(questions, brackets, undecided, strict=True)
@@ -176,12 +177,12 @@ def _cut(
     b: Samples,
     values: list[list[Channel]],
     is_open: list[Bools],
-) -> tuple[Ints, Samples, Samples, list[list[Channel]], list[Bools]]:
-    """The intervals that are open for some channel, each cut in two or more."""
+) -> tuple[Ints, Samples, Samples, list[list[Channel]], list[Bools], list[bool]]:
+    """The intervals that are open for some channel, cut in two or more; and whether a question is close."""
     n = len(a)
     left = np.flatnonzero(np.any([opened.any(axis=0) for opened in is_open], axis=0))
     if not left.size:
-        return piece[left], a.take(left), b.take(left), values, is_open
+        return piece[left], a.take(left), b.take(left), values, is_open, [False for _ in questions]
     piece, a, b = piece[left], a.take(left), b.take(left)
     nodes = np.stack((a.A, b.A))
     for _ in range(int(np.clip(np.log2(TOGETHER / left.size), 1, 5))):
@@ -198,15 +199,16 @@ def _cut(
     low, high = np.where(nodes[row, of] == a.A[of], of, row * left.size + of), (row + 1) * left.size + of
     kept = np.flatnonzero(ends.A[low] < ends.A[high])
     low, high, of = low[kept], high[kept], of[kept]
-    fresh = []
-    for answers, asked in zip(values, (question.ask(inner) for question in questions), strict=True):
+    fresh, of_inner = [], [question.ask(inner) for question in questions]
+    close = [question.is_close(inner, asked) for question, asked in zip(questions, of_inner, strict=True)]
+    for answers, asked in zip(values, of_inner, strict=True):
         table = [
             _joined_channels(answer.take(left), one, answer.take(n + left))
             for answer, one in zip(answers, asked, strict=True)
         ]
         fresh.append([one.take(np.concatenate((low, high))) for one in table])
     opened = [part[:, left][:, of] for part in is_open]
-    return piece[of], ends.take(low), ends.take(high), fresh, opened
+    return piece[of], ends.take(low), ends.take(high), fresh, opened, close
 
 
 def _joined_channels(*parts: Channel) -> Channel:

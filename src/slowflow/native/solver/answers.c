@@ -19,6 +19,14 @@ static sf_work *new_work(void)
     return work;
 }
 
+static sf_room *new_room(void)
+{
+    sf_room *room = malloc(sizeof *room);
+    if (room == NULL)
+        PyErr_NoMemory();
+    return room;
+}
+
 /* A new one-dimensional array; `*values` points into it. */
 static PyObject *new_array(npy_intp n, int type, void *values)
 {
@@ -65,19 +73,19 @@ static PyObject *saddle_nodes(PyObject *self, PyObject *args)
 {
     PyObject *given;
     double F_0;
-    sf_work *work;
+    sf_room *room;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
         return NULL;
     const sf_model *model = sf_model_in(given);
-    if (model == NULL || (work = new_work()) == NULL)
+    if (model == NULL || (room = new_room()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->saddle_nodes(model, F_0, work, &work->folds);
+    status = sf_here()->saddle_nodes(model, sf_given_in(given), F_0, room, &room->work.folds);
     Py_END_ALLOW_THREADS
-    PyObject *result = fold_arrays(status, &work->folds);
-    free(work);
+    PyObject *result = fold_arrays(status, &room->work.folds);
+    free(room);
     return result;
 }
 
@@ -204,7 +212,7 @@ static PyObject *closed_flags(const sf_skeleton *shown)
     return tuple;
 }
 
-/* (model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed */
+/* (model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed, undecided */
 static PyObject *frequency_response(PyObject *self, PyObject *args)
 {
     PyObject *given;
@@ -212,53 +220,94 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     long n = 0;
     npy_bool *stable;
     npy_int64 *branch;
-    sf_work *work;
+    sf_room *room;
     sf_status status;
     (void)self;
     if (!PyArg_ParseTuple(args, "Odddd", &given, &F_0, &samples, &low, &high))
         return NULL;
     const sf_model *model = sf_model_in(given);
-    if (model == NULL || (work = new_work()) == NULL)
+    if (model == NULL || (room = new_room()) == NULL)
         return NULL;
-    work->shown.curves = 0;
+    room->work.shown.curves = 0;
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->skeleton(model, F_0, work);
+    status = sf_here()->skeleton(model, sf_given_in(given), F_0, room);
     if (status == SF_OK)
-        n = sf_here()->show(model, F_0, low, high, samples, work);
+        n = sf_here()->show(model, F_0, low, high, samples, &room->work);
     Py_END_ALLOW_THREADS
     PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable),
-                         new_array(n, NPY_INT64, &branch), closed_flags(&work->shown)};
+                         new_array(n, NPY_INT64, &branch), closed_flags(&room->work.shown),
+                         PyBool_FromLong(status == SF_OK && room->undecided)};
     if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
         Py_BEGIN_ALLOW_THREADS
-        sf_here()->draw(model, F_0, samples, &work->shown, Omega, A, stable, (long long *)branch);
+        sf_here()->draw(model, F_0, samples, &room->work.shown, Omega, A, stable, (long long *)branch);
         Py_END_ALLOW_THREADS
     }
-    free(work);
-    return answer(status, items, 5);
+    free(room);
+    return answer(status, items, 6);
 }
 
-/* frequencies: some milliseconds */
-enum { BETWEEN_SIGNALS = 1 << 14 };
+/* frequencies: some milliseconds; and as how many of them a proof counts */
+enum { BETWEEN_SIGNALS = 1 << 14, PROOF = 100 };
 
-/* All states at the frequencies asked for; Omega, A and stable have room for as many as most_states says. -1 with an
- * exception set where it was interrupted. */
-static npy_intp all_states(const sf_model *model, double F_0, const sf_work *work,
-                           const double *asked, npy_intp asked_n, double *Omega, double *A, npy_bool *stable)
+/* States, and frequencies at which doubles do not tell how many there are, so many of `places` and `places_in_doubt`. */
+typedef struct {
+    npy_intp n, doubts, places, places_in_doubt;
+    double *Omega, *A, *doubt;
+    npy_bool *stable;
+} states;
+
+static int grow(void *array, npy_intp places, size_t size)
 {
-    npy_intp n = 0, i = 0;
-    while (i < asked_n) {
-        const npy_intp end = i + BETWEEN_SIGNALS < asked_n ? i + BETWEEN_SIGNALS : asked_n;
+    void *more = realloc(*(void **)array, (size_t)places * size);
+    if (more != NULL)
+        *(void **)array = more;
+    return more != NULL;
+}
+
+/* Room for all that there may be at one more frequency. */
+static int make_place(states *found)
+{
+    if (found->places - found->n < sf_here()->most_states) {
+        found->places = 2 * found->places + sf_here()->most_states;
+        if (!grow(&found->Omega, found->places, sizeof *found->Omega) || !grow(&found->A, found->places, sizeof *found->A) ||
+            !grow(&found->stable, found->places, sizeof *found->stable))
+            return 0;
+    }
+    if (found->doubts == found->places_in_doubt) {
+        found->places_in_doubt = 2 * found->places_in_doubt + 1;
+        return grow(&found->doubt, found->places_in_doubt, sizeof *found->doubt);
+    }
+    return 1;
+}
+
+/* All states at the frequencies asked for; -1 with an exception set where it was interrupted or there was no room. */
+static int all_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, const double *asked,
+                      npy_intp asked_n, states *found)
+{
+    npy_intp i = 0;
+    int is_room = 1;
+    while (i < asked_n && is_room) {
         Py_BEGIN_ALLOW_THREADS
-        for (; i < end; i++) {
-            const int here = sf_here()->states(model, F_0, work, asked[i], A + n, stable + n);
+        const npy_intp first = i;
+        const long proofs = room->proofs;
+        while (i < asked_n && i - first + PROOF * (room->proofs - proofs) < BETWEEN_SIGNALS &&
+               (is_room = make_place(found))) {
+            int undecided;
+            const int here = sf_here()->states(model, given, F_0, room, asked[i], found->A + found->n,
+                                               found->stable + found->n, &undecided);
             for (int j = 0; j < here; j++)
-                Omega[n++] = asked[i];
+                found->Omega[found->n++] = asked[i];
+            if (undecided)
+                found->doubt[found->doubts++] = asked[i];
+            i++;
         }
         Py_END_ALLOW_THREADS
         if (PyErr_CheckSignals() < 0)
             return -1;
     }
-    return n;
+    if (!is_room)
+        PyErr_NoMemory();
+    return is_room ? 0 : -1;
 }
 
 /* A new array with a copy of n elements. */
@@ -271,14 +320,15 @@ static PyObject *array_of(npy_intp n, int type, const void *values, size_t size)
     return array;
 }
 
-/* (model, F_0, Omega: contiguous doubles) -> status, Omega, A, stable: every state, by the order of Omega */
+/* (model, F_0, Omega: contiguous doubles) -> status, Omega, A, stable: every state, by the order of Omega; and those of the
+ * frequencies at which their number is undecided */
 static PyObject *steady_states(PyObject *self, PyObject *args)
 {
     PyObject *given, *frequencies, *result = NULL;
     double F_0;
-    npy_intp n = 0, most = 0;
-    sf_work *work;
+    sf_room *room;
     sf_status status;
+    states found = {0};
     (void)self;
     if (!PyArg_ParseTuple(args, "OdO", &given, &F_0, &frequencies))
         return NULL;
@@ -288,48 +338,40 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
     PyArrayObject *array = (PyArrayObject *)PyArray_FROMANY(frequencies, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
     if (array == NULL)
         return NULL;
-    if ((work = new_work()) == NULL) {
+    if ((room = new_room()) == NULL) {
         Py_DECREF(array);
         return NULL;
     }
-    const double *asked = PyArray_DATA(array);
-    const npy_intp asked_n = PyArray_DIM(array, 0);
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->skeleton(model, F_0, work);
-    for (npy_intp i = 0; status == SF_OK && i < asked_n; i++)
-        most += sf_here()->most_states(work, asked[i]);
+    status = sf_here()->skeleton(model, sf_given_in(given), F_0, room);
     Py_END_ALLOW_THREADS
-    double *Omega = malloc((size_t)most * sizeof *Omega + 1), *A = malloc((size_t)most * sizeof *A + 1);
-    npy_bool *stable = malloc((size_t)most + 1);
-    if (Omega == NULL || A == NULL || stable == NULL) {
-        PyErr_NoMemory();
-    } else {
-        if (most > 0)
-            n = all_states(model, F_0, work, asked, asked_n, Omega, A, stable);
-        if (n >= 0) {
-            PyObject *items[] = {array_of(n, NPY_DOUBLE, Omega, sizeof *Omega), array_of(n, NPY_DOUBLE, A, sizeof *A),
-                                 array_of(n, NPY_BOOL, stable, sizeof *stable)};
-            result = answer(status, items, 3);
-        }
+    if (status != SF_OK ||
+        all_states(model, sf_given_in(given), F_0, room, PyArray_DATA(array), PyArray_DIM(array, 0), &found) == 0) {
+        PyObject *items[] = {array_of(found.n, NPY_DOUBLE, found.Omega, sizeof *found.Omega),
+                             array_of(found.n, NPY_DOUBLE, found.A, sizeof *found.A),
+                             array_of(found.n, NPY_BOOL, found.stable, sizeof *found.stable),
+                             array_of(found.doubts, NPY_DOUBLE, found.doubt, sizeof *found.doubt)};
+        result = answer(status, items, 4);
     }
-    free(Omega);
-    free(A);
-    free(stable);
-    free(work);
+    free(found.Omega);
+    free(found.A);
+    free(found.stable);
+    free(found.doubt);
+    free(room);
     Py_DECREF(array);
     return result;
 }
 
 static PyMethodDef functions[] = {
-    {"saddle_nodes", saddle_nodes, METH_VARARGS, "(model, F_0) -> status, Omega, A, up, corner"},
+    {"saddle_nodes", saddle_nodes, METH_VARARGS, "(model, F_0) -> status, Omega, A, up, corner, undecided"},
     {"onset", onset, METH_VARARGS, "(model,) -> status, F_SN, Omega, A, kind, lowest level at rest"},
     {"detachment", detachment, METH_VARARGS, "(model,) -> status, F_cr, Omega_cr, u_cr"},
     {"peak", peak, METH_VARARGS, "(model, F_0) -> status, A, Omega"},
     {"amplitude_bound", amplitude_bound, METH_VARARGS, "(model, F_0) -> status, A_max"},
     {"fold_locus", fold_locus, METH_VARARGS, "(model, A_max, samples) -> status, Omega, A, F_0, branch, extrema"},
     {"frequency_response", frequency_response, METH_VARARGS,
-     "(model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed"},
-    {"steady_states", steady_states, METH_VARARGS, "(model, F_0, Omega) -> status, Omega, A, stable"},
+     "(model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed, undecided"},
+    {"steady_states", steady_states, METH_VARARGS, "(model, F_0, Omega) -> status, Omega, A, stable, Omega where undecided"},
     {NULL, NULL, 0, NULL},
 };
 

@@ -16,10 +16,10 @@
 #define D NPY_DOUBLE
 #define B NPY_INT8
 
-/* A question: the outputs behind the design, the damping and, where `forced`, F_0. */
+/* A question: the outputs behind the design, the damping and what is asked at, F_0 and Omega or less. */
 typedef struct {
     const char *name, *out, *doc;
-    int forced, outputs;
+    int at, outputs;
     char types[6];
 } question;
 
@@ -33,7 +33,13 @@ static const question saddle_nodes = {
     {D, D, B, B, B, B}};
 static const question peak = {"many_peak", "(),(),()", "design, damping, F_0 -> A, Omega, status", 1, 3, {D, D, B}};
 
-enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 1 + 6 };
+static const question proved_folds = {
+    "many_proved_saddle_nodes", "(),(),()", "design, damping, F_0 -> count, whether it is proved, status", 1, 3, {B, B, B}};
+static const question proved_states = {
+    "many_proved_amplitudes", "(),(),()", "design, damping, F_0, Omega -> count, whether it is proved, status", 2, 3,
+    {B, B, B}};
+
+enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2 + 6 };
 
 /* What NumPy keeps pointers to, for as long as the process lives. */
 typedef struct {
@@ -44,7 +50,7 @@ typedef struct {
 
 static PyObject *new_batch(const sf_mechanism *record, const question *asked, sf_many loop)
 {
-    const int inputs = record->design_size + record->damping_size + asked->forced;
+    const int inputs = record->design_size + record->damping_size + asked->at;
     char signature[3 * MOST_OPERANDS + 32] = "()";
     kept *own = malloc(sizeof *own);
     if (own == NULL)
@@ -126,6 +132,16 @@ static PyObject *many_second_peak(PyObject *cache, PyObject *record)
     return batch(cache, record, &peak, sf_here()->many_second_peaks);
 }
 
+static PyObject *many_proved_saddle_nodes(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &proved_folds, sf_here()->many_proved_folds);
+}
+
+static PyObject *many_proved_amplitudes(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &proved_states, sf_here()->many_proved_states);
+}
+
 static PyMethodDef functions[] = {
     {"many_detachment", many_detachment, METH_O, "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
     {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
@@ -137,6 +153,10 @@ static PyMethodDef functions[] = {
     {"many_second_saddle_nodes", many_second_saddle_nodes, METH_O,
      "as many_saddle_nodes, in the second approximation, with whether some are lost for undecided"},
     {"many_second_peak", many_second_peak, METH_O, "as many_peak, in the second approximation"},
+    {"many_proved_saddle_nodes", many_proved_saddle_nodes, METH_O,
+     "record -> ufunc of (design, damping, F_0) -> count, whether it is proved, status"},
+    {"many_proved_amplitudes", many_proved_amplitudes, METH_O,
+     "record -> ufunc of (design, damping, F_0, Omega) -> count, whether it is proved, status"},
 };
 
 int sf_add_batches(PyObject *module)

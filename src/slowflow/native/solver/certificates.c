@@ -1,5 +1,5 @@
-/* Answers with their proof as Python functions: in go a model (records.c), the design and the damping that it was made
- * from, and numbers; out come enclosures. The solvers run without the GIL, in a workspace of their own.
+/* Answers with their proof as Python functions: in go a model (records.c) and numbers; out come enclosures, or None where no
+ * proof is possible. The solvers run without the GIL, in a workspace of their own.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -10,32 +10,6 @@
 #define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
 #define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #include <numpy/arrayobject.h>
-
-typedef struct {
-    sf_work work;
-    sf_proof proof;
-    sf_certificate found;
-} workspace;
-
-/* What was asked: the model, and the oscillator as it was given. */
-typedef struct {
-    const sf_model *model;
-    sf_given given;
-} oscillator;
-
-/* 1; 0 where no proof is possible, -1 with an exception set. */
-static int read_oscillator(PyObject *model, PyObject *design, PyObject *damping, oscillator *out)
-{
-    double numbers[SF_MOST_DESIGN], of_damping[SF_MOST_DAMPING];
-    out->model = sf_model_in(model);
-    if (out->model == NULL)
-        return -1;
-    const sf_mechanism *record = out->model->mechanism;
-    if (sf_read_numbers(design, record->design_size, record->name, "numbers of the design", numbers) < 0 ||
-        sf_read_numbers(damping, record->damping_size, record->name, "numbers of damping", of_damping) < 0)
-        return -1;
-    return sf_give(record, numbers, of_damping[0], of_damping[1], &out->given);
-}
 
 /* Intervals as an array of shape (n, 2). */
 static PyObject *new_intervals(npy_intp n, double **values)
@@ -70,117 +44,117 @@ static PyObject *certificate(int status, const sf_certificate *found)
                          PyBool_FromLong(found->bounded), PyBool_FromLong(!found->full));
 }
 
+/* The oscillator that the arguments begin with, and a workspace; 1, 0 where no proof is possible, -1 with an exception. */
+static int start(PyObject *capsule, const sf_model **model, const sf_given **given, sf_room **room)
+{
+    *model = sf_model_in(capsule);
+    if (*model == NULL)
+        return -1;
+    *given = sf_given_in(capsule);
+    if (*given == NULL)
+        return 0;
+    *room = malloc(sizeof **room);
+    if (*room == NULL)
+        PyErr_NoMemory();
+    return *room == NULL ? -1 : 1;
+}
+
 static PyObject *certify_folds(PyObject *self, PyObject *args)
 {
-    PyObject *model, *design, *damping, *expected;
+    PyObject *capsule, *expected;
     double F_0;
-    oscillator asked;
+    const sf_model *model;
+    const sf_given *given;
+    sf_room *room;
     sf_status status;
     (void)self;
-    if (!PyArg_ParseTuple(args, "OOOdO", &model, &design, &damping, &F_0, &expected))
+    if (!PyArg_ParseTuple(args, "OdO", &capsule, &F_0, &expected))
         return NULL;
-    const int given = read_oscillator(model, design, damping, &asked);
-    if (given <= 0)
-        return given < 0 ? NULL : Py_NewRef(Py_None);
     PyArrayObject *hints = (PyArrayObject *)PyArray_FROMANY(expected, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
     if (hints == NULL)
         return NULL;
-    workspace *space = malloc(sizeof *space);
-    if (space == NULL) {
+    const int started = start(capsule, &model, &given, &room);
+    if (started <= 0) {
         Py_DECREF(hints);
-        return PyErr_NoMemory();
+        return started < 0 ? NULL : Py_NewRef(Py_None);
     }
     const double *first = PyArray_DATA(hints);
     const int count = (int)PyArray_DIM(hints, 0);
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->certify_folds(asked.model, &asked.given, F_0, first, count, &space->proof, &space->found);
+    status = sf_here()->certify_folds(model, given, F_0, first, count, &room->proof, &room->found);
     Py_END_ALLOW_THREADS
     Py_DECREF(hints);
-    PyObject *result = certificate(status, &space->found);
-    free(space);
+    PyObject *result = certificate(status, &room->found);
+    free(room);
     return result;
-}
-
-/* The oscillator that the arguments begin with, and a workspace; 1, 0 where no proof is possible, -1 with an exception. */
-static int start(PyObject *args, const char *format, oscillator *asked, double *F_0, double *Omega, workspace **space)
-{
-    PyObject *model, *design, *damping;
-    if (!PyArg_ParseTuple(args, format, &model, &design, &damping, F_0, Omega))
-        return -1;
-    const int given = read_oscillator(model, design, damping, asked);
-    if (given == 1 && (*space = malloc(sizeof **space)) == NULL) {
-        PyErr_NoMemory();
-        return -1;
-    }
-    return given;
 }
 
 static PyObject *certify_states(PyObject *self, PyObject *args)
 {
+    PyObject *capsule;
     double F_0, Omega;
-    oscillator asked;
-    workspace *space = NULL;
+    const sf_model *model;
+    const sf_given *given;
+    sf_room *room;
     sf_status status;
     (void)self;
-    const int given = start(args, "OOOdd", &asked, &F_0, &Omega, &space);
-    if (given <= 0)
-        return given < 0 ? NULL : Py_NewRef(Py_None);
+    if (!PyArg_ParseTuple(args, "Odd", &capsule, &F_0, &Omega))
+        return NULL;
+    const int started = start(capsule, &model, &given, &room);
+    if (started <= 0)
+        return started < 0 ? NULL : Py_NewRef(Py_None);
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->certify_states(asked.model, &asked.given, F_0, Omega, &space->proof, &space->found);
+    status = sf_here()->certify_states(model, given, F_0, Omega, &room->proof, &room->found);
     Py_END_ALLOW_THREADS
-    PyObject *result = certificate(status, &space->found);
-    free(space);
+    PyObject *result = certificate(status, &room->found);
+    free(room);
     return result;
 }
 
-static PyObject *certify_onset(PyObject *self, PyObject *args)
+static PyObject *certify_onset(PyObject *self, PyObject *capsule)
 {
-    oscillator asked;
-    workspace *space = NULL;
+    const sf_model *model;
+    const sf_given *given;
+    sf_room *room;
     sf_proved_onset found;
     sf_status status;
     (void)self;
-    const int given = start(args, "OOO", &asked, NULL, NULL, &space);
-    if (given <= 0)
-        return given < 0 ? NULL : Py_NewRef(Py_None);
+    const int started = start(capsule, &model, &given, &room);
+    if (started <= 0)
+        return started < 0 ? NULL : Py_NewRef(Py_None);
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->certify_onset(asked.model, &asked.given, &space->work, &space->proof, &found);
+    status = sf_here()->certify_onset(model, given, &room->work, &room->proof, &found);
     Py_END_ALLOW_THREADS
-    free(space);
+    free(room);
     if (status != SF_OK)
         return Py_BuildValue("(i)", (int)status);
     return Py_BuildValue("i(dd)(dd)(dd)iN", (int)status, found.F_SN.lo, found.F_SN.hi, found.Omega.lo, found.Omega.hi,
                          found.A.lo, found.A.hi, (int)found.kind, PyBool_FromLong(found.proved));
 }
 
-static PyObject *certify_detachment(PyObject *self, PyObject *args)
+static PyObject *certify_detachment(PyObject *self, PyObject *capsule)
 {
-    PyObject *model, *design, *damping;
-    oscillator asked;
     sf_interval F_cr, Omega_cr;
     (void)self;
-    if (!PyArg_ParseTuple(args, "OOO", &model, &design, &damping))
+    if (sf_model_in(capsule) == NULL)
         return NULL;
-    const int given = read_oscillator(model, design, damping, &asked);
-    if (given <= 0)
-        return given < 0 ? NULL : Py_NewRef(Py_None);
-    const sf_status status = sf_here()->certify_detachment(&asked.given, &F_cr, &Omega_cr);
+    const sf_given *given = sf_given_in(capsule);
+    if (given == NULL)
+        return Py_NewRef(Py_None);
+    const sf_status status = sf_here()->certify_detachment(given, &F_cr, &Omega_cr);
     if (status != SF_OK)
         return Py_BuildValue("(i)", (int)status);
-    return Py_BuildValue("i(dd)(dd)(dd)", (int)status, F_cr.lo, F_cr.hi, Omega_cr.lo, Omega_cr.hi, asked.given.b[0].lo,
-                         asked.given.b[0].hi);
+    return Py_BuildValue("i(dd)(dd)(dd)", (int)status, F_cr.lo, F_cr.hi, Omega_cr.lo, Omega_cr.hi, given->b[0].lo,
+                         given->b[0].hi);
 }
 
 static PyMethodDef functions[] = {
     {"certify_folds", certify_folds, METH_VARARGS,
-     "(model, design, damping, F_0, A where folds are expected) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, "
-     "bounded, complete; or None"},
-    {"certify_states", certify_states, METH_VARARGS,
-     "(model, design, damping, F_0, Omega) -> the same, with the sign of F_A; or None"},
-    {"certify_onset", certify_onset, METH_VARARGS,
-     "(model, design, damping) -> status, F_SN, Omega, A, kind, whether it is proved; or None"},
-    {"certify_detachment", certify_detachment, METH_VARARGS,
-     "(model, design, damping) -> status, F_cr, Omega_cr, u_cr; or None"},
+     "(model, F_0, A where folds are expected) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, complete; "
+     "or None"},
+    {"certify_states", certify_states, METH_VARARGS, "(model, F_0, Omega) -> the same, with the sign of F_A; or None"},
+    {"certify_onset", certify_onset, METH_O, "model -> status, F_SN, Omega, A, kind, whether it is proved; or None"},
+    {"certify_detachment", certify_detachment, METH_O, "model -> status, F_cr, Omega_cr, u_cr; or None"},
     {NULL, NULL, 0, NULL},
 };
 

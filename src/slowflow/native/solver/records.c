@@ -1,7 +1,8 @@
 /* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
- *   model(record, parameters, damping)  an oscillator, prepared for the questions about one
+ *   model(record, parameters, damping, design)  an oscillator, prepared for the questions about one; what is proved of it is
+ *                                               proved of the design, () where that is not known
  *
  * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as anything
  * made from it.
@@ -37,9 +38,23 @@ const sf_mechanism *sf_record_in(PyObject *capsule)
     return record;
 }
 
+/* What the capsule of a model points to. */
+typedef struct {
+    sf_model model;
+    sf_given given;
+    int is_given;
+} oscillator;
+
 const sf_model *sf_model_in(PyObject *capsule)
 {
-    return PyCapsule_GetPointer(capsule, SF_MODEL);
+    const oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
+    return made == NULL ? NULL : &made->model;
+}
+
+const sf_given *sf_given_in(PyObject *capsule)
+{
+    const oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
+    return made == NULL || !made->is_given ? NULL : &made->given;
 }
 
 static void free_model(PyObject *capsule)
@@ -60,34 +75,38 @@ int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, 
 
 static PyObject *new_model(PyObject *self, PyObject *args)
 {
-    PyObject *capsule, *parameters, *given;
-    double damping[SF_MOST_DAMPING];
+    PyObject *capsule, *parameters, *of_damping, *of_design = NULL;
+    double damping[SF_MOST_DAMPING], design[SF_MOST_DESIGN];
     (void)self;
-    if (!PyArg_ParseTuple(args, "OO!O!", &capsule, &PyTuple_Type, &parameters, &PyTuple_Type, &given))
+    if (!PyArg_ParseTuple(args, "OO!O!|O!", &capsule, &PyTuple_Type, &parameters, &PyTuple_Type, &of_damping,
+                          &PyTuple_Type, &of_design))
         return NULL;
     const sf_mechanism *record = sf_record_in(capsule);
     if (record == NULL)
         return NULL;
-    sf_model *model = calloc(1, sizeof *model);
-    if (model == NULL)
+    const int known = of_design != NULL && PyTuple_Size(of_design) > 0;
+    oscillator *made = calloc(1, sizeof *made);
+    if (made == NULL)
         return PyErr_NoMemory();
-    if (sf_read_numbers(parameters, record->parameters, record->name, "parameters", model->p) == 0 &&
-        sf_read_numbers(given, record->damping_size, record->name, "numbers of damping", damping) == 0) {
-        if (record->damping_of(damping, model->damping)) {
-            sf_prepare(record, model);
-            PyObject *made = PyCapsule_New(model, SF_MODEL, free_model);
-            if (made != NULL)
-                return made;
+    if (sf_read_numbers(parameters, record->parameters, record->name, "parameters", made->model.p) == 0 &&
+        sf_read_numbers(of_damping, record->damping_size, record->name, "numbers of damping", damping) == 0 &&
+        (!known || sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) == 0)) {
+        if (record->damping_of(damping, made->model.damping)) {
+            sf_prepare(record, &made->model);
+            made->is_given = known && sf_give(record, design, damping[0], damping[1], &made->given);
+            PyObject *result = PyCapsule_New(made, SF_MODEL, free_model);
+            if (result != NULL)
+                return result;
         } else {
             PyErr_Format(PyExc_ValueError, "%s: the damping is outside its domain", record->name);
         }
     }
-    free(model);
+    free(made);
     return NULL;
 }
 
 static PyMethodDef functions[] = {
-    {"model", new_model, METH_VARARGS, "(record, parameters, damping) -> an oscillator"},
+    {"model", new_model, METH_VARARGS, "(record, parameters, damping, design) -> an oscillator"},
     {NULL, NULL, 0, NULL},
 };
 

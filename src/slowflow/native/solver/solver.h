@@ -18,6 +18,8 @@ const sf_solvers *sf_here(void);
 struct _object;
 const sf_mechanism *sf_record_in(struct _object *capsule);
 const sf_model *sf_model_in(struct _object *capsule);
+/* The same as it was given, or NULL where no proof about it is possible; of a capsule that holds a model. */
+const sf_given *sf_given_in(struct _object *capsule);
 
 /* As many numbers as the tuple has to hold; -1 with an exception set. */
 int sf_read_numbers(struct _object *tuple, int n, const char *name, const char *what, double *values);

@@ -1,0 +1,89 @@
+"""Where rounding may decide a number of folds or states: in go values on doubles, out come flags.
+
+As in native/decide.h, but nothing decides instead: an answer that is in doubt says that it is undecided.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from slowflow.averaged.reference.cells import Samples
+from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.roots import peak_roots, response_roots
+from slowflow.model import Floats, Model
+from slowflow_kernels import slow_flow
+from slowflow_kernels.conventions import CLOSE
+
+#: h_A above a breakpoint b where the force jumps by J is J/b times more than this at the next double, about
+STEEP = 2.0**24
+#: frequencies farther apart than this, relatively, are told apart by any rounding
+FAR = 1e-3
+
+
+def size_at(at: Samples, F_0: float) -> Floats:
+    """What a force, or its average, may be as large as; a stiffness of 1 is that of the vertical spring."""
+    return np.asarray(F_0 + np.abs(at.h) + at.A * (1 + np.abs(at.h_A)))
+
+
+def is_fold_close(model: Model, F_0: float, least: float, at: Samples, y: Floats, Omega: Floats) -> Bools:
+    """Whether the function whose zeros are folds is as near to 0 as rounding may bring it.
+
+    Two of its zeros that are about to meet, or have met, lead the search there.
+    """
+    size = size_at(at, F_0)
+    if model.zeta == 0:
+        size = size**2
+    else:
+        share = least / at.k
+        left = np.maximum((1 - share) * (1 + share), CLOSE)
+        size = size + Omega * (2 * model.zeta * at.A * Omega + model.m) / (model.zeta * left)
+    return np.asarray(np.isfinite(at.h_A) & (np.abs(y) <= CLOSE * size))
+
+
+def is_F_close(model: Model, F_0: float, Omega: Floats, A: Floats) -> Bools:
+    """Whether F = R^2 + I^2 - F_0^2 is as near to 0 as rounding may bring it."""
+    h, h_A = model.averaged(A)[:2]
+    R, sine = slow_flow.R(Omega, A, h), slow_flow.I(Omega, A, model.m, model.zeta)
+    of_R = CLOSE * (np.abs(h) + A * (1 + np.abs(h_A)) + A * Omega**2)
+    doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (sine**2 + F_0**2)
+    return np.asarray(np.abs(slow_flow.F(Omega, A, F_0, model.m, model.zeta, h)) <= doubt)
+
+
+def are_corners_close(model: Model, F_0: float, A_max: float) -> bool:
+    """Whether rounding may decide which folds there are on a breakpoint, or between it and the next double."""
+    return any(
+        _is_corner_close(model, F_0, b, jump)
+        for b, jump in zip(model.breakpoints, model.jumps, strict=True)
+        # a jump that is 0 by rounding is none only if the force has none
+        if b < A_max and (jump != 0 or model.mechanism.truncated)
+    )
+
+
+def _is_corner_close(model: Model, F_0: float, b: float, jump: float) -> bool:
+    A, m, zeta = np.array([b]), model.m, model.zeta
+    h, h_A = model.averaged(A)[:2]
+    if abs(jump) <= CLOSE * b * (1 + abs(h_A[0])):
+        return True
+    stationary, n = peak_roots(A, h, m, zeta)
+    at = np.append(stationary[0, : n[0]], 0.0)
+    if is_F_close(model, F_0, at, np.full(at.size, b)).any():
+        return True
+    roots, n = response_roots(A, h, m, zeta, F_0)
+    Omega = roots[0, : n[0]]
+    R, slope = np.abs(slow_flow.R(Omega, b, h)), b * np.abs(slow_flow.F_A(Omega, b, m, zeta, h, h_A)) / 2
+    size = F_0 + abs(h) + b * (1 + abs(h_A))
+    return bool(((R <= CLOSE * size) | (slope <= CLOSE * size**2) | (R * abs(jump) * STEEP <= slope)).any())
+
+
+def nearly_sticks(model: Model, F_0: float) -> bool:
+    """Whether F_0 exceeds the forcing that leaves the mass at rest by no more than rounding may make of it."""
+    return bool(F_0 <= model.m * (1 + CLOSE))
+
+
+def is_at_fold(model: Model, F_0: float, Omega: Floats, at: Floats, A: Floats) -> Bools:
+    """Which frequencies are those of a fold (at, A) to within what rounding may make of F there."""
+    near = np.abs(at - Omega[:, np.newaxis]) <= FAR * np.maximum(at, Omega[:, np.newaxis])
+    which, fold = np.nonzero(near)
+    close = np.zeros(Omega.size, dtype=bool)
+    close[which[is_F_close(model, F_0, Omega[which], A[fold])]] = True
+    return close

@@ -1,0 +1,108 @@
+/* Folds that a proof decides where doubles are in doubt: in go a model and the oscillator as it was given, or NULL where no
+ * proof is possible, out come its folds at a forcing and whether their number stays undecided.
+ *
+ * Doubles are in doubt where a value whose sign decides is as small as rounding may make it: where F_0 is next to a level
+ * at which folds are born or meet or next to 4 mu/pi, and beside a breakpoint at which the force hardly jumps. There the
+ * proof, which takes some ten times as long, has the last word; elsewhere it is not asked.
+ */
+#ifndef SF_DECIDE_H
+#define SF_DECIDE_H
+
+#include "certify.h"
+
+/* h_A above a breakpoint b where the force jumps by J is J/b times more than this at the next double, about */
+#define SF_STEEP 0x1p24
+
+/* What rounding may make of F = R^2 + I^2 - F_0^2 at a sample. */
+static double sf_doubt_of_F(const sf_model *model, const sf_sample *at, double F_0, double w) {
+    const double R = slow_flow_R(w, at->A, at->h), I = slow_flow_I(w, at->A, model->m, model->zeta);
+    const double of_R = SF_CLOSE * (sf_size_at(at, 0) + at->A * w * w);
+    return of_R * (2 * fabs(R) + of_R) + SF_CLOSE * (I * I + F_0 * F_0);
+}
+
+static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
+    return fabs(slow_flow_F(w, at->A, F_0, model->m, model->zeta, at->h)) <= sf_doubt_of_F(model, at, F_0, w);
+}
+
+/* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
+static int sf_is_corner_close(const sf_model *model, double F_0, double b, double J) {
+    const double m = model->m, zeta = model->zeta;
+    sf_sample at;
+    double w[3], size;
+    int i, n;
+    sf_sample_at(model, b, &at);
+    size = sf_size_at(&at, F_0);
+    if (fabs(J) <= SF_CLOSE * b * (1 + fabs(at.h_A)))
+        return 1;
+    n = sf_peak_roots(b, at.h, m, zeta, w);
+    w[n++] = 0;
+    for (i = 0; i < n; i++)
+        if (sf_is_F_close(model, &at, F_0, w[i]))
+            return 1;
+    n = sf_response_roots(b, at.h, m, zeta, F_0, w);
+    for (i = 0; i < n; i++) {
+        const double R = slow_flow_R(w[i], b, at.h), slope = b * fabs(sf_half_F_A(model, &at, w[i]));
+        if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
+            return 1;
+    }
+    return 0;
+}
+
+static int sf_are_corners_close(const sf_model *model, const sf_given *given, double F_0, double A_max) {
+    int k;
+    for (k = 0; k < model->breaks && model->b[k] < A_max; k++) {
+        const double J = model->jump[k];
+        /* a jump that is 0 by rounding is none only if the force as it was given has none */
+        const int is_none = J == 0 && (given == NULL || (given->jump[k].lo == 0 && given->jump[k].hi == 0));
+        if (!is_none && sf_is_corner_close(model, F_0, model->b[k], J))
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether F_0 exceeds the forcing that leaves the mass at rest by no more than rounding may make of it. */
+static int sf_nearly_sticks(const sf_model *model, double F_0) {
+    return F_0 <= model->mechanism->dissipation(0, 0, model->damping) * (1 + SF_CLOSE);
+}
+
+/* A fold in the middle of its enclosure; which way a sweep leaves it doubles say where the proof does not. */
+static void sf_add_proved_fold(const sf_model *model, const sf_enclosure *fold, sf_folds *folds) {
+    const double Omega = sf_middle(fold->Omega), A = sf_middle(fold->A);
+    sf_sample at;
+    sf_sample_at(model, A, &at);
+    sf_add_fold(folds, Omega, A, fold->sign != 0 ? fold->sign < 0 : sf_half_F_AA(model, &at, Omega) < 0, fold->corner);
+}
+
+/* The folds that are proved; 0 if doubles do not decide. */
+static int sf_take_proved_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
+    const sf_certificate *found = &room->found;
+    int i, same;
+    if (sf_certify_folds(model, given, F_0, NULL, 0, &room->proof, &room->found) != SF_OK || !sf_is_proved(found))
+        return 0;
+    same = folds->status == SF_OK && found->n == folds->n;
+    for (i = 0; i < found->n; i++)
+        same = same && folds->at[i].corner == found->at[i].corner;
+    if (!same) {
+        folds->n = 0, folds->status = SF_OK;
+        for (i = 0; i < found->n; i++)
+            sf_add_proved_fold(model, &found->at[i], folds);
+    }
+    return folds->status == SF_OK;
+}
+
+/* Every fold at F_0 > m, by rising Omega. */
+static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
+    sf_status status = sf_saddle_nodes(model, F_0, &room->work, folds);
+    room->doubt = room->undecided = 0, room->proofs = 0;
+    if (status == SF_STICKS || status == SF_NO_BOUND)
+        return status;
+    folds->status = status;
+    room->doubt = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
+                  sf_are_corners_close(model, given, F_0, room->work.A_max);
+    if (room->doubt)
+        room->undecided = given == NULL || !sf_take_proved_folds(model, given, F_0, room, folds);
+    folds->undecided = room->undecided;
+    return folds->status;
+}
+
+#endif

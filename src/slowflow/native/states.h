@@ -1,0 +1,90 @@
+/* Steady states at a frequency: in goes the response curve in segments, out come the amplitudes on them, and a proof's in
+ * their place where doubles are in doubt and the proof decides.
+ *
+ * The number changes where Omega passes a fold. So doubles are in doubt next to one, and wherever the folds were.
+ */
+#ifndef SF_STATES_H
+#define SF_STATES_H
+
+#include "curve.h"
+
+/* no fewer than there are at a frequency */
+enum { SF_MOST_STATES = SF_MOST_SEGMENTS };
+
+/* frequencies farther apart than this, relatively, are told apart by any rounding */
+#define SF_FAR 1e-3
+
+/* A state among those by rising A; one at an end of its segment, where another begins, is one with that, and a fold is not
+ * stable. Two inside segments are two, even where their amplitudes are the same double. */
+static int sf_add_state(double found, int is_stable, int is_end, int n, double *A, unsigned char *stable) {
+    int i, j;
+    for (i = n; i > 0 && A[i - 1] > found; i--)
+        ;
+    for (j = i > 0 ? i - 1 : 0; is_end && j <= i && j < n; j++)
+        if (fabs(A[j] - found) <= SF_SAME * found) {
+            stable[j] = (unsigned char)(stable[j] && is_stable);
+            return n;
+        }
+    for (j = n; j > i; j--)
+        A[j] = A[j - 1], stable[j] = stable[j - 1];
+    A[i] = found, stable[i] = (unsigned char)is_stable;
+    return n + 1;
+}
+
+/* The states of the segments at Omega, by rising A; returns their number. */
+static int sf_states_of_segments(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
+                                 unsigned char *stable) {
+    int i, n = 0;
+    for (i = 0; i < work->skeleton.segments; i++) {
+        const sf_segment *segment = &work->skeleton.segment[i];
+        const int is_end = Omega == segment->Omega[0] || Omega == segment->Omega[1];
+        if (sf_holds(segment, Omega))
+            n = sf_add_state(sf_amplitude_on(model, F_0, segment, Omega), segment->stable, is_end, n, A, stable);
+    }
+    return n;
+}
+
+/* Whether Omega is that of a fold to within what rounding may make of F there. */
+static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *folds, double Omega) {
+    int i;
+    for (i = 0; i < folds->n; i++) {
+        sf_sample at;
+        if (fabs(folds->at[i].Omega - Omega) > SF_FAR * fmax(folds->at[i].Omega, Omega))
+            continue;
+        sf_sample_at(model, folds->at[i].A, &at);
+        if (sf_is_F_close(model, &at, F_0, Omega))
+            return 1;
+    }
+    return 0;
+}
+
+/* The states that are proved, those found moved into their enclosures; 0 if doubles do not decide. */
+static int sf_take_proved_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
+                                 int *n, double *A, unsigned char *stable) {
+    sf_certificate *found = &room->found;
+    int i, same;
+    room->proofs++;
+    if (sf_certify_states(model, given, F_0, Omega, &room->proof, found) != SF_OK || !sf_is_proved(found))
+        return 0;
+    sf_sort_by_amplitude(found);
+    same = found->n == *n;
+    for (i = 0; i < found->n; i++) {
+        const sf_interval within = found->at[i].A;
+        A[i] = same ? sfi_least(sfi_most(A[i], within.lo), within.hi) : sf_middle(within);
+        stable[i] = (unsigned char)(found->at[i].sign > 0);
+    }
+    *n = found->n;
+    return 1;
+}
+
+/* The steady states at Omega by rising A; returns their number. undecided: whether doubles do not tell it */
+static int sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, double *A,
+                     unsigned char *stable, int *undecided) {
+    int n = sf_states_of_segments(model, F_0, &room->work, Omega, A, stable);
+    *undecided = 0;
+    if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
+        *undecided = given == NULL || !sf_take_proved_states(model, given, F_0, room, Omega, &n, A, stable);
+    return n;
+}
+
+#endif
