@@ -6,17 +6,19 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from slowflow import validate
-from slowflow.grid.designs import Grid, designs
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import Model
-from slowflow.oscillator import FORCES, Designs, Oscillator
+from slowflow.oscillator import FORCES, Designs, Oscillator, designs_of
 from slowflow.physical import Physical, Scales, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scaling import SCALES
+
+if TYPE_CHECKING:
+    from slowflow.grid.designs import Grid
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
@@ -149,7 +151,7 @@ class Isolator(Oscillator):
         design: each answer has a status.
         """
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return designs(_averaged(force), values, Designs)
+        return designs_of(_averaged(force), values)
 
 
 class Duffing(Oscillator):
@@ -173,4 +175,4 @@ class Duffing(Oscillator):
     @classmethod
     def many(cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs | Grid:  # type: ignore[override]
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        return designs(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}, Designs)
+        return designs_of(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, Self
 from slowflow import validate
 from slowflow.averaged import many
 from slowflow.averaged.questions import Answer, Averaged
-from slowflow.grid.designs import Grid, designs
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import Model
 from slowflow.results import (
@@ -28,6 +27,7 @@ from slowflow.results import (
 
 if TYPE_CHECKING:
     from slowflow import exact, loads
+    from slowflow.grid.designs import Grid
     from slowflow.second import SecondApproximation
     from slowflow.second.many import SecondDesigns
 
@@ -259,7 +259,7 @@ class Oscillator(Averaged):
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
-        return designs(mechanism, {**design, "mu": mu, "zeta": zeta}, Designs)
+        return designs_of(mechanism, {**design, "mu": mu, "zeta": zeta})
 
 
 class Designs(many.Designs):
@@ -271,6 +271,15 @@ class Designs(many.Designs):
         from slowflow.second.many import SecondDesigns
 
         return SecondDesigns(self)
+
+
+def designs_of(mechanism: Mechanism, values: dict[str, Any]) -> Designs | Grid:
+    """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled."""
+    if any(validate.is_labelled(value) for value in values.values()):
+        from slowflow.grid.designs import Grid
+
+        return Grid(mechanism, values)
+    return Designs(mechanism, values)
 
 
 def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import ModuleType
@@ -383,6 +382,8 @@ def _share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> N
         for one in parts:
             work(one)
         return
+    from concurrent.futures import ThreadPoolExecutor  # one thread is what most ask for
+
     with ThreadPoolExecutor(threads) as pool:
         try:
             for _ in pool.map(work, parts):

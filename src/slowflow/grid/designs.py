@@ -9,30 +9,21 @@ import copy
 import pickle
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from slowflow import validate
 from slowflow.answer import optional
-from slowflow.averaged.many import Designs
 from slowflow.grid import meaning
 from slowflow.grid.block import DEPTHS, QUESTIONS, Ask, made_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import check_names
 
-__all__ = ["Grid", "designs"]
-
-Plain = TypeVar("Plain", bound=Designs)
+__all__ = ["Grid"]
 
 #: designs in a block where the arrays do not say how they are to be cut: some tens of MB
 AT_ONCE = 2**18
-
-
-def designs(mechanism: Mechanism, values: Mapping[str, Any], plain: type[Plain]) -> Plain | Grid:
-    """Many designs: a `Grid` if any number is an array of xarray or dask, `plain` ones if none is."""
-    lazy = any(validate.is_labelled(value) for value in values.values())
-    return Grid(mechanism, values) if lazy else plain(mechanism, dict(values))
 
 
 class Grid:
