@@ -268,10 +268,12 @@ def test_two_that_fill_one_store_at_the_same_time_do_each_other_no_harm(tmp_path
 
 def test_a_store_keeps_the_numbers_and_not_how_they_came(tmp_path):
     """Numbers read from a file bring an encoding along, which may round."""
-    r = axis("r", R)
-    r.encoding = r.coords["r"].encoding = {"dtype": np.dtype("float32"), "scale_factor": 0.1, "_FillValue": -9}
-    found = Isolator.many(lam=3, r=r, delta_h=0.1, zeta=0.01).store(tmp_path / "map.zarr", "detachment")
-    assert found["r"].values.tobytes() == R.tobytes()
+    data = xarray.Dataset({"delta_h": ("share", SHARE / 7)}, coords={"share": SHARE / 3})
+    data["delta_h"].encoding = data["share"].encoding = {"dtype": np.dtype("float32"), "_FillValue": -9.0}
+    designs = Isolator.many(lam=3, r=1, delta_h=data["delta_h"], zeta=0.01)
+    found = designs.store(tmp_path / "map.zarr", "detachment")
+    assert found["delta_h"].values.tobytes() == (SHARE / 7).tobytes()
+    assert found["share"].values.tobytes() == (SHARE / 3).tobytes()
 
 
 def test_a_store_of_zarr_that_is_no_folder_is_filled():
@@ -487,5 +489,6 @@ def test_a_package_that_is_missing_is_named(monkeypatch, tmp_path):
     for package in ("dask", "zarr"):
         with monkeypatch.context() as patched:
             patched.setitem(sys.modules, package, None)
+            patched.delitem(sys.modules, "slowflow.grid.store")
             with pytest.raises(ImportError, match=rf"needs {package}: pip install 'slowflow\[grid\]'"):
                 designs.store(tmp_path / "map.zarr", "detachment")

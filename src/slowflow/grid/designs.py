@@ -94,10 +94,10 @@ class Grid:
         Raises ValueError for a store of other numbers, another question, version or backend, FileExistsError where
         there is something else, and all before anything is computed; ImportError without dask, xarray and Zarr.
         """
-        from slowflow.grid.store import filled
-
         for package in ("dask", "zarr"):
             optional(package, "store", "grid")
+        from slowflow.grid.store import filled
+
         question = validate.choice("question", question, tuple(QUESTIONS))
         takes = QUESTIONS[question].takes
         if "places" in takes:
