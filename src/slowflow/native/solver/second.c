@@ -40,7 +40,7 @@ static PyObject *told(sf_second_curve *curve, PyObject *capsule)
         PyObject *array = PyArray_SimpleNew(1, &n, NPY_DOUBLE);
         failed = array == NULL || PyDict_SetItemString(result, names[i], array) < 0;
         columns[i] = array == NULL ? NULL : PyArray_DATA((PyArrayObject *)array);
-        Py_XDECREF(array);
+        Py_XDECREF((PyObject *)array);
     }
     PyObject *flags = PyArray_SimpleNew(1, &n, NPY_BOOL), *numbers = PyArray_SimpleNew(1, &n, NPY_INT64);
     PyObject *whole = PyArray_SimpleNew(1, &parts, NPY_BOOL);
@@ -99,7 +99,7 @@ static PyObject *second_follow(PyObject *self, PyObject *args)
         }
     }
     for (i = 0; i < 4; i++)
-        Py_XDECREF(kept[i]);
+        Py_XDECREF((PyObject *)kept[i]);
     return result;
 }
 
@@ -176,7 +176,7 @@ static PyObject *second_states(PyObject *self, PyObject *args)
     for (npy_intp i = 0; list != NULL && i < PyArray_DIM(array, 0); i++)
         if (append_states(model, F_0, curve, Omega[i], list) < 0)
             Py_CLEAR(list);
-    Py_XDECREF(array);
+    Py_XDECREF((PyObject *)array);
     return list;
 }
 
