@@ -22,11 +22,12 @@ if TYPE_CHECKING:
 
 
 class Question(NamedTuple):
-    """One of the questions about many designs: what asks it, its answer, and what it takes beside the designs."""
+    """One of the questions about many designs: what asks it, its answer, what it takes beside the designs, and may."""
 
     asked: many.Question
     answer: type[many.Batch]
     takes: tuple[str, ...] = ()
+    may: tuple[str, ...] = ()
 
 
 #: by the names of the methods of `Designs`
@@ -35,9 +36,12 @@ QUESTIONS = {
     "saddle_node_onset": Question(many.ONSET, many.Onsets),
     "saddle_nodes": Question(many.SADDLE_NODES, many.Folds, ("F_0", "places")),
     "peak": Question(many.PEAK, many.Peaks, ("F_0",)),
+    "certify": Question(many.PROVED_FOLDS, many.Proofs, ("F_0",), ("Omega",)),
 }
 
 
+#: numbers beside those of the designs, which broadcast with them
+FORCED = ("F_0", "Omega")
 #: averaging, and beyond
 DEPTHS = ("averaging", "second approximation")
 
@@ -60,7 +64,7 @@ class Ask:
     """A question about designs, asked block by block.
 
     depth   -- one of `DEPTHS`
-    names   -- of the numbers that it is called with: the design's, mu and zeta, and F_0 where the question takes it
+    names   -- of the numbers that it is called with: the design's, mu and zeta, and F_0 and Omega where it takes them
     places  -- of folds; 0 for a question without
     workers -- threads that share a block
     made_by -- of the slowflow that is to answer
@@ -76,7 +80,7 @@ class Ask:
 
     def columns(self) -> dict[str, Column]:
         """What is answered, by name; remarks last."""
-        asked, answer, _ = QUESTIONS[self.question]
+        asked, answer, *_ = QUESTIONS[self.question]
         names = (entry.name for entry in dataclasses.fields(answer) if entry.repr)
         parts = zip(names, asked.outputs(self.places), strict=True)
         return {name: Column(inner, np.dtype(kind)) for name, (inner, kind) in parts} | {
@@ -90,8 +94,7 @@ class Ask:
             raise RuntimeError(f"this process runs {here}, the map is made by {self.made_by}")
         given = dict(zip(self.names, values, strict=True))
         beside = {name: value for name, value in (("places", self.places),) if name in QUESTIONS[self.question].takes}
-        if "F_0" in given:
-            beside["F_0"] = given.pop("F_0")
+        beside |= {name: given.pop(name) for name in FORCED if name in given}
         answer = getattr(self._designs(given), self.question)(**beside, workers=self.workers)
         return tuple(getattr(answer, name) for name in self.columns())
 

@@ -80,12 +80,17 @@ class Grid:
         """The highest peak at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Peaks`."""
         return self._answer(*self.asked("peak", workers, F_0=F_0))
 
+    def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Any:
+        """How many folds at F_0, or states at (Omega, F_0), are proved; see `slowflow.averaged.many.Proofs`."""
+        return self._answer(*self.asked("certify", workers, F_0=F_0, Omega=Omega))
+
     def store(self, path: Any, question: str, *, workers: int = 1, **asked: Any) -> Any:
         """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
 
         path     -- folder of the store, which every worker of a cluster must reach; or what else Zarr takes for one
-        question -- name of the method: "detachment", "saddle_node_onset", "saddle_nodes", "peak"
-        asked    -- what this takes, as F_0 and places
+        question -- name of the method: "detachment", "saddle_node_onset", "saddle_nodes", "peak",
+                    "certify"
+        asked    -- what this takes, as F_0, Omega and places
 
         Blocks are cut as the parameters are, and by some 250,000 designs along axes that none of them cuts. Wherever it
         is stopped, a call with the same numbers computes what is missing, and the store gets the same bits; until then
@@ -99,12 +104,13 @@ class Grid:
         from slowflow.grid.store import filled
 
         question = validate.choice("question", question, tuple(QUESTIONS))
-        takes = QUESTIONS[question].takes
+        _, _, takes, may = QUESTIONS[question]
         if "places" in takes:
             asked = {"places": 6, **asked}
-        if asked.keys() != set(takes):
-            wrong = next(name for name in (*asked, *takes) if name not in asked or name not in takes)
-            raise TypeError(f"{wrong} {'is missing for' if wrong in takes else 'is nothing for'} {question}")
+        wrong = [name for name in (*asked, *takes) if name not in asked or name not in takes + may]
+        if wrong:
+            what = "is missing for" if wrong[0] in takes else "is nothing for"
+            raise TypeError(f"{wrong[0]} {what} {question}")
         ask, values = self.asked(question, workers, **asked)
         must_travel(self.mechanism)
         nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
@@ -115,13 +121,19 @@ class Grid:
         lengths = sizes(values)
         return filled(path, ask, values, lengths, blocks(values, lengths))
 
-    def asked(self, question: str, workers: int, *, F_0: Any = None, places: int = 0) -> tuple[Ask, dict[str, Any]]:
+    def asked(
+        self, question: str, workers: int, *, F_0: Any = None, places: int = 0, Omega: Any = None
+    ) -> tuple[Ask, dict[str, Any]]:
         """A question as a function of a block's numbers, and all the numbers that it takes."""
         takes = QUESTIONS[question].takes
         if "places" in takes:
             places = validate.count("places", places, least=1)
         validate.workers(workers)
-        values = labelled({**self._given, "F_0": F_0}) if "F_0" in takes else self.values
+        if question == "certify" and self._depth != DEPTHS[0]:
+            raise ValueError("certify: nothing is proved of the second approximation")
+        forced = {"F_0": F_0} if "F_0" in takes else {}
+        forced |= {} if Omega is None else {"Omega": Omega}
+        values = labelled({**self._given, **forced}) if forced else self.values
         ask = Ask(self.mechanism, question, self._depth, tuple(values), places, workers, made_by(self.mechanism))
         taken = {"place", "done", *ask.columns()} & {*sizes(values), *values}
         if taken:
