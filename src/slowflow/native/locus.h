@@ -12,9 +12,10 @@
 
 /* The last Omega > 0 at which sqrt(R^2 + I^2) is stationary, its minimum over Omega > 0; 0 if there is none. */
 static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
+    sf_quartic cubic;
     double w[2];
-    const int n = sf_peak_roots(at->A, at->h, model->m, model->zeta, w);
-    return n > 0 ? w[n - 1] : 0;
+    const int n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
+    return n > 0 ? sf_polish_cubic(&cubic, w[n - 1]) : 0;
 }
 
 /* The lowest F_0 for which A is a steady state: the minimum over Omega >= 0 of sqrt(R^2 + I^2), and where it lies. */
