@@ -11,6 +11,7 @@ import matplotlib as mpl
 
 from benchmarks.document import environment_lines, table
 from benchmarks.stress import answers, counts, domains, kernels, proofs, roots
+from derivations.emit.proved import stored
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -345,6 +346,7 @@ def page(numbers: Numbers) -> str:
     extreme, tried, kept = by_extreme(numbers["extremes"])
     misses = [row for row in by_kernel(numbers["kernels"]) if "missed" in row[2]]
     of_answers = merged(numbers["answers"])
+    bounds = [(found["kernel"], ", ".join(k or "-" for k in found["k"])) for found in stored().values()]
     box = [
         (name, f"{low:g}", f"{high:g}", "yes" if negative else "", "yes" if zero else "")
         for name, (low, high, negative, zero) in domains.BOX.items()
@@ -388,6 +390,15 @@ def page(numbers: Numbers) -> str:
         "lose digits to underflow, on the way:",
         "",
         *table(("kernel", "beyond the target", "worst", "where"), extreme),
+        "",
+        "### Proved",
+        "",
+        "Where a kernel is a polynomial, or one over monomials, its bound may be proved for all arguments, as long",
+        "as nothing overflows or underflows: `derivations/emit/rounding.py` says how, `tests/test_rounding.py` holds",
+        f"that the bounds are of the programs as they are. {len(stored())} regimes of kernels have one for some or",
+        "all of their outputs, in the order of these, `-` for those that have none; all else here is measured.",
+        "",
+        *table(("kernel and regime", "error / u(1+κ), proved"), bounds),
         "",
         "## Roots in Omega",
         "",

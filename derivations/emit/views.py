@@ -20,6 +20,7 @@ from ..slow_flow import m
 from .compensated import Exact, twofold
 from .form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
 from .passes import Program, straight_line
+from .proved import in_words
 from .provenance import digest
 
 #: the straight-line code of every branch, by kernel
@@ -44,6 +45,7 @@ class BranchView:
     name     -- where it holds
     function -- what computes it, after the module's prefix
     printed  -- whether that function is printed with this kernel
+    proved   -- bounds of its outputs' rounding errors, where they are proved
     """
 
     name: str
@@ -54,6 +56,7 @@ class BranchView:
     outputs: tuple[str, ...]
     unused: tuple[str, ...]
     counts: dict[str, int]
+    proved: str
 
 
 @dataclass(frozen=True)
@@ -229,6 +232,7 @@ def branch_view(
         tuple(show(output) for output in program.outputs),
         tuple(name_of(argument) for argument in kernel.arguments if argument not in used),
         program.counts,
+        in_words(program, kernel.arguments),
     )
 
 

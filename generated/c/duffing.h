@@ -5,7 +5,8 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef DUFFING_H
 #define DUFFING_H
@@ -21,6 +22,7 @@
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations: 12 structured, 9 common subexpressions, 9 power chains
+   Proved, error / u (1 + kappa): 1.84, 1.26, 0.67, 0.51
  */
 static inline void duffing_averaged(double A, const double *p, double *out)
 {
@@ -37,6 +39,7 @@ static inline void duffing_averaged(double A, const double *p, double *out)
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations: 9 structured, 7 common subexpressions, 7 power chains
+   Proved, error / u (1 + kappa): 1.84, 1.26
  */
 static inline void duffing_averaged_2(double A, const double *p, double *out)
 {
@@ -50,6 +53,7 @@ static inline void duffing_averaged_2(double A, const double *p, double *out)
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations: 11 structured, 8 common subexpressions, 8 power chains
+   Proved, error / u (1 + kappa): 6.01, 4.01
  */
 static inline void duffing_averaged_H(double A, const double *p, double *out)
 {
@@ -64,6 +68,7 @@ static inline void duffing_averaged_H(double A, const double *p, double *out)
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 0.81
  */
 static inline double duffing_intercept(double A, double alpha, double beta)
 {
@@ -76,6 +81,7 @@ static inline double duffing_intercept(double A, double alpha, double beta)
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0.
    Operations: 10 structured, 9 common subexpressions, 8 power chains
+   Proved, error / u (1 + kappa): 0.61, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0
  */
 static inline void duffing_harmonics(double A, const double *p, double *out)
 {
@@ -96,6 +102,7 @@ static inline void duffing_harmonics(double A, const double *p, double *out)
 /* The parameters alpha, beta from the design.
    Equation (5), (7). Domain: any design.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0
  */
 static inline void duffing_coefficients(double alpha, double beta, double *out)
 {
@@ -128,6 +135,7 @@ static inline void duffing_jumps(const double *p, double *out)
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
    Equation from (3). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline void duffing_hardening(const double *p, double *out)
 {
@@ -138,6 +146,7 @@ static inline void duffing_hardening(const double *p, double *out)
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 1.67
  */
 static inline double duffing_force_1(double u, double alpha, double beta)
 {
@@ -147,6 +156,7 @@ static inline double duffing_force_1(double u, double alpha, double beta)
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 1.26
  */
 static inline double duffing_force_1_u(double u, double alpha, double beta)
 {
@@ -156,6 +166,7 @@ static inline double duffing_force_1_u(double u, double alpha, double beta)
 /* Whole dimensionless restoring force u + F_k(u).
    Equation (3), (5). Domain: any u.
    Operations where force_1: 4 structured, 4 common subexpressions, 4 power chains
+   Proved where force_1, error / u (1 + kappa): 1.67
  */
 static inline double duffing_force(double u, double alpha, double beta)
 {
@@ -165,6 +176,7 @@ static inline double duffing_force(double u, double alpha, double beta)
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
    Equation (33). Domain: roots with A > 0.
    Operations: 117 structured, 77 common subexpressions, 52 power chains
+   Proved, error / u (1 + kappa): 0.82, 0.91, 0.91, 0.91, 0.91, 7.67, 3.2, 0.91, 7.34, 0.91, 0.89
  */
 #define DUFFING_SADDLE_NODE_ONSET_COUNT 11
 static inline void duffing_saddle_node_onset(double m, double zeta, const double *p, double *out)
@@ -202,6 +214,7 @@ static inline void duffing_saddle_node_onset(double m, double zeta, const double
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
    Equation from (24), (30). Domain: roots with A > 0.
    Operations: 191 structured, 115 common subexpressions, 98 power chains
+   Proved, error / u (1 + kappa): -, -, -, -, -, -, -, -, -, 0.91, 0.91
  */
 #define DUFFING_SADDLE_NODES_COUNT 11
 static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)

@@ -5,7 +5,8 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef FREQUENCIES_H
 #define FREQUENCIES_H
@@ -35,6 +36,7 @@ TWOFOLD_INLINE void frequencies_response(double Omega, double A, double F_0, dou
 /* F at Omega = 0, and what its rounding error is below ROUGH times of.
    Equation (24). Domain: any.
    Operations: 9 structured, 7 common subexpressions, 7 power chains
+   Proved, error / u (1 + kappa): -, 1.34
  */
 TWOFOLD_INLINE void frequencies_response_at_0(double F_0, double m, double h, double *out)
 {
@@ -65,6 +67,7 @@ TWOFOLD_INLINE void frequencies_fold(double Omega, double A, double m, double ze
 /* F_A/2 at Omega = 0.
    Equation (30). Domain: any.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
+   Proved, error / u (1 + kappa): 0.34
  */
 TWOFOLD_INLINE double frequencies_fold_at_0(double h, double h_A)
 {
@@ -74,6 +77,7 @@ TWOFOLD_INLINE double frequencies_fold_at_0(double h, double h_A)
 /* A Omega^3 + p Omega + q.
    Equation from (24), (30). Domain: Omega >= 0, A > 0.
    Operations: 5 structured, 5 common subexpressions, 5 power chains
+   Proved, error / u (1 + kappa): 2.67
  */
 TWOFOLD_INLINE double frequencies_cubic(double Omega, double A, double p, double q)
 {
@@ -83,6 +87,7 @@ TWOFOLD_INLINE double frequencies_cubic(double Omega, double A, double p, double
 /* Its derivative by Omega.
    Equation from (24), (30). Domain: Omega >= 0, A > 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 1.26
  */
 TWOFOLD_INLINE double frequencies_cubic_slope(double Omega, double A, double p)
 {
@@ -92,6 +97,7 @@ TWOFOLD_INLINE double frequencies_cubic_slope(double Omega, double A, double p)
 /* Of a quartic from 0 to a critical point, and its magnitude.
    Equation from (24), (30). Domain: Omega >= 0, A > 0.
    Operations: 17 structured, 11 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 3.01, -
  */
 TWOFOLD_INLINE void frequencies_rise(double Omega, double A, double p, double k, double *out)
 {

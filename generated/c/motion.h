@@ -5,7 +5,8 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef MOTION_H
 #define MOTION_H
@@ -15,6 +16,7 @@
 /* What friction has to hold at rest; cosine of theta = Omega tau.
    Equation (3). Domain: any.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
+   Proved, error / u (1 + kappa): 1.01
  */
 static inline double motion_push(double cosine, double F_0, double f)
 {
@@ -24,6 +26,7 @@ static inline double motion_push(double cosine, double F_0, double f)
 /* Derivatives of the push by theta, u, F_0.
    Equation (3). Domain: any.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
+   Proved, error / u (1 + kappa): 0.34, 0.0, 0.0
  */
 static inline void motion_push_slopes(double cosine, double sine, double F_0, double f_u, double *out)
 {
@@ -35,6 +38,7 @@ static inline void motion_push_slopes(double cosine, double sine, double F_0, do
 /* The cosine of theta at which a mass at rest breaks away against friction mu or -mu.
    Equation (3). Domain: F_0 > 0.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
+   Proved, error / u (1 + kappa): 3.01
  */
 static inline double motion_breakaway(double F_0, double friction, double f)
 {
@@ -44,6 +48,7 @@ static inline double motion_breakaway(double F_0, double friction, double f)
 /* u'' of a slipping mass; friction is mu sign(u').
    Equation (3). Domain: any.
    Operations: 6 structured, 6 common subexpressions, 6 power chains
+   Proved, error / u (1 + kappa): 3.01
  */
 static inline double motion_acceleration(double cosine, double v, double F_0, double zeta, double friction, double f)
 {
@@ -53,6 +58,7 @@ static inline double motion_acceleration(double cosine, double v, double F_0, do
 /* u and v by theta.
    Equation (3). Domain: Omega > 0.
    Operations: 8 structured, 9 common subexpressions, 9 power chains
+   Proved, error / u (1 + kappa): 0.67, 5.01
  */
 static inline void motion_rates(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
 {
@@ -64,6 +70,7 @@ static inline void motion_rates(double cosine, double v, double Omega, double F_
 /* Derivatives of the rates by u, v: of the first, then of the second.
    Equation (3). Domain: Omega > 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67
  */
 static inline void motion_rates_by_state(double Omega, double zeta, double f_u, double *out)
 {
@@ -77,6 +84,7 @@ static inline void motion_rates_by_state(double Omega, double zeta, double f_u, 
 /* Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.
    Equation (3). Domain: Omega > 0.
    Operations: 13 structured, 13 common subexpressions, 13 power chains
+   Proved, error / u (1 + kappa): 0.76, 0.0, 0.0, 0.0, 0.0, 6.01, 0.67, 0.67, 0.51, 0.51
  */
 static inline void motion_rates_by_parameter(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
 {
@@ -99,6 +107,7 @@ static inline void motion_rates_by_parameter(double cosine, double v, double Ome
 /* u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).
    Equation (A1), (A2). Domain: any.
    Operations: 11 structured, 11 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 0.0, -
  */
 static inline void motion_smoothed(double cosine, double v, double F_0, double mu, double zeta, double left, double right, double slip, double inner, double outer, double *out)
 {
@@ -110,6 +119,7 @@ static inline void motion_smoothed(double cosine, double v, double F_0, double m
 /* Derivatives of these rates by u, v: of the first, then of the second.
    Equation (A1), (A2). Domain: any.
    Operations: 21 structured, 21 common subexpressions, 21 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, -, 4.51
  */
 static inline void motion_smoothed_by_state(double mu, double zeta, double nu, double left, double right, double slip, double inner, double outer, double inner_u, double outer_u, double *out)
 {

@@ -6,7 +6,8 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef ROD_SPRING_H
 #define ROD_SPRING_H
@@ -23,6 +24,7 @@
 /* h, h_A, h_AA, h_AAA together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
+   Proved where passed_0, error / u (1 + kappa): 5.51, 4.51, 2.34, 1.51
    Operations where passed_1: 249 structured, 123 common subexpressions, 116 power chains
    Operations where passed_1_far_1: 336 structured, 168 common subexpressions, 154 power chains
  */
@@ -174,6 +176,7 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
 /* h, h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
+   Proved where passed_0, error / u (1 + kappa): 5.51, 4.51
    Operations where passed_1: 76 structured, 59 common subexpressions, 56 power chains
    Operations where passed_1_far_1: 163 structured, 104 common subexpressions, 94 power chains
  */
@@ -278,6 +281,7 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 19 structured, 14 common subexpressions, 14 power chains
+   Proved where passed_0, error / u (1 + kappa): 7.67, 6.34
    Operations where passed_1: 71 structured, 55 common subexpressions, 52 power chains
    Operations where passed_1_far_1: 162 structured, 102 common subexpressions, 92 power chains
  */
@@ -380,6 +384,7 @@ static inline void rod_spring_averaged_H(double A, const double *p, double *out)
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0: 8 structured, 8 common subexpressions, 7 power chains
+   Proved where passed_0, error / u (1 + kappa): 4.61
    Operations where passed_1: 51 structured, 48 common subexpressions, 45 power chains
    Operations where passed_1_far_1: 140 structured, 92 common subexpressions, 83 power chains
  */
@@ -457,6 +462,7 @@ static inline double rod_spring_intercept(double A, double alpha, double beta, d
 /* Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
    Equation beyond (20). Domain: A >= 0.
    Operations where passed_0: 44 structured, 32 common subexpressions, 26 power chains
+   Proved where passed_0, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
    Operations where passed_1: 975 structured, 291 common subexpressions, 278 power chains
    Operations where passed_1_far_1: 1074 structured, 351 common subexpressions, 319 power chains
  */
@@ -709,6 +715,7 @@ static inline void rod_spring_harmonics(double A, const double *p, double *out)
 /* The parameters alpha, beta, gamma, u_cr from the design.
    Equation (5), (7). Domain: any design.
    Operations: 15 structured, 11 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
  */
 static inline void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
 {
@@ -723,6 +730,7 @@ static inline void rod_spring_coefficients(double lam, double r, double delta_h,
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline void rod_spring_breakpoints(const double *p, double *out)
 {
@@ -733,6 +741,7 @@ static inline void rod_spring_breakpoints(const double *p, double *out)
 /* What the force loses at each breakpoint: f below less f above.
    Equation (6). Domain: any parameters.
    Operations: 8 structured, 7 common subexpressions, 7 power chains
+   Proved, error / u (1 + kappa): 7.67
  */
 static inline void rod_spring_jumps(const double *p, double *out)
 {
@@ -747,6 +756,7 @@ static inline void rod_spring_jumps(const double *p, double *out)
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
    Equation from (3). Domain: any parameters.
    Operations: 8 structured, 7 common subexpressions, 7 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 7.67
  */
 static inline void rod_spring_hardening(const double *p, double *out)
 {
@@ -763,6 +773,7 @@ static inline void rod_spring_hardening(const double *p, double *out)
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 7 structured, 6 common subexpressions, 6 power chains
+   Proved, error / u (1 + kappa): 4.76
  */
 static inline double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
 {
@@ -774,6 +785,7 @@ static inline double rod_spring_force_1(double u, double alpha, double beta, dou
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 8 structured, 7 common subexpressions, 7 power chains
+   Proved, error / u (1 + kappa): 4.51
  */
 static inline double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
@@ -785,6 +797,7 @@ static inline double rod_spring_force_1_u(double u, double alpha, double beta, d
 /* Piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
 {
@@ -798,6 +811,7 @@ static inline double rod_spring_force_2(double u, double alpha, double beta, dou
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (6). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
@@ -812,7 +826,9 @@ static inline double rod_spring_force_2_u(double u, double alpha, double beta, d
 /* Whole dimensionless restoring force u + F_k(u), truncated.
    Equation (3), (6). Domain: any u.
    Operations where force_1: 7 structured, 6 common subexpressions, 6 power chains
+   Proved where force_1, error / u (1 + kappa): 4.76
    Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
+   Proved where force_2, error / u (1 + kappa): 0.0
  */
 static inline double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
 {
@@ -824,6 +840,7 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
 /* Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
    Equation (33). Domain: roots with 0 < A <= u_cr.
    Operations: 546 structured, 276 common subexpressions, 238 power chains
+   Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
  */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
 static inline void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)

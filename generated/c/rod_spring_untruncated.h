@@ -6,7 +6,8 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef ROD_SPRING_UNTRUNCATED_H
 #define ROD_SPRING_UNTRUNCATED_H
@@ -3458,6 +3459,7 @@ static inline void rod_spring_untruncated_harmonics(double A, const double *p, d
 /* The parameters alpha, beta, delta_h from the design.
    Equation (5), (7). Domain: any design.
    Operations: 7 structured, 6 common subexpressions, 6 power chains
+   Proved, error / u (1 + kappa): 1.34, 6.01, 0.0
  */
 static inline void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
 {
@@ -3480,6 +3482,7 @@ static inline void rod_spring_untruncated_breakpoints(const double *p, double *o
 /* What the force loses at each breakpoint: f below less f above.
    Equation (5). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline void rod_spring_untruncated_jumps(const double *p, double *out)
 {
@@ -3490,6 +3493,7 @@ static inline void rod_spring_untruncated_jumps(const double *p, double *out)
 /* The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
    Equation from (3). Domain: any parameters.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline void rod_spring_untruncated_hardening(const double *p, double *out)
 {
@@ -3527,6 +3531,7 @@ static inline double rod_spring_untruncated_force_1_u(double u, double alpha, do
 /* Piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h)
 {
@@ -3539,6 +3544,7 @@ static inline double rod_spring_untruncated_force_2(double u, double alpha, doub
 /* d/du of piece 2 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h)
 {
@@ -3552,6 +3558,7 @@ static inline double rod_spring_untruncated_force_2_u(double u, double alpha, do
 /* Whole dimensionless restoring force u + F_k(u), untruncated.
    Equation (3), (5). Domain: |u| < 1.
    Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
+   Proved where force_2, error / u (1 + kappa): 0.0
    Operations where force_1: 16 structured, 12 common subexpressions, 12 power chains
  */
 static inline double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)

@@ -5,7 +5,8 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef SLOW_FLOW_H
 #define SLOW_FLOW_H
@@ -26,6 +27,7 @@ static inline double slow_flow_friction(double mu)
 /* Cosine balance, -F_0 cos phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 1.01
  */
 static inline double slow_flow_R(double Omega, double A, double h)
 {
@@ -35,6 +37,7 @@ static inline double slow_flow_R(double Omega, double A, double h)
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 0.76
  */
 static inline double slow_flow_I(double Omega, double A, double m, double zeta)
 {
@@ -81,6 +84,7 @@ static inline double slow_flow_F_AA(double Omega, double A, double m, double zet
 /* dF/dOmega.
    Equation (24), (34). Domain: Omega > 0, A > 0.
    Operations: 12 structured, 12 common subexpressions, 12 power chains
+   Proved, error / u (1 + kappa): 3.67
  */
 static inline double slow_flow_F_Omega(double Omega, double A, double m, double zeta, double h)
 {
@@ -92,6 +96,7 @@ static inline double slow_flow_F_Omega(double Omega, double A, double m, double 
 /* d2F/dA dOmega.
    Equation (24). Domain: Omega > 0, A > 0.
    Operations: 21 structured, 17 common subexpressions, 17 power chains
+   Proved, error / u (1 + kappa): 4.72
  */
 static inline double slow_flow_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
 {
@@ -127,6 +132,7 @@ static inline double slow_flow_backbone(double A, double h)
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 4.01
  */
 static inline double slow_flow_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
@@ -136,6 +142,7 @@ static inline double slow_flow_limit_envelope(double Omega, double F_0, double m
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 0.76
  */
 static inline double slow_flow_equivalent_damping(double Omega, double A, double m, double zeta)
 {
@@ -155,6 +162,7 @@ static inline double slow_flow_transmissibility(double Omega, double A, double F
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0.
    Operations: 17 structured, 13 common subexpressions, 13 power chains
+   Proved, error / u (1 + kappa): 0.0, 2.01, 3.01, 3.01
  */
 static inline void slow_flow_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
@@ -170,6 +178,7 @@ static inline void slow_flow_jacobian(double Omega, double A, double m, double z
 /* Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
    Equation beside (30). Domain: A > 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 1.01
  */
 static inline double slow_flow_mean_stiffness(double A, double h, double h_A)
 {
@@ -204,6 +213,7 @@ static inline double slow_flow_stability(double Omega, double A, double m, doubl
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
    Operations: 16 structured, 15 common subexpressions, 15 power chains
+   Proved, error / u (1 + kappa): -, 0.51, 1.61, 0.34
  */
 static inline void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
@@ -217,6 +227,7 @@ static inline void slow_flow_response_quartic(double A, double F_0, double m, do
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0.
    Operations: 8 structured, 8 common subexpressions, 8 power chains
+   Proved, error / u (1 + kappa): 0.34, 0.34, 2.34, 0.0
  */
 static inline void slow_flow_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
 {
@@ -229,6 +240,7 @@ static inline void slow_flow_fold_quartic(double A, double m, double zeta, doubl
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0.
    Operations: 5 structured, 5 common subexpressions, 5 power chains
+   Proved, error / u (1 + kappa): 0.34, 1.01, 0.0
  */
 static inline void slow_flow_peak_cubic(double A, double m, double zeta, double h, double *out)
 {
@@ -240,6 +252,7 @@ static inline void slow_flow_peak_cubic(double A, double m, double zeta, double 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
    Operations: 72 structured, 41 common subexpressions, 37 power chains
+   Proved, error / u (1 + kappa): -, -, 6.67, 0.0
  */
 #define SLOW_FLOW_DETACHMENT_COUNT 4
 static inline void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
@@ -264,6 +277,7 @@ static inline void slow_flow_detachment(double A, double m, double zeta, double 
 /* d2F/dOmega2.
    Equation (24). Domain: Omega > 0, A > 0.
    Operations: 13 structured, 11 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 2.67
  */
 static inline double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h)
 {
@@ -299,6 +313,7 @@ static inline void slow_flow_rest(double F_0, double m, double h, double h_A, do
 /* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
    Equation from (24), (30). Domain: A >= 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 1.01, 0.34
  */
 static inline void slow_flow_intercept(double A, double h, double h_A, double h_AA, double *out)
 {
@@ -356,6 +371,7 @@ static inline void slow_flow_isola(double A, double m, double zeta, double h, do
 /* F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
    Equation from (33). Domain: A > 0.
    Operations: 21 structured, 15 common subexpressions, 15 power chains
+   Proved, error / u (1 + kappa): 1.01, 1.01, 1.51, 1.01, -
  */
 static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out)
 {
@@ -372,6 +388,7 @@ static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, 
 /* R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
    Equation from (33). Domain: A > 0, X >= 0.
    Operations: 8 structured, 8 common subexpressions, 8 power chains
+   Proved, error / u (1 + kappa): 1.01, 1.81
  */
 static inline void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, double X, double T, double *out)
 {
@@ -412,6 +429,7 @@ static inline void slow_flow_cusp_balance(double A, double m, double zeta, doubl
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
    Equation from (24), (34). Domain: Omega > 0, A > 0.
    Operations: 19 structured, 18 common subexpressions, 18 power chains
+   Proved, error / u (1 + kappa): -, 3.67
  */
 static inline void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out)
 {

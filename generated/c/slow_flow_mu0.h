@@ -5,7 +5,8 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef SLOW_FLOW_MU0_H
 #define SLOW_FLOW_MU0_H
@@ -17,6 +18,7 @@
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 0.51
  */
 static inline double slow_flow_mu0_I(double Omega, double A, double m, double zeta)
 {
@@ -66,6 +68,7 @@ static inline double slow_flow_mu0_F_AA(double Omega, double A, double m, double
 /* dF/dOmega.
    Equation (24), (34). Domain: Omega > 0, A > 0.
    Operations: 11 structured, 11 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 3.51
  */
 static inline double slow_flow_mu0_F_Omega(double Omega, double A, double m, double zeta, double h)
 {
@@ -78,6 +81,7 @@ static inline double slow_flow_mu0_F_Omega(double Omega, double A, double m, dou
 /* d2F/dA dOmega.
    Equation (24). Domain: Omega > 0, A > 0.
    Operations: 20 structured, 16 common subexpressions, 16 power chains
+   Proved, error / u (1 + kappa): 4.61
  */
 static inline double slow_flow_mu0_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
 {
@@ -105,6 +109,7 @@ static inline double slow_flow_mu0_phase(double Omega, double A, double m, doubl
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 0.51
  */
 static inline double slow_flow_mu0_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
@@ -115,6 +120,7 @@ static inline double slow_flow_mu0_limit_envelope(double Omega, double F_0, doub
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline double slow_flow_mu0_equivalent_damping(double Omega, double A, double m, double zeta)
 {
@@ -141,6 +147,7 @@ static inline double slow_flow_mu0_stability(double Omega, double A, double m, d
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
    Operations: 11 structured, 10 common subexpressions, 10 power chains
+   Proved, error / u (1 + kappa): -, 0.0, 1.61, 0.34
  */
 static inline void slow_flow_mu0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
@@ -155,6 +162,7 @@ static inline void slow_flow_mu0_response_quartic(double A, double F_0, double m
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0.
    Operations: 6 structured, 6 common subexpressions, 6 power chains
+   Proved, error / u (1 + kappa): 0.34, 0.0, 2.34, 0.0
  */
 static inline void slow_flow_mu0_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
 {
@@ -168,6 +176,7 @@ static inline void slow_flow_mu0_fold_quartic(double A, double m, double zeta, d
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 0.0, 1.01, 0.0
  */
 static inline void slow_flow_mu0_peak_cubic(double A, double m, double zeta, double h, double *out)
 {
@@ -180,6 +189,7 @@ static inline void slow_flow_mu0_peak_cubic(double A, double m, double zeta, dou
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
    Operations: 22 structured, 16 common subexpressions, 14 power chains
+   Proved, error / u (1 + kappa): 4.01, 5.67, 0.0
  */
 #define SLOW_FLOW_MU0_DETACHMENT_COUNT 3
 static inline void slow_flow_mu0_detachment(double A, double m, double zeta, double h, double *out)
@@ -234,6 +244,7 @@ static inline void slow_flow_mu0_fold(double A, double F_0, double m, double zet
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
    Operations: 11 structured, 9 common subexpressions, 9 power chains
+   Proved, error / u (1 + kappa): 2.34, 1.67
  */
 static inline void slow_flow_mu0_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {

@@ -5,7 +5,8 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Operations are counted after each pass. */
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
 #ifndef SLOW_FLOW_ZETA0_H
 #define SLOW_FLOW_ZETA0_H
@@ -17,6 +18,7 @@
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0
  */
 static inline double slow_flow_zeta0_I(double Omega, double A, double m, double zeta)
 {
@@ -67,6 +69,7 @@ static inline double slow_flow_zeta0_F_AA(double Omega, double A, double m, doub
 /* dF/dOmega.
    Equation (24), (34). Domain: Omega > 0, A > 0.
    Operations: 6 structured, 6 common subexpressions, 6 power chains
+   Proved, error / u (1 + kappa): 2.76
  */
 static inline double slow_flow_zeta0_F_Omega(double Omega, double A, double m, double zeta, double h)
 {
@@ -79,6 +82,7 @@ static inline double slow_flow_zeta0_F_Omega(double Omega, double A, double m, d
 /* d2F/dA dOmega.
    Equation (24). Domain: Omega > 0, A > 0.
    Operations: 9 structured, 8 common subexpressions, 8 power chains
+   Proved, error / u (1 + kappa): 3.01
  */
 static inline double slow_flow_zeta0_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
 {
@@ -116,6 +120,7 @@ static inline double slow_flow_zeta0_limit_envelope(double Omega, double F_0, do
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
    Equation (38). Domain: Omega > 0, A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 0.51
  */
 static inline double slow_flow_zeta0_equivalent_damping(double Omega, double A, double m, double zeta)
 {
@@ -139,6 +144,7 @@ static inline double slow_flow_zeta0_stability(double Omega, double A, double m,
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
    Operations: 8 structured, 8 common subexpressions, 8 power chains
+   Proved, error / u (1 + kappa): -, 0.0, 0.34, 0.34
  */
 static inline void slow_flow_zeta0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
@@ -152,6 +158,7 @@ static inline void slow_flow_zeta0_response_quartic(double A, double F_0, double
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 0.34, 0.0, 1.01, 0.0
  */
 static inline void slow_flow_zeta0_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
 {
@@ -166,6 +173,7 @@ static inline void slow_flow_zeta0_fold_quartic(double A, double m, double zeta,
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
    Equation (34). Domain: A > 0.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0
  */
 static inline void slow_flow_zeta0_peak_cubic(double A, double m, double zeta, double h, double *out)
 {
@@ -179,6 +187,7 @@ static inline void slow_flow_zeta0_peak_cubic(double A, double m, double zeta, d
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
    Operations: 9 structured, 6 common subexpressions, 6 power chains
+   Proved, error / u (1 + kappa): 0.81, 0.67, 0.0
  */
 #define SLOW_FLOW_ZETA0_DETACHMENT_COUNT 3
 static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, double h, double *out)
@@ -227,6 +236,7 @@ static inline void slow_flow_zeta0_fold(double F_0, double m, double k, double k
 /* The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
    Equation from (30), (33). Domain: A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
  */
 static inline void slow_flow_zeta0_undamped(double A, double h, double h_A, double h_AA, double h_AAA, double *out)
 {

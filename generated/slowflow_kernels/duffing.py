@@ -61,6 +61,7 @@ def averaged(A, alpha, beta):
 
     Equation (20)-(22), (31). Domain: A >= 0.
     Operations: 12 structured, 9 common subexpressions, 9 power chains.
+    Proved, error / u (1 + kappa): 1.84, 1.26, 0.67, 0.51
     """
     A, alpha, beta = floats(A, alpha, beta)
     t0 = A * A * beta
@@ -79,6 +80,7 @@ def averaged_2(A, alpha, beta):
 
     Equation (20)-(22), (31). Domain: A >= 0.
     Operations: 9 structured, 7 common subexpressions, 7 power chains.
+    Proved, error / u (1 + kappa): 1.84, 1.26
     """
     A, alpha, beta = floats(A, alpha, beta)
     t0 = A * A * beta
@@ -93,6 +95,7 @@ def averaged_H(A, alpha, beta):
 
     Equation (20)-(22), (31). Domain: A >= 0.
     Operations: 11 structured, 8 common subexpressions, 8 power chains.
+    Proved, error / u (1 + kappa): 6.01, 4.01
     """
     A, alpha, beta = floats(A, alpha, beta)
     t0 = A * A * beta
@@ -108,6 +111,7 @@ def intercept(A, alpha, beta):
 
     Equation (20)-(22), (31). Domain: A >= 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 0.81
     """
     A, alpha, beta = floats(A, alpha, beta)
     A2 = A * A
@@ -120,6 +124,7 @@ def harmonics(A, alpha, beta):
 
     Equation beyond (20). Domain: A >= 0.
     Operations: 10 structured, 9 common subexpressions, 8 power chains.
+    Proved, error / u (1 + kappa): 0.61, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0
     """
     A, alpha, beta = floats(A, alpha, beta)
     t0 = 1.5 * beta
@@ -143,6 +148,7 @@ def coefficients(alpha, beta):
 
     Equation (5), (7). Domain: any design.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0
     """
     alpha, beta = floats(alpha, beta)
     arguments = (alpha, beta)
@@ -177,6 +183,7 @@ def hardening(alpha, beta):
 
     Equation from (3). Domain: any parameters.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta = floats(alpha, beta)
     arguments = (alpha, beta)
@@ -190,6 +197,7 @@ def force_1(u, alpha, beta):
 
     Equation (3), (5). Domain: where it holds.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 1.67
     """
     return u * (alpha + beta * u * u)
 
@@ -199,6 +207,7 @@ def force_1_u(u, alpha, beta):
 
     Equation (3), (5). Domain: where it holds.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 1.26
     """
     return alpha + 3.0 * beta * u * u
 
@@ -220,6 +229,7 @@ def saddle_node_onset(m, zeta, alpha, beta):
 
     Equation (33). Domain: roots with A > 0.
     Operations: 117 structured, 77 common subexpressions, 52 power chains.
+    Proved, error / u (1 + kappa): 0.82, 0.91, 0.91, 0.91, 0.91, 7.67, 3.2, 0.91, 7.34, 0.91, 0.89
     """
     m, zeta, alpha, beta = floats(m, zeta, alpha, beta)
     t0 = alpha * alpha
@@ -260,6 +270,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
 
     Equation from (24), (30). Domain: roots with A > 0.
     Operations: 191 structured, 115 common subexpressions, 98 power chains.
+    Proved, error / u (1 + kappa): -, -, -, -, -, -, -, -, -, 0.91, 0.91
     """
     F_0, m, zeta, alpha, beta = floats(F_0, m, zeta, alpha, beta)
     excess = (F_0 - m) * (F_0 + m)

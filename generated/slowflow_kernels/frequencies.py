@@ -61,6 +61,7 @@ def response_at_0(F_0, m, h):
 
     Equation (24). Domain: any.
     Operations: 9 structured, 7 common subexpressions, 7 power chains.
+    Proved, error / u (1 + kappa): -, 1.34
     """
     t0 = h * h
     t1 = F_0 + m
@@ -95,6 +96,7 @@ def fold_at_0(h, h_A):
 
     Equation (30). Domain: any.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Proved, error / u (1 + kappa): 0.34
     """
     return h * h_A
 
@@ -104,6 +106,7 @@ def cubic(Omega, A, p, q):
 
     Equation from (24), (30). Domain: Omega >= 0, A > 0.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    Proved, error / u (1 + kappa): 2.67
     """
     return Omega * (A * Omega * Omega + p) + q
 
@@ -113,6 +116,7 @@ def cubic_slope(Omega, A, p):
 
     Equation from (24), (30). Domain: Omega >= 0, A > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 1.26
     """
     return 3.0 * A * Omega * Omega + p
 
@@ -122,6 +126,7 @@ def rise(Omega, A, p, k):
 
     Equation from (24), (30). Domain: Omega >= 0, A > 0.
     Operations: 17 structured, 11 common subexpressions, 11 power chains.
+    Proved, error / u (1 + kappa): 3.01, -
     """
     t0 = Omega * Omega
     t1 = 0.75 * A * t0

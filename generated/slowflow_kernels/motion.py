@@ -30,6 +30,7 @@ def push(cosine, F_0, f):
 
     Equation (3). Domain: any.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Proved, error / u (1 + kappa): 1.01
     """
     return F_0 * cosine - f
 
@@ -39,6 +40,7 @@ def push_slopes(cosine, sine, F_0, f_u):
 
     Equation (3). Domain: any.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.0, 0.0
     """
     return (
         -F_0 * sine,
@@ -52,6 +54,7 @@ def breakaway(F_0, friction, f):
 
     Equation (3). Domain: F_0 > 0.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Proved, error / u (1 + kappa): 3.01
     """
     return (f + friction) / F_0
 
@@ -61,6 +64,7 @@ def acceleration(cosine, v, F_0, zeta, friction, f):
 
     Equation (3). Domain: any.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Proved, error / u (1 + kappa): 3.01
     """
     return F_0 * cosine - f - friction - 2.0 * v * zeta
 
@@ -70,6 +74,7 @@ def rates(cosine, v, Omega, F_0, zeta, friction, f):
 
     Equation (3). Domain: Omega > 0.
     Operations: 8 structured, 9 common subexpressions, 9 power chains.
+    Proved, error / u (1 + kappa): 0.67, 5.01
     """
     t0 = 1.0 / Omega
     return (
@@ -83,6 +88,7 @@ def rates_by_state(Omega, zeta, f_u):
 
     Equation (3). Domain: Omega > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67
     """
     t0 = 1.0 / Omega
     return (
@@ -98,6 +104,7 @@ def rates_by_parameter(cosine, v, Omega, F_0, zeta, friction, f):
 
     Equation (3). Domain: Omega > 0.
     Operations: 13 structured, 13 common subexpressions, 13 power chains.
+    Proved, error / u (1 + kappa): 0.76, 0.0, 0.0, 0.0, 0.0, 6.01, 0.67, 0.67, 0.51, 0.51
     """
     t0 = 1.0 / (Omega * Omega)
     t1 = 2.0 * v
@@ -122,6 +129,7 @@ def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
 
     Equation (A1), (A2). Domain: any.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
+    Proved, error / u (1 + kappa): 0.0, -
     """
     weight = left - right
     return (
@@ -135,6 +143,7 @@ def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, ou
 
     Equation (A1), (A2). Domain: any.
     Operations: 21 structured, 21 common subexpressions, 21 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, -, 4.51
     """
     weight = left - right
     weight_u = left * nu * (1.0 - left) - nu * right * (1.0 - right)

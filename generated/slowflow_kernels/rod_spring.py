@@ -63,6 +63,7 @@ __all__ = [
 
 def _averaged_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 28 structured, 19 common subexpressions, 19 power chains
+    # proved, error / u (1 + kappa): 5.51, 4.51, 2.34, 1.51
     t0 = -alpha
     t1 = A * A
     t2 = gamma * t1
@@ -203,6 +204,7 @@ def averaged(A, alpha, beta, gamma, u_cr):
 
 def _averaged_2_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 17 structured, 13 common subexpressions, 13 power chains
+    # proved, error / u (1 + kappa): 5.51, 4.51
     t0 = -alpha
     t1 = A * A
     t2 = gamma * t1
@@ -296,6 +298,7 @@ def averaged_2(A, alpha, beta, gamma, u_cr):
 
 def _averaged_H_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 19 structured, 14 common subexpressions, 14 power chains
+    # proved, error / u (1 + kappa): 7.67, 6.34
     t0 = A * A
     t1 = gamma * t0
     t2 = 1.0 - alpha
@@ -387,6 +390,7 @@ def averaged_H(A, alpha, beta, gamma, u_cr):
 
 def _intercept_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 8 structured, 8 common subexpressions, 7 power chains
+    # proved, error / u (1 + kappa): 4.61
     A2 = A * A
     A3 = A * A2
     return A3 * (2.5 * A2 * gamma + 1.5 * beta)
@@ -461,6 +465,7 @@ def intercept(A, alpha, beta, gamma, u_cr):
 
 def _harmonics_passed_0(A, alpha, beta, gamma, u_cr):
     # operations: 44 structured, 32 common subexpressions, 26 power chains
+    # proved, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
     A2 = A * A
     A3 = A * A2
     t0 = A2 * gamma
@@ -709,6 +714,7 @@ def coefficients(lam, r, delta_h):
 
     Equation (5), (7). Domain: any design.
     Operations: 15 structured, 11 common subexpressions, 11 power chains.
+    Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
     """
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
@@ -727,6 +733,7 @@ def breakpoints(alpha, beta, gamma, u_cr):
 
     Equation (5). Domain: any parameters.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
     arguments = (alpha, beta, gamma, u_cr)
@@ -740,6 +747,7 @@ def jumps(alpha, beta, gamma, u_cr):
 
     Equation (6). Domain: any parameters.
     Operations: 8 structured, 7 common subexpressions, 7 power chains.
+    Proved, error / u (1 + kappa): 7.67
     """
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
     t0 = u_cr * u_cr
@@ -753,6 +761,7 @@ def hardening(alpha, beta, gamma, u_cr):
 
     Equation from (3). Domain: any parameters.
     Operations: 8 structured, 7 common subexpressions, 7 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 7.67
     """
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
     t0 = u_cr * u_cr
@@ -769,6 +778,7 @@ def force_1(u, alpha, beta, gamma, u_cr):
 
     Equation (3), (6). Domain: where it holds.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    Proved, error / u (1 + kappa): 4.76
     """
     t0 = u * u
     return u * (alpha + t0 * (beta + gamma * t0))
@@ -779,6 +789,7 @@ def force_1_u(u, alpha, beta, gamma, u_cr):
 
     Equation (3), (6). Domain: where it holds.
     Operations: 8 structured, 7 common subexpressions, 7 power chains.
+    Proved, error / u (1 + kappa): 4.51
     """
     t0 = u * u
     return alpha + t0 * (3.0 * beta + 5.0 * gamma * t0)
@@ -789,6 +800,7 @@ def force_2(u, alpha, beta, gamma, u_cr):
 
     Equation (3), (6). Domain: where it holds.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     return u
 
@@ -798,6 +810,7 @@ def force_2_u(u, alpha, beta, gamma, u_cr):
 
     Equation (3), (6). Domain: where it holds.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     return 1.0
 
@@ -819,6 +832,7 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
 
     Equation (33). Domain: roots with 0 < A <= u_cr.
     Operations: 546 structured, 276 common subexpressions, 238 power chains.
+    Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
     """
     m, zeta, alpha, beta, gamma, u_cr = floats(m, zeta, alpha, beta, gamma, u_cr)
     t0 = alpha * alpha

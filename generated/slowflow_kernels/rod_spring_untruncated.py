@@ -3741,6 +3741,7 @@ def coefficients(lam, r, delta_h):
 
     Equation (5), (7). Domain: any design.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    Proved, error / u (1 + kappa): 1.34, 6.01, 0.0
     """
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
@@ -3770,6 +3771,7 @@ def jumps(alpha, beta, delta_h):
 
     Equation (5). Domain: any parameters.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta, delta_h = floats(alpha, beta, delta_h)
     arguments = (alpha, beta, delta_h)
@@ -3783,6 +3785,7 @@ def hardening(alpha, beta, delta_h):
 
     Equation from (3). Domain: any parameters.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta, delta_h = floats(alpha, beta, delta_h)
     arguments = (alpha, beta, delta_h)
@@ -3821,6 +3824,7 @@ def force_2(u, alpha, beta, delta_h):
 
     Equation (3), (5). Domain: where it holds.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     return u
 
@@ -3830,6 +3834,7 @@ def force_2_u(u, alpha, beta, delta_h):
 
     Equation (3), (5). Domain: where it holds.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     return 1.0
 

@@ -80,6 +80,7 @@ def R(Omega, A, h):
 
     Equation (23). Domain: Omega > 0, A > 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 1.01
     """
     Omega, A, h = floats(Omega, A, h)
     return A * Omega * Omega + h
@@ -90,6 +91,7 @@ def I(Omega, A, m, zeta):  # noqa: E743
 
     Equation (23). Domain: Omega > 0, A > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 0.76
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return 2.0 * A * Omega * zeta + m
@@ -139,6 +141,7 @@ def F_Omega(Omega, A, m, zeta, h):
 
     Equation (24), (34). Domain: Omega > 0, A > 0.
     Operations: 12 structured, 12 common subexpressions, 12 power chains.
+    Proved, error / u (1 + kappa): 3.67
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
@@ -151,6 +154,7 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
 
     Equation (24). Domain: Omega > 0, A > 0.
     Operations: 21 structured, 17 common subexpressions, 17 power chains.
+    Proved, error / u (1 + kappa): 4.72
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
     t0 = Omega * Omega
@@ -189,6 +193,7 @@ def limit_envelope(Omega, F_0, m, zeta):
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 4.01
     """
     Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
     return 0.5 * (F_0 - m) / (Omega * zeta)
@@ -199,6 +204,7 @@ def equivalent_damping(Omega, A, m, zeta):
 
     Equation (38). Domain: Omega > 0, A > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 0.76
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return zeta + 0.5 * m / (A * Omega)
@@ -220,6 +226,7 @@ def jacobian(Omega, A, m, zeta, h, h_A):
 
     Equation (28). Domain: Omega > 0, A > 0.
     Operations: 17 structured, 13 common subexpressions, 13 power chains.
+    Proved, error / u (1 + kappa): 0.0, 2.01, 3.01, 3.01
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
     t0 = Omega * Omega
@@ -239,6 +246,7 @@ def mean_stiffness(A, h, h_A):
 
     Equation beside (30). Domain: A > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 1.01
     """
     A, h, h_A = floats(A, h, h_A)
     return -0.5 * h_A - 0.5 * h / A
@@ -276,6 +284,7 @@ def response_quartic(A, F_0, m, zeta, h):
 
     Equation (24). Domain: A > 0.
     Operations: 16 structured, 15 common subexpressions, 15 power chains.
+    Proved, error / u (1 + kappa): -, 0.51, 1.61, 0.34
     """
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     t0 = A * A
@@ -293,6 +302,7 @@ def fold_quartic(A, m, zeta, h, h_A):
 
     Equation (24), (30). Domain: A > 0.
     Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.34, 2.34, 0.0
     """
     A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
     arguments = (A, m, zeta, h, h_A)
@@ -309,6 +319,7 @@ def peak_cubic(A, m, zeta, h):
 
     Equation (34). Domain: A > 0.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    Proved, error / u (1 + kappa): 0.34, 1.01, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     arguments = (A, m, zeta, h)
@@ -324,6 +335,7 @@ def detachment(A, m, zeta, h):
 
     Equation (34). Domain: A > 0.
     Operations: 72 structured, 41 common subexpressions, 37 power chains.
+    Proved, error / u (1 + kappa): -, -, 6.67, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     m2 = m * m
@@ -353,6 +365,7 @@ def F_OmegaOmega(Omega, A, zeta, h):
 
     Equation (24). Domain: Omega > 0, A > 0.
     Operations: 13 structured, 11 common subexpressions, 11 power chains.
+    Proved, error / u (1 + kappa): 2.67
     """
     Omega, A, zeta, h = floats(Omega, A, zeta, h)
     t0 = A * Omega * Omega
@@ -394,6 +407,7 @@ def intercept(A, h, h_A, h_AA):
 
     Equation from (24), (30). Domain: A >= 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 1.01, 0.34
     """
     A, h, h_A, h_AA = floats(A, h, h_A, h_AA)
     arguments = (A, h, h_A, h_AA)
@@ -464,6 +478,7 @@ def cusps(A, zeta, h, h_A, h_AA, k):
 
     Equation from (33). Domain: A > 0.
     Operations: 21 structured, 15 common subexpressions, 15 power chains.
+    Proved, error / u (1 + kappa): 1.01, 1.01, 1.51, 1.01, -
     """
     A, zeta, h, h_A, h_AA, k = floats(A, zeta, h, h_A, h_AA, k)
     t0 = zeta * zeta
@@ -484,6 +499,7 @@ def cusp_R(A, zeta, h_AA, k, X, T):
 
     Equation from (33). Domain: A > 0, X >= 0.
     Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    Proved, error / u (1 + kappa): 1.01, 1.81
     """
     A, zeta, h_AA, k, X, T = floats(A, zeta, h_AA, k, X, T)
     arguments = (A, zeta, h_AA, k, X, T)
@@ -536,6 +552,7 @@ def peak(Omega, A, F_0, m, zeta, h_A):
 
     Equation from (24), (34). Domain: Omega > 0, A > 0.
     Operations: 19 structured, 18 common subexpressions, 18 power chains.
+    Proved, error / u (1 + kappa): -, 3.67
     """
     Omega, A, F_0, m, zeta, h_A = floats(Omega, A, F_0, m, zeta, h_A)
     t0 = 2.0 * A

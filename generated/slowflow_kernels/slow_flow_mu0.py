@@ -49,6 +49,7 @@ def I(Omega, A, m, zeta):  # noqa: E743
 
     Equation (23). Domain: Omega > 0, A > 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 0.51
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return full(2.0 * A * Omega * zeta, (Omega, A, m, zeta))
@@ -98,6 +99,7 @@ def F_Omega(Omega, A, m, zeta, h):
 
     Equation (24), (34). Domain: Omega > 0, A > 0.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
+    Proved, error / u (1 + kappa): 3.51
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
@@ -110,6 +112,7 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
 
     Equation (24). Domain: Omega > 0, A > 0.
     Operations: 20 structured, 16 common subexpressions, 16 power chains.
+    Proved, error / u (1 + kappa): 4.61
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
     t0 = Omega * Omega
@@ -137,6 +140,7 @@ def limit_envelope(Omega, F_0, m, zeta):
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 0.51
     """
     Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
     return full(0.5 * F_0 / (Omega * zeta), (Omega, F_0, m, zeta))
@@ -147,6 +151,7 @@ def equivalent_damping(Omega, A, m, zeta):
 
     Equation (38). Domain: Omega > 0, A > 0.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return full(zeta, (Omega, A, m, zeta))
@@ -171,6 +176,7 @@ def response_quartic(A, F_0, m, zeta, h):
 
     Equation (24). Domain: A > 0.
     Operations: 11 structured, 10 common subexpressions, 10 power chains.
+    Proved, error / u (1 + kappa): -, 0.0, 1.61, 0.34
     """
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     t0 = A * A
@@ -188,6 +194,7 @@ def fold_quartic(A, m, zeta, h, h_A):
 
     Equation (24), (30). Domain: A > 0.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.0, 2.34, 0.0
     """
     A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
     arguments = (A, m, zeta, h, h_A)
@@ -204,6 +211,7 @@ def peak_cubic(A, m, zeta, h):
 
     Equation (34). Domain: A > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 0.0, 1.01, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     arguments = (A, m, zeta, h)
@@ -219,6 +227,7 @@ def detachment(A, m, zeta, h):
 
     Equation (34). Domain: A > 0.
     Operations: 22 structured, 16 common subexpressions, 14 power chains.
+    Proved, error / u (1 + kappa): 4.01, 5.67, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     t0 = h * h
@@ -280,6 +289,7 @@ def isola(A, m, zeta, h, h_A, h_AA):
 
     Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
     Operations: 11 structured, 9 common subexpressions, 9 power chains.
+    Proved, error / u (1 + kappa): 2.34, 1.67
     """
     A, m, zeta, h, h_A, h_AA = floats(A, m, zeta, h, h_A, h_AA)
     t0 = 2.0 * zeta * zeta

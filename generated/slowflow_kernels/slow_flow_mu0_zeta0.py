@@ -49,6 +49,7 @@ def I(Omega, A, m, zeta):  # noqa: E743
 
     Equation (23). Domain: Omega > 0, A > 0.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return full(0.0, (Omega, A, m, zeta))
@@ -95,6 +96,7 @@ def F_Omega(Omega, A, m, zeta, h):
 
     Equation (24), (34). Domain: Omega > 0, A > 0.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Proved, error / u (1 + kappa): 2.76
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
@@ -106,6 +108,7 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
 
     Equation (24). Domain: Omega > 0, A > 0.
     Operations: 9 structured, 8 common subexpressions, 8 power chains.
+    Proved, error / u (1 + kappa): 3.01
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
     t0 = Omega * Omega
@@ -140,6 +143,7 @@ def equivalent_damping(Omega, A, m, zeta):
 
     Equation (38). Domain: Omega > 0, A > 0.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0
     """
     Omega, A, m, zeta = floats(Omega, A, m, zeta)
     return full(0.0, (Omega, A, m, zeta))
@@ -162,6 +166,7 @@ def response_quartic(A, F_0, m, zeta, h):
 
     Equation (24). Domain: A > 0.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Proved, error / u (1 + kappa): -, 0.0, 0.34, 0.34
     """
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     arguments = (A, F_0, m, zeta, h)
@@ -178,6 +183,7 @@ def fold_quartic(A, m, zeta, h, h_A):
 
     Equation (24), (30). Domain: A > 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.0, 1.01, 0.0
     """
     A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
     arguments = (A, m, zeta, h, h_A)
@@ -194,6 +200,7 @@ def peak_cubic(A, m, zeta, h):
 
     Equation (34). Domain: A > 0.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     arguments = (A, m, zeta, h)
@@ -209,6 +216,7 @@ def detachment(A, m, zeta, h):
 
     Equation (34). Domain: A > 0.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     return stacked(
@@ -262,6 +270,7 @@ def undamped(A, h, h_A, h_AA, h_AAA):
 
     Equation from (30), (33). Domain: A > 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
     """
     A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
     arguments = (A, h, h_A, h_AA, h_AAA)

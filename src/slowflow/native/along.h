@@ -177,7 +177,8 @@ static inline void sf_ask_cusp(const sf_model *model, int channels, const sf_sam
             double nearly[2], fold[2];
             slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, X, T, nearly);
             slow_flow_cusp_balance(at->A, model->m, model->zeta, at->h, at->k, nearly[0], T, fold);
-            if (nearly[0] > 0 && fold[0] > 0 && fold[1] > 0)
+            if (fold[0] > 0 && fold[1] > 0 &&
+                fabs(slow_flow_R(sqrt(nearly[0]), at->A, at->h)) < SF_SOFT * fabs(at->h))
                 out->Omega[i] = sqrt(fold[0]), out->level[i] = sqrt(fold[1]);
         }
     }

@@ -246,7 +246,8 @@ class Cusp(Asked):
             # a rounding of A moves h_AA by much where that is steep, but no fold by F_A beside a cusp
             nearly, _ = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, X, T)
             right, forcing = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, nearly, T)
-            lost &= (nearly > 0) & (right > 0) & (forcing > 0)
+            small = np.abs(slow_flow.R(np.sqrt(nearly), at.A, at.h)) < SOFT * np.abs(at.h)
+            lost &= small & (right > 0) & (forcing > 0)
             w, level = np.where(lost, np.sqrt(right), w), np.where(lost, np.sqrt(forcing), level)
             answers.append(_channel(at, exists, y, dy, w, 0.0, level))
         return answers

@@ -1,0 +1,42 @@
+"""Proved bounds of rounding errors, as data: in goes a program, out comes k of each output if it is proved.
+
+They are found by `rounding`, which takes longer than printing a kernel. Each is stored under the digest of the program
+that it holds for: a program that changes has none until it is proved anew.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import sympy as sp
+
+from .passes import Program
+
+DATA = Path(__file__).with_name("proved.json")
+
+
+def digest(program: Program, arguments: Sequence[sp.Symbol]) -> str:
+    """Of what is computed, in which order."""
+    return hashlib.sha256(repr((arguments, program.lets, program.outputs)).encode()).hexdigest()[:16]
+
+
+@functools.cache
+def stored() -> dict[str, dict[str, object]]:
+    """All that is proved, by digest: the kernel's name, and k of each output or None."""
+    return json.loads(DATA.read_text(encoding="utf-8"))
+
+
+def in_words(program: Program, arguments: Sequence[sp.Symbol]) -> str:
+    """k of each output, `-` where it is not proved; "" where none is."""
+    found = stored().get(digest(program, arguments))
+    return "" if found is None else ", ".join("-" if k is None else k for k in found["k"])
+
+
+def write(found: dict[str, dict[str, object]]) -> None:
+    """One line each."""
+    lines = [f' "{key}": {json.dumps(value)}' for key, value in sorted(found.items(), key=lambda one: one[1]["kernel"])]
+    DATA.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
