@@ -12,7 +12,8 @@ monomials. Rules for sums and products are `_sum` and `_product`.
 That this is at most k u (1 + kappa) |f| is shown, for each choice of signs of the arguments, by multipliers of the
 sums f and x df/dx = sum m_j t_j (m_j the exponents of x): numbers of size k at most with which these add up to a sum
 of t_j's that exceeds each e_j |t_j|. A linear program finds them, in floats; rational arithmetic then checks them
-exactly. """
+exactly.
+"""
 
 from __future__ import annotations
 
