@@ -225,6 +225,8 @@ def test_passes_change_no_value():
                 program = straight_line(branch.lets, branch.outputs, kernel.arguments)
                 at = {argument: mpf(float(rng.uniform(0.1, 0.4))) for argument in kernel.arguments}
                 at |= {symbol: mpf(float(rng.uniform(0.5, 0.9))) for symbol in at if symbol == A}
+                # u_cr below A follows from it
+                at |= {symbol: mpf(float(rng.uniform(0.02, 0.09))) for symbol in at if symbol.name == "delta_h"}
                 before = evaluated(branch.lets, branch.outputs, at)
                 after = evaluated(program.lets, program.outputs, at)
                 for one, other in zip(before, after, strict=True):
