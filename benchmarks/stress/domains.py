@@ -67,8 +67,11 @@ def limits(module: str, name: str) -> tuple[float, float, bool, bool]:
 
 
 def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
-    """Whether a point lies in the box."""
-    for name, x in zip(names, at, strict=True):
+    """Whether a point lies in the box, and what doubles lack is less than they hold."""
+    given = dict(zip(names, at, strict=True))
+    for name, x in given.items():
+        if name.endswith("_low") and abs(x) > math.ulp(given[name.removesuffix("_low")]):
+            return False
         low, high, negative, zero = limits(module, name)
         if not math.isfinite(x) or (x < 0 and not negative) or (x == 0 and not zero) or abs(x) > high:
             return False

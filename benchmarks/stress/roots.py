@@ -45,7 +45,10 @@ def judged(Omega: np.ndarray, exact: list[tuple[Any, float]]) -> tuple[float, fl
 
 
 def error(kind: str, at: Point) -> tuple[float, float] | None:
-    """The error at one point; infinite for a wrong number of roots, None outside the domain."""
+    """The error at one point; infinite for a wrong number of roots, None outside the domain.
+
+    Outside are points with a root below all normal doubles: the product m zeta has no digits there.
+    """
     if (
         not all(math.isfinite(x) for x in at)
         or at[0] <= 0
@@ -53,6 +56,8 @@ def error(kind: str, at: Point) -> tuple[float, float] | None:
     ):
         return None
     exact = certified(kind, at)
+    if any(float(root) < np.finfo(float).tiny for root, _ in exact):
+        return None
     Omega, count = INSTALLED[kind](*at)
     if int(count) != len(exact):
         return math.inf, math.inf

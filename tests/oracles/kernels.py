@@ -71,6 +71,8 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
         friction = given["m"] if "m" in given else 4 * given["mu"] / math.pi
         if given["F_0"] <= friction * (1 + RELATIVE):
             raise ValueError("at rest, or a rounding from it")
+    if kernel == "isola" and "mu0" not in scene and given["h_A"] <= 0:
+        raise ValueError("no isola point: h_A > 0")
     if base in definitions.TYPED:
         f, rational = _of_mechanism(base, kernel, names, at)
     elif kernel == "isola" and given["m"] == 0 and "mu0" not in scene:
