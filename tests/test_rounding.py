@@ -37,6 +37,7 @@ def of_kernels(modules):
     return found
 
 
+@pytest.mark.slow
 def test_stored_bounds_are_of_the_programs_that_there_are(modules):
     digests = {
         proved.digest(program, kernel.arguments)

@@ -173,6 +173,7 @@ def batch(kind, numbers):
 
 @compiled
 @pytest.mark.parametrize(("kind", "draw"), [(Isolator, drawn_isolators), (Duffing, drawn_springs)])
+@pytest.mark.slow
 def test_folds_plain_in_a_batch_and_proved_do_not_differ_without_a_word(kind, draw):
     rng = np.random.default_rng(2026)
     numbers = draw(rng, DRAWN)
@@ -198,6 +199,7 @@ def test_folds_plain_in_a_batch_and_proved_do_not_differ_without_a_word(kind, dr
 
 @compiled
 @pytest.mark.parametrize(("kind", "draw"), [(Isolator, drawn_isolators), (Duffing, drawn_springs)])
+@pytest.mark.slow
 def test_states_and_proofs_do_not_differ_without_a_word(kind, draw):
     """10^5 frequencies, most of them next to folds; where only the proof is at a loss, balls agree with the answer."""
     rng = np.random.default_rng(2027)
