@@ -227,6 +227,22 @@ def test_a_compiler_that_fails_says_so(folder, monkeypatch):
     assert not list(folder.glob("not_compiled*.so"))
 
 
+@COMPILED
+def test_a_library_is_compiled_anew_where_the_headers_have_changed(tmp_path, monkeypatch):
+    """An older library would hand the solvers a record of another form."""
+    compiler = tmp_path / "cc"
+    compiler.write_text('#!/bin/sh\nwhile [ "$1" != -o ]; do shift; done\ntouch "$2"\n')
+    compiler.chmod(0o755)
+    header = tmp_path / "record.h"
+    monkeypatch.setenv("CC", str(compiler))
+    monkeypatch.setattr(derive, "include", lambda: [tmp_path])
+    libraries = []
+    for form in (1, 1, 2):
+        header.write_text(f"#define FORM {form}\n")
+        libraries.append(derive._compiled(tmp_path, "stop"))
+    assert libraries[0] == libraries[1] != libraries[2]
+
+
 def test_without_the_extra_its_name_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "slowflow_derivation.live", None)
     with pytest.raises(ImportError, match=r"slowflow\[derive\]"):

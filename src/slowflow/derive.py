@@ -14,19 +14,19 @@ The door to the derivation, which comes with slowflow as `slowflow_derivation` a
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import importlib
 import os
 import shlex
 import subprocess
 import sysconfig
-import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import slowflow_kernels
-from slowflow import backend
+from slowflow import backend, files
 from slowflow.averaged.many import Designs
 from slowflow.grid.designs import Grid
 from slowflow.mechanism import Mechanism
@@ -139,19 +139,18 @@ def _folder() -> Path:
 
 def _write(folder: Path, sources: Any) -> None:
     """Each file under its name only when it is whole; the Python module last, which says that all are there."""
-    files = {**sources.headers, f"{sources.name}.c": sources.record, f"{sources.name}.py": sources.python}
-    for name, text in files.items():
-        with tempfile.NamedTemporaryFile("w", dir=folder, encoding="utf-8", delete=False) as file:
-            file.write(text)
-        os.replace(file.name, folder / name)
+    sources_by_name = {**sources.headers, f"{sources.name}.c": sources.record, f"{sources.name}.py": sources.python}
+    for name, text in sources_by_name.items():
+        files.write(folder / name, text)
 
 
 def _compiled(folder: Path, module: str) -> Path:
     """The shared library of a mechanism, compiled if it is not there."""
     if backend.SOLVER is None:
         raise RuntimeError("compile=True: slowflow itself is not compiled here, there are no solvers for it")
-    # one for each build of the package: the record's form may change
-    library = folder / f"{module}-{backend.SOLVER.BUILD['abi']}.so".replace(" ", "-")
+    # one for each state of the headers: the record's form may change
+    told = b"".join(path.read_bytes() for place in include() for path in sorted(place.glob("*.h")))
+    library = folder / f"{module}-{hashlib.sha256(told).hexdigest()[:12]}.so"
     if library.exists():
         return library
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
