@@ -121,8 +121,7 @@ def response(flow: SlowFlow) -> Iterator[str]:
     yield from display(("F", flow.F), ("F_A", flow.F_A), number="24, 30")
     yield r"A state is stable where $F_A > 0$; folds are where $F = F_A = 0$. Both are quartics in $\Omega$:"
     yield ""
-    quartic = sum((c * Omega**power for power, c in enumerate(flow.response_quartic)), sp.Integer(0))
-    fold = sum((c * Omega**power for power, c in enumerate(flow.fold_quartic)), sp.Integer(0))
+    quartics = (("F + F_0^2", flow.response_quartic), ("F_A/2", flow.fold_quartic))
     yield from display(
-        ("F + F_0^2", sp.collect(sp.expand(quartic), Omega)), ("F_A/2", sp.collect(sp.expand(fold), Omega))
+        *((name, sp.Add(*(c * Omega**power for power, c in enumerate(quartic)))) for name, quartic in quartics)
     )

@@ -21,17 +21,13 @@ import sympy as sp
 
 from .averaging import averaged
 from .document import document
-from .elliptic import restoring as average_of_roots
 from .emit.catalogue.mechanism import mechanism_module
 from .emit.form import Module
 from .emit.provenance import tools
 from .emit.targets import c, interval, numpy
 from .emit.views import programs
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter, Piece
-from .monotone import prove_monotone
-from .oscillator import oscillator
-from .restoring import restoring
-from .results import OfMechanism
+from .results import of_mechanism
 from .slow_flow import slow_flow
 from .symbols import u
 
@@ -162,21 +158,6 @@ def _module(mechanism: Mechanism) -> Module:
     # no Taylor recurrences are printed: exact motions are SciPy's
     laws = tuple(replace(law, name="") for law in record.pieces)
     return replace(module, inputs=("live.py",), native=False, record=replace(record, pieces=laws, scales=()))
-
-
-def of_mechanism(mechanism: Mechanism) -> OfMechanism:
-    """The steps of the derivation that the solvers' kernels need."""
-    dimensionless = oscillator(mechanism)
-    prove_monotone(dimensionless)
-    polynomial = all(piece.is_polynomial(u) for piece in dimensionless.polynomials)
-    average = restoring if polynomial else average_of_roots
-    return OfMechanism(
-        dimensionless,
-        average(dimensionless.polynomials, mechanism.breakpoints),
-        average([piece - u for piece in dimensionless.polynomials], mechanism.breakpoints),
-        None,
-        None,
-    )
 
 
 def _symbol(name: str, about: Mapping[str, Any]) -> sp.Symbol:

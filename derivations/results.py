@@ -36,7 +36,7 @@ class OfMechanism:
     oscillator        -- dimensionless force, coefficients, breakpoints
     whole             -- h and its derivatives: the average of the whole restoring force u + F_k
     beside_vertical   -- H and its derivatives: the average of F_k alone
-    saddle_node_onset -- (33), with all damping terms; None where h is no polynomial
+    saddle_node_onset -- (33), with all damping terms; None where h is no polynomial, or where it was not asked for
     saddle_nodes      -- Res_Omega(F, F_A); likewise
     """
 
@@ -87,12 +87,13 @@ class Results:
     mechanisms: dict[str, OfMechanism]
 
 
-def of_mechanism(mechanism: Mechanism, flow: SlowFlow) -> OfMechanism:
-    """Steps that need the mechanism."""
+def of_mechanism(mechanism: Mechanism, flow: SlowFlow | None = None) -> OfMechanism:
+    """Steps that need the mechanism; resultants, which no solver asks, only with the slow flow."""
     dimensionless = oscillator(mechanism)
     prove_monotone(dimensionless)
     pieces, ends = dimensionless.polynomials, dimensionless.breakpoints
     polynomial = all(piece.is_polynomial(u) for piece in pieces)
+    eliminated = flow is not None and polynomial
     whole, beside_vertical = (
         restoring(forces, tuple(ends)) if polynomial else elliptic.restoring(forces, ends)
         for forces in (pieces, [piece - u for piece in pieces])
@@ -101,8 +102,8 @@ def of_mechanism(mechanism: Mechanism, flow: SlowFlow) -> OfMechanism:
         dimensionless,
         whole,
         beside_vertical,
-        resultants.saddle_node_onset(flow, whole) if polynomial else None,
-        resultants.saddle_nodes(flow, whole) if polynomial else None,
+        resultants.saddle_node_onset(flow, whole) if eliminated else None,
+        resultants.saddle_nodes(flow, whole) if eliminated else None,
     )
 
 
