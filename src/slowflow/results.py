@@ -487,6 +487,8 @@ class SecondFolds(Table):
     corner: npt.NDArray[np.bool_]
     F_0: float
     message: str
+    #: folds that the message says are left out
+    _lost: int = field(default=0, kw_only=True, repr=False)
 
 
 @dataclass(frozen=True, eq=False)

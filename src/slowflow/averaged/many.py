@@ -52,7 +52,7 @@ class Batch(Answer):
 
         numbers = [name for name, value in vars(self).items() if not name.startswith("_") and value.dtype == float]
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
-        return pictures.design_map(ax, *self._designs.grid(x, y, of, values, self._F_0))
+        return pictures.design_map(ax, *self._designs.spanned(x, y, of, values, self._F_0))
 
     def _found(self) -> tuple[Any, Any, Any]:
         """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
@@ -273,7 +273,7 @@ class Designs:
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*design))
             return remarks.of_designs(self.mechanism, parameters, mu, F_0, Omega, A, corner)
 
-    def grid(
+    def spanned(
         self, x: str, y: str, of: str, values: Floats, F_0: Any
     ) -> tuple[tuple[str, Floats], tuple[str, Floats], tuple[str, Floats]]:
         """Two parameters that span the designs and values over these, each with its name, for a map."""
@@ -406,11 +406,16 @@ def _detachment(oscillator: Any, _: int) -> tuple[Any, ...]:
 def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
     found = oscillator and oscillator.saddle_node_onset()
     if not found or found.F_SN is None:
-        unbounded = found and oscillator.zeta == 0 and "no lowest forcing" in found.message
         at_rest = bool(found) and Remark.FOLDS_AT_REST in found.remarks
-        return np.nan, np.nan, np.nan, 0, at_rest, Status.UNBOUNDED if unbounded else Status.NONE
+        return np.nan, np.nan, np.nan, 0, at_rest, without_onset(oscillator, found)
     at_rest = Remark.FOLDS_AT_REST in found.remarks
     return found.F_SN, found.Omega, found.A, OnsetKind[found.kind.upper()], at_rest, Status.OK
+
+
+def without_onset(oscillator: Averaged | None, found: Any) -> Status:
+    """Of a design whose single answer has no onset: whether every forcing has a fold, or none."""
+    unbounded = oscillator is not None and oscillator.zeta == 0 and "no lowest forcing" in found.message
+    return Status.UNBOUNDED if unbounded else Status.NONE
 
 
 #: of single answers, by their words and whether on a corner
@@ -423,14 +428,18 @@ FOLD_KINDS = {
 
 
 def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
+    found = None if oscillator is None else oscillator.saddle_nodes(F_0)
+    return in_places(found, places, found is not None and Remark.UNDECIDED in found.remarks)
+
+
+def in_places(found: Any, places: int, undecided: bool) -> tuple[Any, ...]:
+    """A single answer's folds, None for a blank one, in the places of a batch."""
     Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
-    if oscillator is None:
+    if found is None:
         return Omega, A, kind, 0, False, Status.NONE
-    found = oscillator.saddle_nodes(F_0)
     n = min(places, len(found))
     Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
     kind[:n] = [FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
-    undecided = Remark.UNDECIDED in found.remarks
     return Omega, A, kind, len(found), undecided, Status.OK if n == len(found) else Status.TOO_MANY
 
 

@@ -69,21 +69,13 @@ def _onset(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
     found = second.saddle_node_onset()
     at_rest = Remark.FOLDS_AT_REST in second.first.saddle_node_onset().remarks
     if found.F_SN is None:
-        unbounded = second.first.zeta == 0 and "no lowest forcing" in found.message
-        return np.nan, np.nan, np.nan, 0, at_rest, Status.UNBOUNDED if unbounded else Status.NONE
+        return np.nan, np.nan, np.nan, 0, at_rest, many.without_onset(second.first, found)
     return found.F_SN, found.Omega, found.A, OnsetKind.CUSP, at_rest, Status.OK
 
 
 def _saddle_nodes(second: SecondApproximation | None, F_0: float, places: int) -> tuple[Any, ...]:
-    Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
-    if second is None:
-        return Omega, A, kind, 0, False, Status.NONE
-    found = second.saddle_nodes(F_0)
-    n = min(places, len(found))
-    Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
-    kind[:n] = [many.FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
-    lost = "next to which the curve is lost" in found.message
-    return Omega, A, kind, len(found), lost, Status.OK if n == len(found) else Status.TOO_MANY
+    found = None if second is None else second.saddle_nodes(F_0)
+    return many.in_places(found, places, found is not None and found._lost > 0)
 
 
 def _peak(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:

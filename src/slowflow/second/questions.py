@@ -132,7 +132,7 @@ class SecondApproximation:
         first = self.first.folds(F_0)
         peak = self.first.peak(F_0)
         marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
-        found, message = [], first.message
+        found, lost, message = [], 0, first.message
         if marks:
             curve = self._around(F_0, np.array(marks))
             found, lost, tried = self._solvers.folds(self._balance, curve, first.F_0)
@@ -141,7 +141,8 @@ class SecondApproximation:
         at, u_max, A_1, up, corner = np.array(found).reshape(-1, 5).T
         # what a sweep leaves for a larger amplitude has its stable side below
         kind = np.where(up != 0, "jump-up", "jump-down")
-        return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, self._remarked(message, at, u_max))
+        message = self._remarked(message, at, u_max)
+        return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, message, _lost=lost)
 
     def peak(self, F_0: float) -> Peak:
         """The highest point of the curve about the first approximation's highest peak: its largest displacement A."""
