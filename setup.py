@@ -30,7 +30,12 @@ FLAGS = {
 
 
 class Build(build_ext):
-    """Compiler flags by compiler."""
+    """Compiler flags by compiler; extensions at the same time."""
+
+    def finalize_options(self):
+        # here, as an editable install forgets what `options` says of this command
+        self.parallel = self.parallel or os.cpu_count()
+        super().finalize_options()
 
     def build_extensions(self):
         for extension in self.extensions:
@@ -58,8 +63,5 @@ setup(
         extension("slowflow._exact", (NATIVE / "exact").glob("*.c")),
     ],
     cmdclass={"build_ext": Build},
-    options={
-        "build_ext": {"parallel": os.cpu_count()},
-        **({"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI else {}),
-    },
+    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI else {},
 )
