@@ -41,6 +41,7 @@ MODULES = (
     "slowflow.second",
     "slowflow.second.many",
     "slowflow.exact",
+    "slowflow.exact.shocks",
     "slowflow.mechanism",
     "slowflow.derive",
     "slowflow.paper.example",

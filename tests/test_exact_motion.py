@@ -283,7 +283,7 @@ def test_errors_in_words():
     with pytest.raises(ValueError, match=r"mu = -0\.1"):
         EquationOfMotion(linear(), -0.1, 0.1)
     with pytest.raises(ValueError, match="without any damping"):
-        EquationOfMotion(linear(), 0.0, 0.0)
+        steady_state(EquationOfMotion(linear(), 0.0, 0.0), 0.9, 0.04)
     with pytest.raises(ValueError, match="breakpoints"):
         Force(linear().pieces * 2, (-0.3,))
     with pytest.raises(ValueError, match="guess"):

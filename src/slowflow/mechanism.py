@@ -111,10 +111,6 @@ class EquationOfMotion:
         for name, value in (("mu", self.mu), ("zeta", self.zeta)):
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"{name} = {value} must be finite and not negative")
-        if self.mu == 0 and self.zeta == 0:
-            raise ValueError(
-                "mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state"
-            )
 
 
 #: alpha and beta of the cubic spring that is linear

@@ -27,6 +27,7 @@ from slowflow.results import (
 
 if TYPE_CHECKING:
     from slowflow import exact, loads
+    from slowflow.exact.shocks import Shocks
     from slowflow.grid.designs import Grid
     from slowflow.second import SecondApproximation
     from slowflow.second.many import SecondDesigns
@@ -131,7 +132,7 @@ class Oscillator(Averaged):
     def equation_of_motion(self, which: str | None = None) -> EquationOfMotion:
         """Equation (3) without its forcing, the force as in `restoring_force`.
 
-        Raises ValueError where neither friction nor viscous damping lets a motion settle.
+        Raises ValueError as `restoring_force`.
         """
         return EquationOfMotion(self.restoring_force(which), self.mu, self.zeta)
 
@@ -183,6 +184,44 @@ class Oscillator(Averaged):
         from slowflow.exact import questions
 
         return questions.sweep(self.equation_of_motion(force), Omega, F_0)
+
+    def transient(
+        self,
+        *,
+        acceleration: Any,
+        duration: float | None = None,
+        tau: Any = None,
+        after: float | None = None,
+        force: str | None = None,
+    ) -> exact.Transient:
+        """A shock: what the mass does that was at rest, by the equation of motion (3), when its base is accelerated.
+
+        acceleration -- of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,)
+        duration     -- of the half sine, in tau
+        tau          -- the times of the samples instead, rising; from one to the next it runs straight
+        after        -- for how long the free motion is followed that comes then, by default ten natural periods; longer
+                        where the mass has not turned twice by then
+        force        -- as in `steady_state`
+
+        Gives the largest deflection .A and acceleration .a_max, whether the springs leave, .detaches, where the mass
+        rests, and by `.series()` its way, seen from the base. Raises ValueError for what is not allowed,
+        ArithmeticError where the motion escapes a softening spring.
+        """
+        from slowflow.exact import questions
+
+        return questions.transient(self, self.equation_of_motion(force), acceleration, duration, tau, after)
+
+    def shock_spectrum(self, *, acceleration: Any, duration: Any, force: str | None = None) -> exact.ShockSpectrum:
+        """What half sines of the base do to the mass: deflection and acceleration over peak and duration of the pulse.
+
+        acceleration, duration -- as in `transient`, numbers > 0 or arrays of such, which broadcast
+        force                  -- as in `steady_state`
+
+        A row for each pulse: .A .a_max .ratio .detaches. Raises ValueError and ArithmeticError as `transient`.
+        """
+        from slowflow.exact import questions
+
+        return questions.shocks(self.equation_of_motion(force), acceleration, duration)
 
     def margins(self, F_0: float) -> loads.Margins:
         """How far F_0 is from the lowest forcing that has a fold, F_SN, and from that which lifts the springs, F_cr.
@@ -271,6 +310,16 @@ class Designs(many.Designs):
         from slowflow.second.many import SecondDesigns
 
         return SecondDesigns(self)
+
+    def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Shocks:
+        """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.
+
+        By the equation of motion, design by design, some two thousand in a second. Raises ValueError for what is no
+        real array and for shapes that do not broadcast.
+        """
+        from slowflow.exact.shocks import of_designs
+
+        return of_designs(self, acceleration, duration)
 
 
 def designs_of(mechanism: Mechanism, values: dict[str, Any]) -> Designs | Grid:

@@ -33,12 +33,13 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "frequency": {"Hz": 1.0, "rpm": 1 / 60, "rad/s": 1 / math.tau},
         "time": {"s": 1.0, "ms": 1e-3},
         "speed": {"m/s": 1.0, "mm/s": 1e-3},
+        "acceleration": {"m/s^2": 1.0, "g": 9.80665},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3},
         "mass": {"kg": 1.0},
     }
 )
 #: those in which answers are shown, one of each kind
-USUAL = ("N", "mm", "Hz", "ms", "mm/s", "N/m", "kg")
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg")
 #: of which kind the numbers of an answer are, and what they are called with a unit
 KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
@@ -46,7 +47,11 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "u_cr": ("x_cr", "length"),
         "u": ("x", "length"),
         "v": ("v", "speed"),
+        "u_end": ("x_end", "length"),
+        **{name: (name, "acceleration") for name in ("a", "base", "a_max", "acceleration")},
         "tau": ("t", "time"),
+        **{f"tau_{name}": (f"t_{name}", "time") for name in ("A", "a", "detaches")},
+        "duration": ("duration", "time"),
         "Omega": ("f", "frequency"),
         "Omega_low": ("f_low", "frequency"),
         "Omega_high": ("f_high", "frequency"),
@@ -63,7 +68,7 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
 #: and which unit is of which kind
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
 #: standard gravity, m/s^2
-g = 9.80665
+g = UNITS["acceleration"]["g"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,6 +227,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
         "frequency": rate / math.tau,
         "time": size(SCALES["tau"], **base),
         "speed": length * rate,
+        "acceleration": length * rate**2,
     }
 
 
@@ -471,6 +477,34 @@ class Physical:
         jumps = np.array(found.jumps).reshape(-1, 2)
         return self.scales.named({**said, "jumps": jumps}, found, entry)
 
+    def transient(
+        self, *, acceleration: Any, duration: Any = None, t: Any = None, after: Any = None, samples: int = 400
+    ) -> Quantities:
+        """A shock of the base: .A .a_max .detaches .rests, and .t .x .v .a .base over time.
+
+        acceleration -- of the base, in m/s^2: the peak of a half sine, or the samples of a record
+        duration     -- of the half sine, in s
+        t            -- the times of the samples instead, in s
+        after        -- for how long the free motion is followed that comes then, in s
+        samples      -- points over time
+
+        See `Oscillator.transient`, which `.answer` is from.
+        """
+        pulse = {"acceleration": self._acceleration(acceleration)}
+        times = {"duration": duration, "tau": t, "after": after}
+        pulse |= {name: self._time(name, value) for name, value in times.items() if value is not None}
+        found = self.oscillator.transient(**pulse)
+        said = {field.name: getattr(found, field.name) for field in dataclasses.fields(found) if field.repr}
+        return self.scales.named({**said, **found.series(samples)._asdict()}, found)
+
+    def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Quantities:
+        """What half sines of the base do: .acceleration .duration .A .a_max .ratio .detaches, a row for each.
+
+        In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
+        """
+        pulses = {"acceleration": self._acceleration(acceleration), "duration": self._time("duration", duration)}
+        return self.scales.quantities(self.oscillator.shock_spectrum(**pulses))
+
     def margins(self, F: Any) -> Quantities:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
         return self.scales.quantities(self.oscillator.margins(self._force("F", F)))
@@ -495,6 +529,12 @@ class Physical:
 
     def _length(self, name: str, value: Any) -> Any:
         return self._over(name, si(name, value, "meter"), "length")
+
+    def _acceleration(self, value: Any) -> Any:
+        return self._over("acceleration", si("acceleration", value, "meter/second**2"), "acceleration")
+
+    def _time(self, name: str, value: Any) -> Any:
+        return self._over("t" if name == "tau" else name, si(name, value, "second"), "time")
 
     def _most(self, A: Any) -> Any:
         return None if A is None else self._length("A", A)

@@ -8,7 +8,7 @@ are drawn.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -27,6 +27,8 @@ STABLE: Any = "-"
 UNSTABLE: Any = (0, (4, 2))
 JUMP_UP, JUMP_DOWN = "^", "v"
 STOPS = "|"
+LEAVES = "D"
+MARKERS = {JUMP_UP: "jump up", JUMP_DOWN: "jump down", STOPS: "the mass stops", LEAVES: "springs leave"}
 #: what is tinted beyond a breakpoint, where a motion would stop, and where a state would be unstable
 DETACHED, STOPPING, UNSTABLE_REGION = "#E8EEF4", "#F5EBDD", "#E6E6E6"
 NO_ANSWER = "#D0D0D0"
@@ -46,6 +48,10 @@ LABELS = {
     "F_SN": "onset $F_{SN}$",
     "F_cr": "critical forcing $F_{cr}$",
     "u_cr": "$u_{cr}$",
+    "tau": r"time $\tau$",
+    "duration": r"duration $\tau$ of the pulse",
+    "acceleration": "acceleration of the pulse",
+    "ratio": "largest acceleration over the pulse's",
     "Omega_cr": r"$\Omega_{cr}$",
 }
 #: a fold locus is shown up to this many times its least forcing
@@ -189,6 +195,38 @@ def motions(ax: Any, found: Any, *, colour: Any = COLOURS[1], name: str | None =
     return ax
 
 
+def history(ax: Any, x: Values, y: Values, breakpoints: Sequence[float], names: tuple[str, str]) -> Any:
+    """A motion over time; tinted where the springs have left, on either side."""
+    ax = axes(ax)
+    ax.plot(x, y, color=COLOURS[0], linewidth=1.6)
+    low, high = ax.get_ylim()
+    if breakpoints:
+        for sign, end in ((1.0, high), (-1.0, low)):
+            if sign * end > breakpoints[0]:
+                ax.axhspan(sign * breakpoints[0], end, color=DETACHED, zorder=-3, linewidth=0)
+    ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
+    ax.set(xlabel=label(names[0]), ylabel=label(names[1]), xlim=(x[0], x[-1]), ylim=(low, high))
+    legend(ax)
+    return ax
+
+
+def shocks(ax: Any, columns: Mapping[str, Values], names: tuple[str, str, str]) -> Any:
+    """Shock spectra: one column over another, a curve for each value of the third; columns by name."""
+    ax = axes(ax)
+    x, y, of = names
+    values = np.unique(columns[of])
+    for value, colour in zip(values, ramp(values.size), strict=True):
+        here = np.flatnonzero(columns[of] == value)
+        here = here[np.argsort(columns[x][here])]
+        ax.plot(columns[x][here], columns[y][here], color=colour, linewidth=1.6, label=f"{value:.4g}")
+        off = here[columns["detaches"][here].astype(bool)]
+        ax.plot(columns[x][off], columns[y][off], linestyle="none", marker=LEAVES, color=colour, markersize=3.5)
+    ax.set(xscale="log", xlabel=label(x), ylabel=label(y))
+    ax.set_ylim(bottom=0.0)
+    legend(ax, label(of))
+    return ax
+
+
 def design_map(ax: Any, x: tuple[str, Values], y: tuple[str, Values], values: tuple[str, Values]) -> Any:
     """A number of each design over two of its parameters: each a name and values; grey where there is no answer.
 
@@ -222,7 +260,7 @@ def _signs(ax: Any) -> Iterator[tuple[Any, str]]:
     if any(line.get_linestyle() == "--" and line.get_xdata().size for line in lines):
         yield Line2D([], [], color="0.2", linestyle=STABLE), "stable"
         yield Line2D([], [], color="0.2", linestyle=UNSTABLE), "unstable"
-    for marker, text in ((JUMP_UP, "jump up"), (JUMP_DOWN, "jump down"), (STOPS, "the mass stops")):
+    for marker, text in MARKERS.items():
         if any(line.get_marker() == marker and line.get_xdata().size for line in lines):
             yield Line2D([], [], color="0.2", linestyle="none", marker=marker), text
     tints = {mpl.colors.to_hex(patch.get_facecolor()) for patch in ax.patches}

@@ -1,12 +1,15 @@
 """The equation of motion (3) itself, solved without averaging: periodic motions, response curves, sweeps.
 
 In:  an `EquationOfMotion` (restoring force in pieces, dry friction, viscous damping), a forcing, a frequency.
-Out: `steady_state`, `exact_response`, `sweep`; motions switch exactly between slip, stick, attached and detached.
+Out: `steady_state`, `exact_response`, `sweep`, `transient`; motions switch exactly between slip and stick, attached and
+     detached.
 """
 
 from slowflow.exact.continuation import Fold, Response, exact_response
+from slowflow.exact.shocks import ShockSpectrum
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep
+from slowflow.exact.transient import Transient, half_sine, record, transient
 from slowflow.mechanism import EquationOfMotion, Force, Law, Piece, linear
 
 __all__ = [
@@ -16,10 +19,15 @@ __all__ = [
     "Law",
     "Piece",
     "Response",
+    "ShockSpectrum",
     "SteadyState",
     "Sweep",
+    "Transient",
     "exact_response",
+    "half_sine",
     "linear",
+    "record",
     "steady_state",
     "sweep",
+    "transient",
 ]

@@ -105,7 +105,7 @@ def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[flo
     mu, F_0 = forced.system.mu, forced.F_0
     force = forced.piece(region).value(u)
     found = (math.inf, 0)
-    for slip in (1, -1):
+    for slip in (1, -1) if F_0 > 0 else ():
         cosine = motion.breakaway(F_0, slip * mu, force)
         if abs(cosine) < 1.0:
             # cos theta rises through it for slip = 1 and falls for slip = -1

@@ -11,10 +11,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow import validate
+from slowflow.averaged.remarks import WORDS
 from slowflow.exact import continuation, shooting
+from slowflow.exact.shocks import ShockSpectrum, shock_spectrum
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as stepped
+from slowflow.exact.transient import AFTER, Transient, half_sine, record
+from slowflow.exact.transient import transient as followed
 from slowflow.mechanism import EquationOfMotion
+from slowflow.results import Remark
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
@@ -93,6 +98,40 @@ def sweep(system: EquationOfMotion, Omega: Any, F_0: float) -> Sweep:
     F_0 = validate.number("F_0", F_0, above=0.0)
     frequencies = validate.positive_array("Omega", Omega)
     return stepped(system, F_0, frequencies)
+
+
+def transient(
+    averaged: Averaged, system: EquationOfMotion, acceleration: Any, duration: Any, tau: Any, after: Any
+) -> Transient:
+    """See `slowflow.oscillator.Oscillator.transient`."""
+    if (duration is None) == (tau is None):
+        raise ValueError("a pulse needs either its duration, of a half sine, or tau, the times of a record")
+    begin = 0.0
+    if duration is not None:
+        peak = validate.number("acceleration", acceleration)
+        arcs = half_sine(peak, validate.number("duration", duration, above=0.0))
+    else:
+        times, samples = validate.finite_array("tau", tau), validate.finite_array("acceleration", acceleration)
+        if times.ndim != 1 or times.shape != samples.shape or times.size < 2 or not (np.diff(times) > 0).all():
+            shapes = f"{times.shape} and {samples.shape}"
+            raise ValueError(f"tau and acceleration must be two rows of as many numbers, tau rising: not of {shapes}")
+        arcs, begin = record(times, samples), float(times[0])
+    last = AFTER if after is None else validate.number("after", after, least=0.0)
+    found = followed(system, arcs, begin=begin, after=last)
+    if found.A <= averaged.model.reach:
+        return found
+    beyond = {"reach": averaged.model.reach, "reason": averaged.model.mechanism.reach_reason}
+    return dataclasses.replace(found, message=WORDS[Remark.BEYOND_REACH].format(**beyond))
+
+
+def shocks(system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockSpectrum:
+    """See `slowflow.oscillator.Oscillator.shock_spectrum`."""
+    pulses = {
+        "acceleration": validate.positive_array("acceleration", acceleration),
+        "duration": validate.positive_array("duration", duration),
+    }
+    shape = validate.common_shape(pulses)
+    return shock_spectrum(system, *(np.broadcast_to(values, shape).ravel() for values in pulses.values()))
 
 
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:

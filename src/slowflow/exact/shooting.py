@@ -240,10 +240,12 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> Ste
 
 
 def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
-    """Raises ValueError unless Omega > 0, F_0 > 0 are finite and the forcing can move the mass from u = 0."""
+    """Raises ValueError unless Omega > 0, F_0 > 0 are finite, the forcing can move the mass, and damping settles it."""
     for name, value in (("Omega", Omega), ("F_0", F_0)):
         if not (math.isfinite(value) and value > 0):
             raise ValueError(f"{name} = {value} must be positive and finite")
+    if system.mu == 0 and system.zeta == 0:
+        raise ValueError("mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state")
     if F_0 <= system.mu:
         raise ValueError(
             f"F_0 = {F_0} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves"

@@ -1,0 +1,228 @@
+"""Shocks: in go an oscillator at rest and the acceleration of its base over time, out comes what the mass does then.
+
+Seen from the base the mass moves by (3) with minus the base's acceleration as its forcing. A half sine is an arc of a
+cosine, which the integrator has as it is. Between samples of a record the acceleration is an arc of `ARC`, which
+differs from a straight line by less than ARC^2/8 of the samples: one integrator serves all, and switches stay exact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.answer import Answer
+from slowflow.exact.compiled import default_integrator
+from slowflow.exact.integrate import Integrator, limited
+from slowflow.exact.motion import TURN, Forced, Phase, follow, region_of
+from slowflow.mechanism import EquationOfMotion
+from slowflow_kernels import motion
+from slowflow_kernels.exact_conventions import Event
+
+Array = NDArray[np.float64]
+
+#: angle between two samples of a record
+ARC = 1e-3
+#: for how long the free motion is shown: ten periods of the mass on k_v alone
+AFTER = 10 * TURN
+#: turns after which it is given up to see the mass turn twice
+MOST_TURNS = 3000
+#: points along a phase at which the acceleration is looked at; about the largest, so many rounds of as many
+POINTS, ROUNDS = 17, 3
+#: phases whose largest acceleration may be that of all, among those points
+NEAR = 0.95
+#: share of a peak from which on one is as high: the first of them is told
+SAME = 1 - 1e-12
+
+
+class Arc(NamedTuple):
+    """The base's acceleration over a stretch of tau: -F cos(theta + Omega tau), F >= 0."""
+
+    span: float
+    Omega: float
+    F: float
+    theta: float
+
+
+class Stretch(NamedTuple):
+    """A stretch of tau from `since` on under one arc, whose angle is `theta` there, in its phases."""
+
+    since: float
+    theta: float
+    forced: Forced
+    phases: list[Phase]
+
+    def tau(self, theta: Any) -> Any:
+        """The time at angles of the arc."""
+        return self.since + (theta - self.theta) / self.forced.Omega
+
+
+class Series(NamedTuple):
+    """A motion over time: place and speed of the mass as seen from the base, accelerations of mass and base."""
+
+    tau: Array
+    u: Array
+    v: Array
+    a: Array
+    base: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Transient(Answer):
+    """What a mass at rest does when its base is accelerated. All quantities dimensionless; accelerations in k_v L/m.
+
+    A, tau_A      -- largest |u|, the deflection of the springs, and when it is reached
+    a_max, tau_a  -- largest acceleration of the mass, as seen by who stands still, and when
+    detaches      -- whether the springs leave, |u| > u_cr; tau_detaches -- when first, None if never
+    rests         -- whether friction holds the mass at the end of what was followed, at u_end
+    message       -- what to bear in mind
+    stretches     -- the motion in its phases
+
+    `series` gives the motion over time.
+    """
+
+    A: float
+    tau_A: float
+    a_max: float
+    tau_a: float
+    detaches: bool
+    tau_detaches: float | None
+    rests: bool
+    u_end: float
+    message: str
+    stretches: tuple[Stretch, ...] = field(repr=False)
+
+    def series(self, samples: int = 400) -> Series:
+        """The motion at `samples` equal steps from the pulse's beginning to the end of what was followed."""
+        first, last = self.stretches[0], self.stretches[-1]
+        tau = np.linspace(first.since, last.tau(last.phases[-1].end), samples)
+        out = np.zeros((4, samples))
+        begins = np.array([stretch.tau(phase.theta) for stretch, phase in self._phases()])
+        which = np.clip(np.searchsorted(begins, tau, side="right") - 1, 0, None)
+        for number, (stretch, phase) in enumerate(self._phases()):
+            here = np.flatnonzero(which == number)
+            if here.size:
+                theta = stretch.theta + stretch.forced.Omega * (tau[here] - stretch.since)
+                out[:, here] = _states(stretch.forced, phase, np.clip(theta, phase.theta, phase.end))
+        return Series(tau, *out)
+
+    def _phases(self) -> Iterator[tuple[Stretch, Phase]]:
+        return ((stretch, phase) for stretch in self.stretches for phase in stretch.phases)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw u over tau into Matplotlib axes, or new ones, and return these; tinted beyond u_cr."""
+        from slowflow import pictures
+
+        force = self.stretches[0].forced.system.force
+        return pictures.history(ax, *self.series(2000)[:2], force.breakpoints, ("tau", "u"))
+
+
+def half_sine(acceleration: float, duration: float) -> tuple[Arc, ...]:
+    """acceleration sin(pi tau/duration) up to the duration."""
+    return (Arc(duration, math.pi / duration, abs(acceleration), math.copysign(0.5 * math.pi, acceleration)),)
+
+
+def record(tau: Array, acceleration: Array) -> tuple[Arc, ...]:
+    """The acceleration through samples; shapes (n,), tau rising."""
+    before, after = -acceleration[:-1], -acceleration[1:]
+    # F cos theta at both ends of the arc
+    across = (before * math.cos(ARC) - after) / math.sin(ARC)
+    spans = np.diff(tau)
+    columns = (spans, ARC / spans, np.hypot(before, across), np.arctan2(across, before))
+    return tuple(Arc(*row) for row in zip(*(column.tolist() for column in columns), strict=True))
+
+
+@limited()
+def transient(
+    system: EquationOfMotion,
+    arcs: Sequence[Arc],
+    *,
+    begin: float = 0.0,
+    after: float = AFTER,
+    integrator: Integrator | None = None,
+) -> Transient:
+    """The motion from rest at u = 0 under the arcs, and freely for `after` when they are over.
+
+    It is followed until the mass has turned twice since, or friction holds it: a free motion only loses energy, so that
+    A and a_max are the largest for all time. Raises ArithmeticError where the motion escapes a softening spring,
+    chatters where the force jumps, or does not turn.
+    """
+    stretches = list(_followed(system, arcs, begin, after, integrator or default_integrator(system)))
+    phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]
+    last = phases[-1][1]
+    # between switches u is monotone
+    A = max(abs(phase.u_end) for _, phase in phases)
+    tau_A = next(stretch.tau(phase.end) for stretch, phase in phases if abs(phase.u_end) >= A * SAME)
+    off = next((stretch.tau(phase.theta) for stretch, phase in phases if phase.region != 0), None)
+    a_max, tau_a = _largest_acceleration(phases)
+    return Transient(A, tau_A, a_max, tau_a, off is not None, off, last.slip == 0, last.u_end, "", tuple(stretches))
+
+
+def _followed(
+    system: EquationOfMotion, arcs: Sequence[Arc], tau: float, after: float, integrator: Integrator
+) -> Iterator[Stretch]:
+    u = v = 0.0
+    for arc in arcs:
+        stretch = _under(Forced(system, arc.Omega, arc.F, integrator), tau, arc, u, v)
+        u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
+        tau += arc.span
+        yield stretch
+    over, turned = tau + after, 0
+    for _ in range(MOST_TURNS):
+        free = Arc(max(over - tau, TURN), 1.0, 0.0, 0.0)
+        stretch = _under(Forced(system, free.Omega, free.F, integrator), tau, free, u, v)
+        u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
+        tau += free.span
+        yield stretch
+        turned += sum(phase.event == Event.STOP for phase in stretch.phases)
+        # a mass that is damped much creeps back, and turns once at most
+        if tau >= over and (turned >= 2 or stretch.phases[-1].slip == 0 or abs(v) <= abs(u) * 1e-9):
+            return
+    raise ArithmeticError(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
+
+
+def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:
+    """The motion from (u, v) on under one arc."""
+    end = arc.theta + arc.Omega * arc.span
+    region = region_of(forced.system, u)
+    if arc.F == 0.0 and v == 0.0 and abs(forced.piece(region).value(u)) <= forced.system.mu:
+        rest = Phase(0, region, arc.theta, u, 0.0, end, u, 0.0, Event.TIME)
+        return Stretch(tau, arc.theta, forced, [rest])
+    return Stretch(tau, arc.theta, forced, follow(forced, arc.theta, u, v, end))
+
+
+def _states(forced: Forced, phase: Phase, theta: Array) -> Array:
+    """u, v, acceleration of the mass and of the base at angles within a phase that do not fall: shape (4, n)."""
+    base = -forced.F_0 * np.cos(theta)
+    if phase.slip == 0:
+        return np.array([np.full(theta.size, phase.u), np.zeros(theta.size), base, base])
+    drive, piece = forced.drive(phase.slip), forced.piece(phase.region)
+    u, v = forced.integrator.sample(piece, drive, phase.theta, phase.u, phase.v, theta).T
+    # seen by who stands still the forcing is no force
+    a = motion.acceleration(0.0, v, drive.F_0, drive.zeta, drive.friction, piece(u))
+    return np.array([u, v, a, base])
+
+
+def _largest_acceleration(phases: list[tuple[Stretch, Phase]]) -> tuple[float, float]:
+    """The largest |a| and its time: looked for at points of each phase, then ever nearer to the largest of these."""
+    found = []
+    for stretch, phase in phases:
+        theta = np.linspace(phase.theta, phase.end, POINTS)
+        a = np.abs(_states(stretch.forced, phase, theta)[2])
+        found.append((float(a.max()), stretch, phase, theta, int(a.argmax())))
+    most = max(one[0] for one in found)
+    largest, at = 0.0, 0.0
+    for value, stretch, phase, theta, k in found:
+        if value < NEAR * most:
+            continue
+        for _ in range(ROUNDS):
+            theta = np.linspace(theta[max(k - 1, 0)], theta[min(k + 1, theta.size - 1)], 2 * POINTS)
+            a = np.abs(_states(stretch.forced, phase, theta)[2])
+            k = int(a.argmax())
+        if a[k] * SAME > largest:
+            largest, at = float(a[k]), float(stretch.tau(theta[k]))
+    return largest, at

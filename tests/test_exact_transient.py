@@ -1,0 +1,225 @@
+"""Shocks of the base: against closed forms, another integrator, energy, and what a record of the same pulse says."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import cumulative_trapezoid, solve_ivp
+from scipy.optimize import brentq
+
+from slowflow import Duffing, Isolator, exact
+from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
+from slowflow.exact.compiled import SCIPY
+from slowflow.paper.example import isolator
+
+MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+
+
+def undamped(acceleration, duration):
+    """Largest |u| of u'' + u = -a sin(p tau) up to the duration, free after it: closed forms in each span."""
+    p = math.pi / duration
+    if abs(p - 1) < 1e-12:  # at resonance the pulse ends with the largest swing
+        return acceleration * math.pi / 2
+    after = abs(2 * p / (1 - p * p) * math.cos(math.pi / (2 * p)))
+    # u' = 0 where cos(p tau) = cos(tau)
+    turns = (2 * math.pi * k / (1 + sign * p) for k in range(1, 50) for sign in (1, -1) if sign * p != -1)
+    during = [
+        (math.sin(p * tau) - p * math.sin(tau)) / (1 - p * p)
+        for tau in map(abs, turns)
+        if tau <= duration * (1 + 1e-12)
+    ]
+    return acceleration * max([after, *map(abs, during)])
+
+
+@pytest.mark.parametrize("duration", [0.01, 0.3, 1.0, 2.0, math.pi, 4.0, 7.0, 12.0, 25.0])
+def test_the_shock_spectrum_of_a_linear_undamped_mount_is_the_closed_form(duration):
+    found = Duffing(1.0, 0.0).shock_spectrum(acceleration=0.3, duration=duration)
+    expected = undamped(0.3, duration)
+    assert found.A[0] == pytest.approx(expected, rel=1e-11)
+    # without damping the spring alone moves the mass
+    assert found.a_max[0] == pytest.approx(expected, rel=1e-11) and found.ratio[0] == found.a_max[0] / 0.3
+
+
+def stops(found):
+    """Places where the mass turns, in order, and whether it rests in the end."""
+    phases = [phase for stretch in found.stretches for phase in stretch.phases if phase.slip]
+    return [phase.u_end for phase in phases if phase.v_end == 0.0]
+
+
+def test_after_a_shock_friction_takes_off_4_mu_over_k_in_each_cycle_until_it_holds_the_mass():
+    mu, k = 0.01, 2.5
+    system = EquationOfMotion(Duffing(k, 0.0, mu=mu).restoring_force(), mu, 0.0)
+    found = transient(system, half_sine(0.4, 1.0), after=200.0)
+    turning = np.abs([u for u in stops(found)])
+    first = int(turning.argmax())
+    free = turning[first:]
+    assert free.size > 5 and free[0] == found.A
+    np.testing.assert_allclose(free[2:] - free[:-2], -4 * mu / k, rtol=0, atol=1e-13)
+    # it is held at the first turn that the spring cannot leave
+    assert found.rests and abs(found.u_end) <= mu / k < free[-2] and abs(found.u_end) == free[-1]
+
+
+def by_scipy(iso, acceleration, duration, end):
+    """A and a_max by events of SciPy on (3) as it is written, with its switches as events; the force by its formula."""
+    f, mu, zeta = iso.restoring_force(), iso.mu, iso.zeta
+    time, state, sign, A, largest = 0.0, np.zeros(2), 0.0, 0.0, 0.0
+
+    def base(t):
+        return acceleration * math.sin(math.pi * t / duration) if t < duration else 0.0
+
+    def contact(y, slip):
+        return f.value(y[0]) if y[0] >= 0 else -f.value(-y[0]), 2 * zeta * y[1] + mu * slip
+
+    while time < end:
+        push = -base(time) - contact(state, 0)[0]
+        if sign == 0:
+            if abs(push) <= mu:  # held until the push passes friction, if it ever does
+                excess = lambda t, u=state: abs(base(t) + contact(u, 0)[0]) - mu  # noqa: E731
+                later = next((t for t in np.linspace(time, duration, 4001) if excess(t) > 0), end)
+                held, time = time, later if later == end else brentq(excess, max(time, later - 2e-3), later)
+                largest = max(largest, *(abs(base(t)) for t in np.linspace(held, time, 200)))
+                state[1] = 0.0
+                if time < end:
+                    sign = math.copysign(1.0, -base(time) - contact(state, 0)[0])
+                continue
+            sign = math.copysign(1.0, push)
+        stop = lambda t, y, s=sign: y[1] * s  # noqa: E731
+        edges = [lambda t, y, u=u: y[0] - u for u in (-iso.u_cr, iso.u_cr)]
+        stop.terminal, stop.direction = True, -1
+        for edge in edges:
+            edge.terminal = True
+        until = duration if time < duration else end
+        rates = lambda t, y, s=sign: (y[1], -base(t) - sum(contact(y, s)))  # noqa: E731
+        off = (0.0, sign) if state[1] == 0 else (math.copysign(1.0, state[1]), 0.0)
+        nudged = state + 1e-12 * np.array(off)
+        done = solve_ivp(
+            rates, (time, until), nudged, "DOP853", events=[stop, *edges], rtol=1e-11, atol=1e-13, max_step=0.02
+        )
+        A = max(A, np.abs(done.y[0]).max())
+        largest = max(largest, max(abs(sum(contact(y, sign))) for y in done.y.T))
+        time, state = float(done.t[-1]), done.y[:, -1].copy()
+        if done.t_events[0].size:
+            state[1], sign = 0.0, 0.0
+    return A, largest
+
+
+@pytest.mark.parametrize(("acceleration", "duration"), [(0.05, 2.0), (0.4, 1.5), (-0.3, 6.0)])
+def test_peaks_are_those_of_another_integrator_with_sticking_and_springs_that_leave(acceleration, duration):
+    iso = isolator()
+    found = iso.transient(acceleration=acceleration, duration=duration)
+    A, a_max = by_scipy(iso, acceleration, duration, duration + 8.0)
+    assert found.A == pytest.approx(A, rel=1e-6) and found.a_max == pytest.approx(a_max, rel=2e-4)
+    assert found.detaches == (A > iso.u_cr)
+
+
+def test_the_integrator_of_scipy_sees_the_same():
+    system = isolator().equation_of_motion()
+    ours, theirs = (transient(system, half_sine(0.4, 1.5), integrator=one) for one in (None, SCIPY))
+    assert (ours.A, ours.a_max, ours.u_end) == pytest.approx((theirs.A, theirs.a_max, theirs.u_end), rel=1e-10)
+
+
+def test_a_record_of_a_pulse_does_what_the_pulse_does():
+    """Between samples it is straight: what is missing shrinks with the square of their distance."""
+    iso = isolator()
+    pulse = iso.transient(acceleration=0.4, duration=1.5)
+    away = []
+    for samples in (101, 201):
+        tau = np.linspace(0, 1.5, samples)
+        found = iso.transient(tau=tau + 3.0, acceleration=0.4 * np.sin(math.pi * tau / 1.5))
+        away.append(abs(found.A / pulse.A - 1))
+        assert found.tau_A - 3.0 == pytest.approx(pulse.tau_A, rel=1e-3)
+        assert found.series().tau[0] == 3.0
+    assert away[0] < 2e-4 and away[1] == pytest.approx(away[0] / 4, rel=0.05)
+
+
+def test_a_record_is_straight_between_its_samples():
+    """A ramp and a step that stays, on a linear undamped spring: u = -(tau - sin tau)/10 on the ramp."""
+    system = EquationOfMotion(linear(), 0.0, 0.0)
+    found = transient(system, record(np.array([0.0, 2.0, 3.0]), np.array([0.0, 0.2, 0.2])), after=0.0)
+    tau, u, v, a, base = found.series(301)
+    ramp = tau <= 2.0
+    np.testing.assert_allclose(u[ramp], -0.1 * (tau - np.sin(tau))[ramp], atol=1e-7)
+    np.testing.assert_allclose(base[tau <= 3.0], np.interp(tau[tau <= 3.0], [0, 2, 3], [0, 0.2, 0.2]), atol=1e-7)
+    np.testing.assert_allclose(a, -u, atol=1e-12)
+    assert np.all(base[tau > 3.0] == 0) and v[0] == 0
+
+
+def test_a_mass_that_friction_holds_moves_with_its_base():
+    found = isolator().transient(acceleration=0.011, duration=5.0)
+    assert (found.A, found.rests, found.detaches) == (0.0, True, False)
+    assert found.a_max == pytest.approx(0.011, rel=1e-9) and found.tau_a == pytest.approx(2.5, rel=1e-4)
+
+
+def test_the_motion_over_time_loses_energy_to_damper_and_friction_alone():
+    """Free motion of a cubic spring: kinetic and potential energy fall by what 2 zeta v^2 + mu |v| takes."""
+    iso = Duffing(1.0, 2.0, mu=0.01, zeta=0.03)
+    found = iso.transient(acceleration=0.5, duration=1.0)
+    tau, u, v, *_ = found.series(20001)
+    free = tau >= 1.0
+    tau, u, v = tau[free], u[free], v[free]
+    energy = v**2 / 2 + u**2 / 2 + 2 * u**4 / 4
+    lost = cumulative_trapezoid(0.06 * v**2 + 0.01 * np.abs(v), tau, initial=0.0)
+    np.testing.assert_allclose(energy, energy[0] - lost, atol=1e-7)
+    assert abs(found.A - np.abs(found.series(20001).u).max()) < 1e-6 and found.rests
+
+
+def test_each_row_of_a_spectrum_and_each_design_of_a_batch_is_a_shock():
+    iso = isolator()
+    found = iso.shock_spectrum(acceleration=[[0.1], [0.5]], duration=[1.0, 2.0, 4.0])
+    assert len(found) == 6
+    for row in found:
+        one = iso.transient(acceleration=row.acceleration, duration=row.duration)
+        assert (row.A, row.a_max, row.detaches) == (one.A, pytest.approx(one.a_max, rel=1e-12), one.detaches)
+    zeta = np.array([0.02, 0.1, -1.0])
+    designs = Isolator.many(lam=3, r=iso.r, delta_h=iso.delta_h, mu=iso.mu, zeta=zeta)
+    batch = designs.shock_spectrum(acceleration=np.array([[0.1], [0.5]]), duration=2.0)
+    assert batch.A.shape == (2, 3) and batch.status.tolist() == [[0, 0, 1]] * 2 and np.isnan(batch.A[:, 2]).all()
+    assert batch.A[:, 0].tolist() == found.A[[1, 4]].tolist() and (batch.A[:, 1] < batch.A[:, 0]).all()
+    assert batch.detaches[:, 0].tolist() == found.detaches[[1, 4]].tolist()
+
+
+def test_a_shock_in_si_units_is_that_of_the_mount():
+    """A stiff pulse, far shorter than the period: the mass keeps still while the base moves on by a speed."""
+    mount = Isolator.physical(**{**MOUNT, "friction": 0, "zeta": 0, "preload": 0})  # linear, 2500 N/m
+    a, T = 50.0, 1e-4
+    found = mount.transient(acceleration=a, duration=T)
+    speed, rate = 2 * a * T / math.pi, math.sqrt(2500 / 12)
+    assert found.A == pytest.approx(speed / rate, rel=1e-5) and found.a_max == pytest.approx(speed * rate, rel=1e-5)
+    assert found.t_A == pytest.approx(math.pi / 2 / rate, rel=1e-3)
+    assert found.units["a_max"] == "m/s^2" and found.in_units("g").a_max == pytest.approx(found.a_max / 9.80665)
+    mount = Isolator.physical(**MOUNT)
+    rows = mount.shock_spectrum(acceleration=20.0, duration=[0.011, 0.1])
+    assert [row.A for row in rows] == [mount.transient(acceleration=20.0, duration=T).A for T in (0.011, 0.1)]
+    t = np.linspace(0, 0.011, 200)
+    again = mount.transient(acceleration=20 * np.sin(math.pi * t / 0.011), t=t)
+    assert again.A == pytest.approx(rows.A[0], rel=1e-4) and again.t.shape == again.x.shape == (400,)
+
+
+def test_what_is_no_shock_is_refused():
+    iso, mount = isolator(), Isolator.physical(**MOUNT)
+    for call, said in (
+        (lambda: iso.transient(acceleration=0.1), "either its duration"),
+        (lambda: iso.transient(acceleration=0.1, duration=1.0, tau=[0, 1]), "either its duration"),
+        (lambda: iso.transient(acceleration=0.1, duration=-1.0), "duration = -1"),
+        (lambda: iso.transient(acceleration=[0.1, 0.2], tau=[1.0, 0.5]), "tau rising"),
+        (lambda: iso.transient(acceleration=[0.1, 0.2, 0.1], tau=[1.0, 1.5]), r"\(2,\) and \(3,\)"),
+        (lambda: iso.shock_spectrum(acceleration=-0.1, duration=1.0), "acceleration = -0.1"),
+        (lambda: mount.transient(acceleration=20.0, duration="11 ms"), "duration = '11 ms'"),
+    ):
+        with pytest.raises(ValueError, match=said):
+            call()
+    with pytest.raises(ArithmeticError, match="escapes"):
+        Duffing(1.0, -1.0, zeta=0.05).transient(acceleration=3.0, duration=3.0)
+    assert "push-rod stands vertical" in iso.transient(acceleration=3.0, duration=3.0).message
+
+
+def test_a_shock_and_a_spectrum_are_drawn():
+    pytest.importorskip("matplotlib")
+    found = isolator().transient(acceleration=0.5, duration=2.0)
+    told = {text.get_text() for text in found.plot().get_legend().get_texts()}
+    assert told == {"beyond $u_{cr}$"}
+    ax = isolator().shock_spectrum(acceleration=[[0.1], [0.5]], duration=[1.0, 2.0]).plot()
+    assert {"0.1", "0.5", "springs leave"} <= {text.get_text() for text in ax.get_legend().get_texts()}
+    assert exact.Transient is type(found)
