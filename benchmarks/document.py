@@ -73,7 +73,7 @@ def peers_table(rows: list[dict[str, Any]]) -> list[str]:
     cells = []
     for row in rows:
         name = f"{row['peer']} ({', '.join(f'{k} {v}' for k, v in row.get('versions', {}).items())})"
-        name = name.removesuffix(" ()")
+        name = name.removesuffix(" ()") + (f"; {row['earlier']}" if "earlier" in row else "")
         if "failure" in row:
             cells.append((name, row.get("variant", ""), "-", "-", "-", "-", row["failure"]))
             continue

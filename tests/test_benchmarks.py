@@ -8,6 +8,7 @@ import pytest
 
 from benchmarks import certified, document, work_precision
 from benchmarks.peers import problem
+from benchmarks.peers.__main__ import with_earlier
 from slowflow.paper.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
@@ -63,3 +64,17 @@ def test_quantities_in_words() -> None:
     assert document.quantity(math.pi, "s") == "3.14 s"
     assert document.quantity(2e6, "a second") == "2.00e6 a second"
     assert document.quantity(float(np.float64(0)), "MB") == "0 MB"
+
+
+def test_a_peer_that_cannot_be_installed_keeps_its_last_measured_rows() -> None:
+    """And says so; one that ran and failed has no time, whatever it had before."""
+    measured = {"peer": "AUTO", "what": "continuation", "variant": "large steps", "seconds": 1.0}
+    before = {"environment": {"processor": "another"}, "rows": [measured, {**measured, "peer": "ran"}]}
+    missing = {"peer": "AUTO", "what": "continuation", "failure": "does not install: there is no gfortran"}
+    ran = {"peer": "ran", "what": "", "variant": "large steps", "failure": "no answer"}
+    new = {"peer": "new", "what": "", "failure": "does not install"}
+    rows = with_earlier([missing, ran, new], before)
+    note = "measured earlier, on another; now: does not install: there is no gfortran"
+    assert rows == [{**measured, "earlier": note}, ran, new]
+    (again,) = with_earlier([missing], {"environment": {"processor": "a third"}, "rows": [rows[0]]})
+    assert again["earlier"] == note

@@ -23,7 +23,7 @@ from benchmarks import certified, document, environment
 from benchmarks.remote import ROOT, Failure, Remote, in_turn
 
 ENVIRONMENTS = ROOT / ".venv-peers"
-PEERS = ("slowflow", "numba", "bifpy", "scipy", "pyharm", "pydstool", "skhippr")
+PEERS = ("slowflow", "numba", "bifpy", "scipy", "pyharm", "mousai", "oscilate", "pydstool", "skhippr")
 #: the longest that an installation may take, in seconds
 PATIENCE = 900
 #: a fold is found if its Omega is right to this part
@@ -115,6 +115,19 @@ def measure(peers: list[str], rounds: int) -> list[dict[str, Any]]:
     return list(rows.values())
 
 
+def with_earlier(rows: list[dict[str, Any]], before: dict[str, Any]) -> list[dict[str, Any]]:
+    """The rows, and for a peer that could not be run those that were last measured of it, which say so as `earlier`."""
+    kept = []
+    for row in rows:
+        earlier = [old for old in before.get("rows", ()) if old["peer"] == row["peer"] and "seconds" in old]
+        if "failure" in row and "variant" not in row and earlier:
+            note = f"measured earlier, on {before['environment']['processor']}; now: {row['failure']}"
+            kept += [{"earlier": note, **old} for old in earlier]
+        else:
+            kept.append(row)
+    return kept
+
+
 def main() -> None:
     """Measure, print, write."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -123,8 +136,10 @@ def main() -> None:
     parser.add_argument("--results", type=Path, default=document.RESULTS, help="folder for peers.json")
     parser.add_argument("--docs", type=Path, default=document.DOCS, help="folder for benchmarks.md")
     options = parser.parse_args()
-    rows = measure(list(options.peers), options.rounds)
-    document.save(options.results / "peers.json", {"environment": environment.describe(), "rows": rows})
+    kept = options.results / "peers.json"
+    before = json.loads(kept.read_text()) if kept.exists() else {}
+    rows = with_earlier(measure(list(options.peers), options.rounds), before)
+    document.save(kept, {"environment": environment.describe(), "rows": rows})
     print("\n".join(document.peers_table(rows)))
     document.write(options.results, options.docs)
 
