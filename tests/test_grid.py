@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import pickle
 import signal
@@ -474,13 +475,19 @@ def test_the_second_approximation_proves_nothing(tmp_path):
 
 
 def test_a_mechanism_that_other_processes_cannot_find_is_refused(tmp_path):
-    import dataclasses
-
-    own = dataclasses.replace(rod_spring.MECHANISM, reach=0.5)
+    own = dataclasses.replace(rod_spring.MECHANISM, hardening=lambda *parameters: (0.0,))
     designs = Oscillator.many(own, lam=3, r=axis("r", R), delta_h=0.1)
     assert designs.peak(0.05)["A"].shape == (7,)
     with pytest.raises(ValueError, match="cannot be sent to other processes"):
         designs.store(Path(tmp_path) / "map.zarr", "detachment")
+
+
+def test_a_map_of_a_record_that_was_changed_is_another_map(tmp_path):
+    of = {"lam": 3, "r": axis("r", R), "delta_h": 0.1}
+    Oscillator.many(rod_spring.MECHANISM, **of).store(tmp_path / "map.zarr", "detachment")
+    own = dataclasses.replace(rod_spring.MECHANISM, reach=0.5)
+    with pytest.raises(ValueError, match="begun with others.*record"):
+        Oscillator.many(own, **of).store(tmp_path / "map.zarr", "detachment")
 
 
 def test_nothing_of_it_is_imported_before_it_is_needed():

@@ -19,6 +19,7 @@ from types import ModuleType
 from typing import Any
 
 from slowflow_support.backend import NATIVE, BackendWarning
+from slowflow_support.record import Mechanism
 
 __all__ = ["EXACT", "KERNELS", "NAME", "SOLVER", "BackendWarning", "compiled_model", "record_of", "solver"]
 
@@ -42,13 +43,13 @@ EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions run on SciP
 NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
 
 
-def record_of(mechanism: str) -> Any:
-    """The compiled record of a mechanism, None where there is none: its solvers are NumPy's then."""
-    return None if SOLVER is None else SOLVER.RECORDS.get(mechanism)
+def record_of(mechanism: Mechanism) -> Any:
+    """The compiled record of a mechanism, None where there is none of this very one: its solvers are NumPy's then."""
+    return SOLVER.RECORDS.get(mechanism.name) if SOLVER is not None and mechanism.is_generated else None
 
 
 def compiled_model(
-    mechanism: str, parameters: tuple[float, ...], damping: tuple[float, float], design: tuple[float, ...]
+    mechanism: Mechanism, parameters: tuple[float, ...], damping: tuple[float, float], design: tuple[float, ...]
 ) -> Any:
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism."""
     record = record_of(mechanism)

@@ -56,7 +56,7 @@ class Derived:
     @property
     def compiled(self) -> bool:
         """Whether the compiled solvers have its record."""
-        return backend.record_of(self.record.name) is not None
+        return backend.record_of(self.record) is not None
 
     def __call__(self, *, mu: float = 0.0, zeta: float = 0.0, **design: float) -> Oscillator:
         """An oscillator with these numbers: `Oscillator(record, ...)`, whose errors are raised."""
@@ -108,7 +108,7 @@ def mechanism(
         _write(folder, live.sources(stated))
     importlib.invalidate_caches()
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
-    if compile and backend.record_of(record.name) is None:
+    if compile and backend.record_of(record) is None:
         _attach(record.name, _compiled(folder, module))
     return Derived(record, folder, stated)
 

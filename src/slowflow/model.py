@@ -71,7 +71,7 @@ class Model:
             m=float(general_flow.friction(self.mu)),
             breakpoints=tuple(end for end, _ in kept),
             jumps=tuple(jump for _, jump in kept),
-            native=backend.compiled_model(self.mechanism.name, self.parameters, (self.mu, self.zeta), self.design),
+            native=backend.compiled_model(self.mechanism, self.parameters, (self.mu, self.zeta), self.design),
         )
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -7,11 +7,15 @@ Out: `Parameter`, `Scale`, `Law` and `Mechanism`, all immutable. All is dimensio
 from __future__ import annotations
 
 import importlib
+import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from math import isfinite
 from typing import Any, NamedTuple
 
+#: where generated modules are, those that come with the package and those that were derived on this machine
+GENERATED = ("slowflow_kernels", "slowflow_derived")
 #: a generated function of numbers or arrays that broadcast
 Function = Callable[..., Any]
 
@@ -71,7 +75,7 @@ class Law(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
-    """A restoring force u + F_k(u), its average and its parameters.
+    """A restoring force u + F_k(u), its average and its parameters. Two are equal if all that they state is.
 
     name, title -- of the generated module, and one line
     design      -- what a user gives beside the damping
@@ -110,15 +114,46 @@ class Mechanism:
     load_untruncated: Callable[[], Mechanism] | None
     scales: tuple[Scale, ...] = ()
 
+    @cached_property
+    def is_generated(self) -> bool:
+        """Whether a generated module of its name states it, unchanged: only then what is compiled is its own."""
+        module = self._module
+        return module in (f"{package}.{self.name}" for package in GENERATED) and _record_in(module) is self
+
+    @property
+    def _module(self) -> str:
+        return getattr(self.pieces[0].force, "__module__", None) or ""
+
+    def __eq__(self, other: object) -> bool:
+        if self is other:
+            return True
+        return not self._changes(other) if isinstance(other, Mechanism) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
     def __reduce__(self) -> tuple[Any, ...]:
         # compiled functions cannot be pickled: the module that states the record can be imported again
-        return _stated, (self.pieces[0].force.__module__,)
+        stated = _record_in(self._module)
+        if stated is not None:
+            return _stated, (self._module, self._changes(stated))
+        return Mechanism, tuple(getattr(self, field.name) for field in fields(self))
+
+    def _changes(self, other: Mechanism) -> dict[str, Any]:
+        own = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {name: value for name, value in own.items() if value != getattr(other, name)}
 
 
-def _stated(module: str) -> Mechanism:
-    """The record that a generated module states, for pickle."""
+def _record_in(module: str) -> Mechanism | None:
+    """The record that a module states as MECHANISM."""
+    found = getattr(sys.modules.get(module), "MECHANISM", None)
+    return found if isinstance(found, Mechanism) else None
+
+
+def _stated(module: str, changes: dict[str, Any]) -> Mechanism:
+    """The record that a module states, with what was changed in it, for pickle."""
     mechanism: Mechanism = importlib.import_module(module).MECHANISM
-    return mechanism
+    return replace(mechanism, **changes) if changes else mechanism
 
 
 def nothing(*parameters: Any) -> tuple[()]:

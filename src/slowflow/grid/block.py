@@ -55,7 +55,7 @@ class Column(NamedTuple):
 
 def made_by(mechanism: Mechanism) -> dict[str, str]:
     """Which slowflow computes here, and how: two that differ may differ in the last place."""
-    compiled = backend.record_of(mechanism.name) is not None
+    compiled = backend.record_of(mechanism) is not None
     return {"slowflow": __version__, "backend": backend.NAME if compiled else "numpy"}
 
 

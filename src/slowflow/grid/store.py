@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import pickle
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -206,6 +207,8 @@ def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dic
     Of a parameter that is not read the name that dask gives it stands for the content.
     """
     found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, "places": ask.places}
+    # a record that was changed keeps its name
+    found["record"] = hashlib.sha256(pickle.dumps(ask.mechanism)).hexdigest()[:16]
     found |= {"depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
     for name, value in values.items():
         dims = _dims(value, sizes)

@@ -132,7 +132,7 @@ def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:
 
 
 def _is_measured(model: Model) -> bool:
-    return model.mechanism.name in measured.MECHANISMS
+    return model.mechanism.is_generated and model.mechanism.name in measured.MECHANISMS
 
 
 def _truncation(model: Model, A: Floats) -> Floats:

@@ -1,0 +1,61 @@
+"""Records put together or changed by hand: they answer for themselves, and stay what they are through pickle."""
+
+from __future__ import annotations
+
+import dataclasses
+import pickle
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from slowflow.mechanism import Law, Mechanism
+from slowflow.oscillator import Oscillator
+from slowflow_kernels import duffing
+
+
+def _doubled(A, alpha, beta):
+    return duffing.MECHANISM.averaged(A, alpha, 2 * beta)
+
+
+def _doubled_harmonics(A, alpha, beta):
+    return duffing.MECHANISM.harmonics(A, alpha, 2 * beta)
+
+
+def _doubled_intercept(A, alpha, beta):
+    return duffing.MECHANISM.intercept(A, alpha, 2 * beta)
+
+
+def _doubled_coefficients(alpha, beta):
+    return alpha, 2 * beta
+
+
+@pytest.mark.both_backends
+def test_a_record_that_was_changed_answers_for_itself():
+    """Of the same name as a compiled one; its own functions count, singly, in batches and after pickle."""
+    of_force = {"averaged": _doubled, "harmonics": _doubled_harmonics, "intercept": _doubled_intercept}
+    for changed in (
+        dataclasses.replace(duffing.MECHANISM, **of_force),
+        dataclasses.replace(duffing.MECHANISM, coefficients=_doubled_coefficients),
+    ):
+        numbers = {"beta": 0.3, "mu": 0.01, "zeta": 0.05}
+        expected = Oscillator(duffing.MECHANISM, alpha=1.0, **{**numbers, "beta": 0.6})
+        kept = pickle.loads(pickle.dumps(changed))
+        assert kept == changed != duffing.MECHANISM
+        assert hash(kept) == hash(changed)
+        for mechanism in (changed, kept):
+            found = Oscillator(mechanism, alpha=1.0, **numbers).saddle_nodes(0.4)
+            assert_allclose(found.Omega, expected.saddle_nodes(0.4).Omega, rtol=1e-13)
+            assert "not measured" in str(found.validity)
+            many = Oscillator.many(mechanism, alpha=np.array([1.0]), **numbers).saddle_node_onset()
+            assert_allclose(many.F_SN, [expected.saddle_node_onset().F_SN], rtol=1e-13)
+
+
+def test_a_record_of_ones_own_is_pickled_by_its_functions():
+    """It needs no module that states it, as long as its functions have names there."""
+    stated = {field.name: getattr(duffing.MECHANISM, field.name) for field in dataclasses.fields(Mechanism)}
+    law = Law(_doubled_coefficients, _doubled_coefficients)
+    named = ("averaged", "harmonics", "intercept", "breakpoints", "jumps", "hardening")
+    own = Mechanism(**{**stated, "pieces": (law,), **dict.fromkeys(named, _doubled), "load_untruncated": None})
+    assert pickle.loads(pickle.dumps(own)) == own
+    assert pickle.loads(pickle.dumps(duffing.MECHANISM)) is duffing.MECHANISM
