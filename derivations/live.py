@@ -2,7 +2,8 @@
 
 In:  a name, the pieces of u + F_k(u) as SymPy expressions, the parameters.
 Out: `stated`, the `Mechanism` that a file of `mechanisms/` would hold; `sources`, what `emit/` prints for it alone: a
-     Python module, and C headers with a record that the compiled solvers take; `told`, its derivation as a document.
+     Python module, and C headers with a record that the compiled solvers take; `told`, its derivation as a document;
+     `written`, both as files.
 
 Nothing here reads a string as code: forces are SymPy expressions already, and names are names.
 """
@@ -10,6 +11,7 @@ Nothing here reads a string as code: forces are SymPy expressions already, and n
 from __future__ import annotations
 
 import hashlib
+import json
 import keyword
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -23,9 +25,10 @@ from .averaging import averaged
 from .document import document
 from .emit.catalogue.mechanism import mechanism_module
 from .emit.form import Module
-from .emit.provenance import tools
+from .emit.provenance import tools, versions
 from .emit.targets import c, interval, numpy
 from .emit.views import programs
+from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter, Piece
 from .results import of_mechanism
 from .slow_flow import slow_flow
@@ -36,6 +39,7 @@ _k_v, _L = sp.symbols("k_v L", positive=True)
 #: what a parameter may not be called: it has that meaning already
 TAKEN = {"u", "A", "Omega", *(parameter.symbol.name for parameter in (*DAMPING, FORCING))}
 HERE = Path(__file__).parent
+DOCUMENT = "derivation.md"
 
 
 @dataclass(frozen=True)
@@ -142,6 +146,22 @@ def told(mechanism: Mechanism) -> str:
     """Its derivation as Markdown with LaTeX."""
     equations = averaged()
     return document(of_mechanism(mechanism), equations, slow_flow(equations))
+
+
+def written(mechanism: Mechanism, folder: Path) -> list[str]:
+    """All that is printed and told of it as files in a folder, in which an earlier run's are replaced; their names."""
+    printed = sources(mechanism)
+    name = printed.name
+    files = {**printed.headers, f"{name}.c": printed.record, f"{name}.py": printed.python, DOCUMENT: told(mechanism)}
+    content = {
+        "command": "slowflow derive",
+        "mechanism": {"name": name, "title": mechanism.title},
+        "versions": versions(),
+        "files": {file: hashlib.sha256(text.encode()).hexdigest() for file, text in sorted(files.items())},
+    }
+    files[MANIFEST] = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    write(files, folder)
+    return sorted(files)
 
 
 def name_of(mechanism: Mechanism) -> str:

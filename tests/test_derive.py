@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import math
 import os
 import pickle
+import runpy
+import shlex
+import shutil
 import subprocess
 import sys
+import sysconfig
 
 import mpmath as mp
 import numpy as np
@@ -16,6 +22,7 @@ from scipy.integrate import solve_ivp
 
 import slowflow_derived
 from slowflow import Duffing, backend, derive
+from slowflow.cli import main
 
 u, k_1, k_2, gap, alpha, beta = sp.symbols("u k_1 k_2 gap alpha beta")
 ABOVE_0 = {"above": 0}
@@ -154,6 +161,61 @@ def test_its_derivation_reads_as_a_document(stop):
     assert names[-2:] == ["h", "h_A"]
     for k, (_, _, value) in enumerate(rows):
         assert not [later for later in names[k:-2] if len(later) > 1 and later in value]
+
+
+PROGRAM = """
+import sympy as sp
+from slowflow import derive
+
+u, k_1, k_2, gap = sp.symbols("u k_1 k_2 gap")
+above_0 = {"above": 0}
+stop = derive.mechanism(
+    "stop", [(k_1 * u, gap), (k_1 * u + k_2 * (u - gap), None)], {"k_1": above_0, "k_2": above_0, "gap": above_0}
+)
+"""
+
+
+def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
+    """A module that answers by itself, C that compiles against the package's headers, a document, hashes of all."""
+    (tmp_path / "mine.py").write_text(PROGRAM)
+    assert main(["derive", str(tmp_path / "mine.py"), "-o", str(tmp_path / "out")]) == 0
+    folder = tmp_path / "out" / "stop"
+    names = {path.name for path in folder.iterdir()}
+    printed = capsys.readouterr().out
+    assert all(name in printed for name in names)
+    manifest = json.loads((folder / "MANIFEST.json").read_text())
+    assert names == {*manifest["files"], "MANIFEST.json"}
+    for name, kept in manifest["files"].items():
+        assert hashlib.sha256((folder / name).read_bytes()).hexdigest() == kept
+    assert "Equation of motion" in (folder / "derivation.md").read_text()
+    (module,) = folder.glob("stop_*.py")
+    kernels = runpy.run_path(str(module))
+    k_1, k_2, gap = (NUMBERS[name] for name in ("k_1", "k_2", "gap"))
+    h = kernels["MECHANISM"].averaged(0.5, *kernels["MECHANISM"].coefficients(k_1, k_2, gap))[0]
+    assert math.isclose(h, average(0.5), rel_tol=1e-14)
+    compiler = shlex.split(sysconfig.get_config_var("CC") or "cc")
+    if shutil.which(compiler[0]):
+        headers = [f"-I{place}" for place in (folder, *derive.include())]
+        source = folder / f"{module.stem}.c"
+        done = subprocess.run([*compiler, "-std=c11", "-fsyntax-only", *headers, str(source)], capture_output=True)
+        assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("program", "words"),
+    [
+        ("x = 1", "keeps no mechanism"),
+        (PROGRAM.replace("(k_1 * u, gap)", "(k_1 * u * j, gap)"), "mine.py, line 8: NameError: name 'j'"),
+        (PROGRAM.replace('"stop",', '"no name",'), "line 7: ValueError: name = 'no name' is not allowed"),
+        (None, "no such file"),
+    ],
+)
+def test_a_program_that_derives_nothing_is_told_why(tmp_path, capsys, program, words):
+    if program is not None:
+        (tmp_path / "mine.py").write_text(program)
+    assert main(["derive", str(tmp_path / "mine.py"), "-o", str(tmp_path / "out")]) == 2
+    assert words in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
 
 
 def test_floats_in_a_force_are_the_decimals_that_were_written(folder):

@@ -486,7 +486,7 @@ def test_a_map_of_a_record_that_was_changed_is_another_map(tmp_path):
     of = {"lam": 3, "r": axis("r", R), "delta_h": 0.1}
     Oscillator.many(rod_spring.MECHANISM, **of).store(tmp_path / "map.zarr", "detachment")
     own = dataclasses.replace(rod_spring.MECHANISM, reach=0.5)
-    with pytest.raises(ValueError, match="begun with others.*record"):
+    with pytest.raises(ValueError, match=r"begun with others.*record"):
         Oscillator.many(own, **of).store(tmp_path / "map.zarr", "detachment")
 
 

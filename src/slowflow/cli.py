@@ -5,8 +5,10 @@ from __future__ import annotations
 import argparse
 import importlib.metadata
 import platform
+import runpy
 import sys
 import time
+import traceback
 from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
@@ -153,6 +155,32 @@ def explain_scene(given: argparse.Namespace) -> int:
     return 0
 
 
+def derive_mechanisms(given: argparse.Namespace) -> int:
+    """Run a Python program, and write kernels, C, document and manifest of each mechanism that it derives."""
+    # here, not above: it opens the door to the derivation
+    from slowflow.derive import Derived
+
+    program = given.program
+    if not program.is_file():
+        print(f"{program}: there is no such file", file=sys.stderr)
+        return 2
+    try:
+        kept = runpy.run_path(str(program))
+    except Exception as error:  # the user's program may raise anything
+        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(program)]
+        where = f"{program}, line {lines[-1]}" if lines else program
+        print(f"{where}: {type(error).__name__}: {error}", file=sys.stderr)
+        return 2
+    found = [value for value in kept.values() if isinstance(value, Derived)]
+    if not found:
+        print(f"{program} keeps no mechanism: give what slowflow.derive.mechanism returns a name", file=sys.stderr)
+        return 2
+    for mechanism in dict.fromkeys(found):
+        folder = given.out / mechanism.stated_name
+        print(f"{folder}: {', '.join(mechanism.write(folder))}")
+    return 0
+
+
 def new_scene(given: argparse.Namespace) -> int:
     """Write the starter; 2 where there is a file of that name."""
     try:
@@ -208,6 +236,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     figures.add_argument("--out", type=Path, default=Path("output"), help="folder for the figures")
     add_certify(commands)
     add_scenes(commands)
+    derive = commands.add_parser("derive", help="kernels, C and derivation of mechanisms that a Python program states")
+    derive.add_argument("program", type=Path, help="a Python file that calls slowflow.derive.mechanism; it is run")
+    derive.add_argument("-o", "--out", type=Path, metavar="DIR", default=Path("derived"), help="default: %(default)s")
     given = parser.parse_args(arguments)
     try:
         return COMMANDS[given.command](given)
@@ -259,6 +290,7 @@ def draw(folder: Path, names: Sequence[str] = ()) -> bool:
 
 
 COMMANDS = {
+    "derive": derive_mechanisms,
     "info": print_info,
     "paper": print_paper,
     "figures": draw_figures,

@@ -54,6 +54,12 @@ class Derived:
         self._stated = stated
 
     @property
+    def stated_name(self) -> str:
+        """The name that it was given; the record's has a hash of all that it follows from."""
+        name: str = self._stated.name
+        return name
+
+    @property
     def compiled(self) -> bool:
         """Whether the compiled solvers have its record."""
         return backend.record_of(self.record) is not None
@@ -70,6 +76,15 @@ class Derived:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
         text: str = _derivation().told(self._stated)
         return text
+
+    def write(self, folder: Path) -> list[str]:
+        """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
+
+        A Python module of kernels on NumPy, C headers (which include those of `include()`), a C source with the record
+        that the solvers take, derivation.md, MANIFEST.json with a hash of each. Files of an earlier run are replaced.
+        """
+        names: list[str] = _derivation().written(self._stated, Path(folder))
+        return names
 
     def __repr__(self) -> str:
         names = ", ".join(parameter.name for parameter in self.record.design)
