@@ -18,6 +18,7 @@ FLOORS = (
     ("physical",),
     ("oscillator",),
     ("grid",),
+    ("loads_many",),
     ("exact", "second", "loads"),
     ("averaged",),
     ("results",),
@@ -25,7 +26,7 @@ FLOORS = (
     ("answer",),
     ("model",),
     ("validate",),
-    ("mechanism", "backend", "pictures", "version"),
+    ("mechanism", "backend", "pictures", "progress", "version"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

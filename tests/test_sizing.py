@@ -9,9 +9,9 @@ import pytest
 from scipy.optimize import brentq
 from scipy.stats import norm
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, progress
 from slowflow.paper.example import isolator
-from slowflow.sizing import fit, meet, sobol, tolerances
+from slowflow.sizing import fit, front, meet, sobol, tolerances
 
 MOUNT = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
 #: of a mount, by single questions
@@ -23,7 +23,10 @@ SINGLE = {
     "f_peak": lambda mount: mount.peak(5).f,
     "f_jump_up": lambda mount: mount.saddle_nodes(5).f[0],
     "f_jump_down": lambda mount: mount.saddle_nodes(5).f[-1],
+    "f_band": lambda mount: float(np.ptp(mount.saddle_nodes(5).f)),
     "f_isolation": lambda mount: mount.isolation(5).f,
+    "A_shock": lambda mount: mount.transient(acceleration=20, duration=0.02).A,
+    "a_shock": lambda mount: mount.transient(acceleration=20, duration=0.02).a_max,
 }
 WITHIN = {"m": 0.02, "k_v": 0.03, "k_h": 0.05, "L": 0.01, "preload": 0.05, "friction": 0.3, "zeta": 0.2}
 
@@ -32,14 +35,14 @@ WITHIN = {"m": 0.02, "k_v": 0.03, "k_h": 0.05, "L": 0.01, "preload": 0.05, "fric
 
 
 def test_each_sample_is_the_answer_of_that_mount():
-    found = tolerances(MOUNT, WITHIN, F=5, answers=SINGLE, samples=12)
+    found = tolerances(MOUNT, WITHIN, F=5, shock=(20, 0.02), answers=SINGLE, samples=12)
     for k in range(12):
         one = MOUNT.replace(**{name: values[k] for name, values in found.drawn.items()})
         for name, single in SINGLE.items():
             assert found.samples[name][k] == pytest.approx(single(one), rel=1e-11), name
     for row in found:
         assert row.nominal == pytest.approx(SINGLE[row.answer](MOUNT), rel=1e-12) and row.share == 1
-    units = {"F_SN": "N", "F_cr": "N", "A_peak": "m"}
+    units = {"F_SN": "N", "F_cr": "N", "A_peak": "m", "A_shock": "m", "a_shock": "m/s^2"}
     assert [row.unit for row in found] == [units.get(row.answer, "Hz") for row in found]
 
 
@@ -106,6 +109,12 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: meet(MOUNT, {"k_h": (2, 1)}, at_least={"F_SN": 1}), r"k_h\[1\] = 1 is not allowed"),
         (lambda: fit(MOUNT, A=[0.1] * 3, F=5, f=[1, 2, 3]), "3 points are too few for 4 numbers"),
         (lambda: fit(MOUNT, A=[0.1] * 9), "f and F are needed"),
+        (lambda: fit(MOUNT, F=[4, 5]), "either measured amplitudes A, or jump_up or jump_down"),
+        (lambda: fit(MOUNT, F=[4, 5], jump_up=[2.1]), "jump_up is not allowed: it must have a frequency"),
+        (lambda: fit(MOUNT, jump_up=[2.1]), "F is needed"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_shock"]), "A_shock needs a shock of the base: give shock"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, shock=20), "it must be a pair"),
+        (lambda: front(MOUNT, {"k_h": (1, 2)}, high=["F_SN"]), "front needs two answers"),
     ]
     for call, said in refused:
         with pytest.raises(ValueError, match=said):
@@ -147,7 +156,6 @@ def test_several_requirements_are_met_as_single_questions_see_them():
     assert found.reached["A_peak"] == pytest.approx(one.peak(5).A)
 
 
-@pytest.mark.slow
 def test_isolation_can_be_required():
     found = meet(MOUNT, {"preload": (0.002, 0.03)}, at_most={"f_isolation": 2.6}, F=2)
     assert found.feasible and MOUNT.isolation(2).f > 2.8
@@ -162,6 +170,59 @@ def test_what_cannot_be_met_names_the_binding_requirement():
     )
     for k_h in np.linspace(500, 2500, 50):  # none does
         assert MOUNT.replace(k_h=k_h).saddle_node_onset().F_SN < 8
+
+
+# ---- trade-offs -----------------------------------------------------------------------------------------------------
+
+
+def test_no_design_is_better_than_one_of_the_front_in_both_answers():
+    """Against designs drawn at random between the same ends."""
+    free = {"k_h": (500.0, 2500.0), "preload": (0.002, 0.02)}
+    found = front(MOUNT, free, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 3.0}, points=5)
+    draw = np.random.default_rng(2)
+    k_h, preload = draw.uniform(500, 2500, 20_000), draw.uniform(0.002, 0.02, 20_000)
+    tried = tolerances(
+        MOUNT, {"k_h": Given(k_h), "preload": Given(preload)}, answers=["F_SN", "F_cr", "f_rest"], samples=20_000
+    )
+    F_SN, F_cr, f_rest = tried.samples.values()
+    allowed = F_cr >= 3.0
+    assert len(found) >= 4 and (np.diff(found.one) > 0).all() and (np.diff(found.other) > 0).all()
+    for k, (one, other) in enumerate(found):
+        design = found.design(k)
+        assert (one, other) == pytest.approx((design.saddle_node_onset().F_SN, design.at_rest().f_0), rel=1e-11)
+        assert design.detachment().F_cr >= 3.0 * (1 - 1e-8)
+        assert not (allowed & (F_SN > one * 1.002) & (f_rest < other * 0.998)).any(), k
+    # and it goes as far as any
+    assert found.one[-1] >= 0.998 * F_SN[allowed].max() and found.other[0] <= 1.002 * f_rest[allowed].min()
+    assert found.columns().keys() == {"F_SN", "f_rest", "k_h", "preload"} and str(found).startswith("F_SN/N")
+
+
+class Given:
+    """Values as they are, in place of a distribution."""
+
+    def __init__(self, values):
+        self.values = values
+
+    def ppf(self, share):
+        return self.values
+
+
+def test_a_front_that_no_design_allows_names_the_binding_requirement():
+    found = front(MOUNT, {"k_h": (500, 2500)}, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 80.0})
+    assert len(found) == 0 and "the binding requirement is F_cr >= 80 N" in found.message
+
+
+# ---- progress -------------------------------------------------------------------------------------------------------
+
+
+def test_what_takes_long_says_how_far_it_is_and_only_to_who_asks(monkeypatch):
+    said = []
+    monkeypatch.setattr(progress, "EVERY", 0.0)
+    with progress.shown(said.append):
+        tolerances(MOUNT, {"k_h": 0.05}, answers=["F_cr"], samples=6000)
+    assert said == ["tolerances: 0 %", "tolerances: 33 %", "tolerances: 66 %"]
+    tolerances(MOUNT, {"k_h": 0.05}, answers=["F_cr"], samples=6000)
+    assert len(said) == 3
 
 
 # ---- fits ----------------------------------------------------------------------------------------------------------
@@ -191,6 +252,32 @@ def test_intervals_hold_the_true_numbers_in_95_of_100_fits():
         found = fit(MOUNT, f=f, F=2.5, A=A + 2e-5 * random.standard_normal(f.size))
         held += [row.low < TRUE[row.parameter] < row.high for row in found]
     assert 0.87 < np.mean(held) < 1.0
+
+
+def test_a_fit_to_jumps_recovers_the_numbers_behind_those_of_the_equation_of_motion():
+    """Folds of the exact curve, which no averaging is in; and of averaging itself, without noise, exactly."""
+    forces = [3.0, 3.5, 4.0, 5.0, 7.0]
+    rate = MOUNT.scales.sizes["frequency"]
+    exact = np.array([MOUNT.saddle_nodes(force).answer.measure().Omega for force in forces]) * rate
+    found = fit(MOUNT.replace(**START), F=forces, jump_up=exact[:, 0], jump_down=exact[:, -1])
+    for row in found:  # friction says least of itself
+        assert row.value == pytest.approx(TRUE[row.parameter], rel=0.25 if row.parameter == "friction" else 0.05), row
+    assert found.residuals.size == 10 and found.names == ("F/N", "measured less fitted f/Hz")
+    averaged = np.array([MOUNT.saddle_nodes(force).f for force in forces])
+    seen = np.where(np.arange(5) == 2, np.nan, averaged[:, 1])
+    found = fit(MOUNT.replace(**START), F=forces, jump_up=averaged[:, 0], jump_down=seen)
+    assert found.value.tolist() == pytest.approx(list(TRUE.values()), rel=1e-6) and found.residuals.size == 9
+
+
+def test_residuals_of_a_fit_are_drawn_at_their_frequencies():
+    pytest.importorskip("matplotlib")
+    f = np.linspace(1.2, 4.0, 12)
+    A = np.array([MOUNT.amplitudes(f=x, F=2.5).A[0] for x in f])
+    found = fit(MOUNT, f=f, F=2.5, A=A * (1 + 1e-3 * np.sin(np.arange(12))), free=["zeta"])
+    ax = found.plot()
+    points = ax.get_lines()[-1].get_xydata()
+    assert points.tolist() == np.column_stack([f, found.residuals]).tolist()
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("f/Hz", "measured less fitted A/m")
 
 
 def test_a_fit_without_dimensions_and_without_noise_is_exact():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import importlib.metadata
 import platform
 import runpy
@@ -15,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import slowflow
-from slowflow import backend, files
+from slowflow import backend, files, progress
 from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
 from slowflow.scenes import STARTER, Asked, Scene, SceneError, read
@@ -87,6 +88,7 @@ def add_scenes(commands: Any) -> None:
     report.add_argument(
         "-o", "--out", type=Path, metavar="FILE", default=Path("report.html"), help="default: %(default)s"
     )
+    report.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
     new = commands.add_parser("new", help="write a commented scene to begin with")
     new.add_argument("scene", type=Path, nargs="?", default=Path("scene.toml"), help="default: %(default)s")
 
@@ -96,16 +98,14 @@ def run_scene(given: argparse.Namespace) -> int:
     scene = _read(given.scene)
     answers: list[tuple[Asked, Answer]] = []
     failed = []
-    for asked in scene.asked:
-        begun = time.perf_counter()
-        try:
-            answers.append((asked, scene.answer(asked)))
-        except (ValueError, ArithmeticError) as error:
-            failed.append({"question": asked.question, **asked.arguments, "error": str(error)})
-            print(f"{asked}: {error}", file=sys.stderr)
-        took = time.perf_counter() - begun
-        if not given.quiet and took > 1:
-            print(f"{asked}: {took:.1f} s", file=sys.stderr)
+    with contextlib.nullcontext() if given.quiet else progress.shown():
+        for asked in scene.asked:
+            try:
+                with progress.named(str(asked)):
+                    answers.append((asked, scene.answer(asked)))
+            except (ValueError, ArithmeticError) as error:
+                failed.append({"question": asked.question, **asked.arguments, "error": str(error)})
+                print(f"{asked}: {error}", file=sys.stderr)
     content = {**provenance(scene), "answers": [told(*one) for one in answers], "failed": failed}
     if given.json:
         print(files.in_json(content), end="")
@@ -203,12 +203,14 @@ def write_report(given: argparse.Namespace) -> int:
     from slowflow import report
 
     try:
-        page = report.html(scene)
+        with contextlib.nullcontext() if given.quiet else progress.shown(), progress.named(f"report of {given.scene}"):
+            page = report.html(scene)
     except ValueError as error:
         print(error, file=sys.stderr)
         return 2
     files.write(given.out, page)
-    print(f"{given.out} is written", file=sys.stderr)
+    if not given.quiet:
+        print(f"{given.out} is written", file=sys.stderr)
     return 0
 
 

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from slowflow import exact, loads
     from slowflow.exact.shocks import Shocks
     from slowflow.grid.designs import Grid
+    from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins
     from slowflow.second import SecondApproximation
     from slowflow.second.many import SecondDesigns
 
@@ -310,6 +311,24 @@ class Designs(many.Designs):
         from slowflow.second.many import SecondDesigns
 
         return SecondDesigns(self)
+
+    def margins(self, F_0: Any, *, workers: int = 1) -> ManyMargins:
+        """How far F_0, which broadcasts with the designs, is from F_SN and F_cr of each; see `Oscillator.margins`."""
+        from slowflow import loads_many
+
+        return loads_many.margins(self, F_0, workers)
+
+    def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> ManyBands:
+        """Bands with several stable motions at F_0, of each design; `Status.TOO_MANY` where they exceed `places`."""
+        from slowflow import loads_many
+
+        return loads_many.hysteresis(self, F_0, places, workers)
+
+    def isolation(self, F_0: Any, *, workers: int = 1) -> ManyIsolations:
+        """The frequency from which on less than F_0 is transmitted, of each design; see `Oscillator.isolation`."""
+        from slowflow import loads_many
+
+        return loads_many.isolation(self, F_0, workers)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Shocks:
         """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.

@@ -227,6 +227,24 @@ def shocks(ax: Any, columns: Mapping[str, Values], names: tuple[str, str, str]) 
     return ax
 
 
+def front(ax: Any, x: Values, y: Values, names: tuple[str, str]) -> Any:
+    """A trade-off: a point for each design, in order."""
+    ax = axes(ax)
+    ax.plot(x, y, color=COLOURS[0], linewidth=1.0, marker="o", markersize=5)
+    ax.set(xlabel=label(names[0]), ylabel=label(names[1]))
+    return ax
+
+
+def residuals(ax: Any, x: Values, y: Values, deviation: float, names: tuple[str, str]) -> Any:
+    """What a fit leaves, over where it was measured; tinted within two standard deviations."""
+    ax = axes(ax)
+    ax.axhspan(-2 * deviation, 2 * deviation, color=DETACHED, zorder=-3, linewidth=0)
+    ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
+    ax.plot(x, y, linestyle="none", marker="o", markersize=4, color=COLOURS[0])
+    ax.set(xlabel=label(names[0]), ylabel=label(names[1]))
+    return ax
+
+
 def design_map(ax: Any, x: tuple[str, Values], y: tuple[str, Values], values: tuple[str, Values]) -> Any:
     """A number of each design over two of its parameters: each a name and values; grey where there is no answer.
 

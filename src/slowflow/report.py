@@ -23,7 +23,7 @@ from slowflow.answer import Answer, head
 from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical, Quantities
 from slowflow.scenes import Scene
-from slowflow.sizing.subject import Subject
+from slowflow.sizing.subject import Load, Subject
 
 #: equations of the paper that the answers rest on
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")
@@ -139,7 +139,7 @@ def _map(subject: Subject) -> Iterator[str]:
         return
     share = np.linspace(1 - REACH, 1 + REACH, MAPPED)
     columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
-    values = subject.ask({x: columns[None, :], y: rows[:, None]}, ["F_SN"], None)["F_SN"]
+    values = subject.ask({x: columns[None, :], y: rows[:, None]}, ["F_SN"], Load(None, None))["F_SN"]
     unit = {"F_SN": subject.unit("F_SN")} if subject.mount else {}
     scale, of_y = (1e3, f"{y}/mm") if subject.mount else (1.0, y)
     ax = pictures.design_map(

@@ -1,6 +1,6 @@
 """Sizing: what tolerances do to a design, which design meets requirements, which numbers a measurement says.
 
-In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `tolerances`, `sobol`, `meet`, `fit`.
+In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `tolerances`, `sobol`, `meet`, `front`, `fit`.
 
 Answers that can be asked for, of a mount; frequencies of an isolator without dimensions begin with Omega_ for f_:
 
@@ -8,11 +8,14 @@ Answers that can be asked for, of a mount; frequencies of an isolator without di
     f_rest       -- natural frequency of small motions
     A_peak, f_peak -- the highest peak at the forcing: 0 where the mass sticks, inf where it has no bound
     f_jump_up, f_jump_down -- the lowest fold that a sweep leaves upwards, the highest that it leaves downwards
-    f_isolation  -- from which frequency on less than the forcing is transmitted: design by design, so only if named
+    f_band       -- how wide the bands with several stable motions are, 0 where there are none
+    f_isolation  -- from which frequency on less than the forcing is transmitted
+    A_shock, a_shock -- the largest deflection and the largest acceleration of the mass in a half sine of the base, by
+                    the equation of motion: some two thousand designs in a second
 """
 
 from slowflow.sizing.fitting import fit
-from slowflow.sizing.requirements import meet
+from slowflow.sizing.requirements import front, meet
 from slowflow.sizing.tolerances import sobol, tolerances
 
-__all__ = ["fit", "meet", "sobol", "tolerances"]
+__all__ = ["fit", "front", "meet", "sobol", "tolerances"]

@@ -1,4 +1,4 @@
-"""A fit: in goes a measured response curve, out come the isolator's numbers with confidence intervals.
+"""A fit: in go a measured response curve or jump frequencies, out come an isolator's numbers with confidence intervals.
 
 By SciPy's least squares on the averaged states; of several motions at a frequency the one nearest to the measured one
 counts.
@@ -6,7 +6,7 @@ counts.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
@@ -19,7 +19,7 @@ from slowflow import validate
 from slowflow.answer import Table
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
-from slowflow.sizing.subject import Subject
+from slowflow.sizing.subject import Subject, first_jump
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
 CONFIDENCE = 0.95
@@ -44,7 +44,8 @@ class Fit(Table):
     value     -- the number, in SI units of a mount
     error     -- its standard error; low, high -- its 95 % confidence interval
     design    -- the isolator or the mount that has these numbers
-    residuals -- measured less fitted amplitude at each point, in the order of the points
+    residuals -- measured less fitted amplitude, or jump frequency, at each point, in the order of the points; up first
+    at        -- the frequency, or the forcing, of each point; names -- of `at` and `residuals`, with their units
     deviation -- standard deviation of the residuals, with as many degrees of freedom as points less numbers
     correlation -- of the numbers, shape (n, n)
     """
@@ -58,27 +59,39 @@ class Fit(Table):
     high: Floats
     design: Any = field(repr=False)
     residuals: Floats
+    at: Floats
+    names: tuple[str, str]
     deviation: float
     correlation: Floats
     message: str
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the residuals into Matplotlib axes, or new ones, and return these; tinted within two deviations."""
+        from slowflow import pictures
+
+        return pictures.residuals(ax, self.at, self.residuals, self.deviation, self.names)
 
 
 def fit(
     of: Any,
     *,
-    A: Any,
+    A: Any = None,
     F: Any = None,
     f: Any = None,
     F_0: Any = None,
     Omega: Any = None,
+    jump_up: Any = None,
+    jump_down: Any = None,
     free: Sequence[str] | None = None,
 ) -> Fit:
-    """Numbers of an isolator from measured amplitudes.
+    """Numbers of an isolator from measured amplitudes, or from the frequencies at which it jumps.
 
     of       -- an `Isolator`, or a mount in SI units: where the search begins, and what is not free
     A        -- measured amplitudes, in m of a mount
     F, f     -- the forces and frequencies at which they were measured, of a mount, in N and Hz; they broadcast with A
     F_0, Omega -- the same of an isolator
+    jump_up, jump_down -- instead of A: the frequency at which it jumped at each force, up and down, in Hz of a mount;
+                one or both, NaN where it was not seen
     free     -- names of the numbers to find; by default friction, damping, stiffness and preload of the springs
 
     Noise is taken to be normal and the same at all points; intervals know of noise alone, not that averaging is an
@@ -86,32 +99,45 @@ def fit(
     than free numbers, and ArithmeticError where the points do not determine these.
     """
     subject = Subject(of)
-    mount = isinstance(of, Physical)
-    given = {"f": f, "F": F} if mount else {"Omega": Omega, "F_0": F_0}
-    if any(value is None for value in given.values()):
-        raise ValueError(f"{' and '.join(given)} are needed: where the amplitudes were measured")
-    points = {**{name: validate.positive_array(name, value) for name, value in given.items()}}
-    points["A"] = validate.positive_array("A", A)
-    shape = validate.common_shape(points)
-    at, forcing, measured = (np.broadcast_to(values, shape).ravel() for values in points.values())
+    if (A is None) == (jump_up is None and jump_down is None):
+        raise ValueError("a fit needs either measured amplitudes A, or jump_up or jump_down")
+    if A is None:
+        measured = _jumps(subject, F if subject.mount else F_0, jump_up, jump_down)
+    else:
+        measured = _amplitudes(subject, {"f": f, "F": F} if subject.mount else {"Omega": Omega, "F_0": F_0}, A)
     damping = "c" if "c" in subject.nominal else "zeta"
-    default = ["friction", damping, "k_h", "preload"] if mount else ["mu", "zeta", "r", "delta_h"]
-    names = default if free is None else list(free)
+    default = ["friction", damping, "k_h", "preload"] if subject.mount else ["mu", "zeta", "r", "delta_h"]
+    return _fitted(subject, measured, default if free is None else list(free))
+
+
+@dataclass(frozen=True)
+class _Measured:
+    """What was measured: values, where, what a design has there, and the names of both."""
+
+    values: Floats
+    at: Floats
+    of_design: Callable[[Any], Floats]
+    names: tuple[str, str]
+
+
+def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
+    """The numbers that leave the least squares."""
     subject.check_varied(names)
-    if measured.size <= len(names):
-        raise ValueError(f"{measured.size} points are too few for {len(names)} numbers")
+    size = measured.values.size
+    if size <= len(names):
+        raise ValueError(f"{size} points are too few for {len(names)} numbers")
     start = np.array([subject.nominal[name] or FROM_NOTHING for name in names])
 
     def residuals(x: Floats) -> Floats:
-        """Measured less nearest amplitude; what is no design, or does not move, has amplitude 0."""
+        """Measured less what the design has; what is no design, or does not move or jump, has 0."""
         try:
             design = subject.of.replace(**dict(zip(names, (x * start).tolist(), strict=True)))
         except ValueError:
-            return measured.copy()
-        return measured - _nearest(design, at, forcing, measured)
+            return measured.values.copy()
+        return measured.values - measured.of_design(design)
 
     found = least_squares(residuals, np.ones(len(names)), bounds=(LEAST, MOST), x_scale="jac", xtol=1e-12, ftol=1e-12)
-    left = measured.size - len(names)
+    left = size - len(names)
     deviation = float(np.sqrt(2 * found.cost / left))
     try:
         covariance = np.linalg.inv(found.jac.T @ found.jac) * deviation**2
@@ -123,7 +149,46 @@ def fit(
     design = subject.of.replace(**dict(zip(names, value.tolist(), strict=True)))
     message = "" if found.success else f"the search did not end: {found.message}"
     columns = (np.array(names), value, error, value - half, value + half)
-    return Fit(*columns, design, np.asarray(found.fun), deviation, correlation, message)
+    return Fit(*columns, design, np.asarray(found.fun), measured.at, measured.names, deviation, correlation, message)
+
+
+def _amplitudes(subject: Subject, given: Mapping[str, Any], A: Any) -> _Measured:
+    """Amplitudes at frequencies and forcings."""
+    if any(value is None for value in given.values()):
+        raise ValueError(f"{' and '.join(given)} are needed: where the amplitudes were measured")
+    points = {name: validate.positive_array(name, value) for name, value in {**given, "A": A}.items()}
+    shape = validate.common_shape(points)
+    at, forcing, measured = (np.broadcast_to(values, shape).ravel() for values in points.values())
+    names = ("f/Hz", "measured less fitted A/m") if subject.mount else (next(iter(given)), "measured less fitted A")
+    return _Measured(measured, at, lambda design: _nearest(design, at, forcing, measured), names)
+
+
+def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
+    """Frequencies of jumps at forcings."""
+    force, frequency = ("F", "f/Hz") if subject.mount else ("F_0", "Omega")
+    if forcing is None:
+        raise ValueError(f"{force} is needed: at which it jumped")
+    forces = validate.positive_array(force, forcing).ravel()
+    seen = []
+    for name, value in (("jump_up", up), ("jump_down", down)):
+        row = np.full(forces.size, np.nan) if value is None else validate.real_array(name, value).astype(float)
+        if row.shape != forces.shape or (row <= 0).any() or np.isinf(row).any():
+            raise ValueError(f"{name} is not allowed: it must have a frequency > 0, or NaN, for each {force}")
+        seen.append(row)
+    measured = np.array(seen)
+    there = ~np.isnan(measured)
+
+    def of_design(design: Any) -> Floats:
+        """0 where the design does not jump."""
+        mount = isinstance(design, Physical)
+        isolator, units = (design.oscillator, design.scales.sizes) if mount else (design, None)
+        F_0 = forces / units["force"] if units else forces
+        folds = type(isolator).many(**isolator.given).saddle_nodes(F_0)
+        found = np.array([first_jump(folds, True), first_jump(folds, False)]) * (units["frequency"] if units else 1.0)
+        return np.asarray(np.nan_to_num(found)[there])
+
+    names = (f"{force}/N" if subject.mount else force, f"measured less fitted {frequency}")
+    return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_design, names)
 
 
 def _nearest(design: Any, at: Floats, forcing: Floats, measured: Floats) -> Floats:

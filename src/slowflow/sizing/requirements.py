@@ -1,21 +1,23 @@
 """Inverse design: in go a design, free numbers and what is required, out comes the nearest design that has it.
 
-By SciPy's differential evolution over the batch questions, from a seed: each generation is one batch.
+Where two answers pull apart: the designs of which none is better in one without being worse in the other. By SciPy's
+differential evolution over the batch questions, from a seed: each generation is one batch.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from functools import partial
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from slowflow import validate
-from slowflow.answer import Answer
+from slowflow import progress, validate
+from slowflow.answer import Answer, Table, head
 from slowflow.mechanism import Floats
-from slowflow.sizing.subject import Subject
+from slowflow.sizing.subject import Load, Subject
 
 #: what a violation counts, in distances from the design as it is
 PENALTY = 1e3
@@ -24,6 +26,8 @@ MET = 1e-9
 #: members of a generation for each free number, and generations
 MEMBERS, GENERATIONS = 15, 300
 INFEASIBLE = "infeasible: the binding requirement is {}; as near as all of them can be had it is {:.4g}"
+#: points of a front, and by how much an end may miss the best that there is
+POINTS, SLACK = 9, 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +52,121 @@ class Met(Answer):
         return hash((self.design, self.binding))
 
 
+class Compromise(NamedTuple):
+    """A row of `Front`: the two answers."""
+
+    one: float
+    other: float
+
+
+@dataclass(frozen=True, eq=False)
+class Front(Table):
+    """Designs of which none is better in one answer without being worse in the other, by rising `one`.
+
+    one, other -- the two answers, in SI units of a mount
+    answers    -- their names; units -- theirs, "" without dimensions
+    numbers    -- the free numbers of each design, by name
+    message    -- which requirement cannot be met where there is none
+    """
+
+    entry: ClassVar[Any] = Compromise
+
+    one: Floats
+    other: Floats
+    answers: tuple[str, str]
+    units: tuple[str, str]
+    numbers: Mapping[str, Floats]
+    message: str
+    _of: Any = field(repr=False)
+
+    def __hash__(self) -> int:
+        return hash((self.answers, self.one.tobytes(), self.other.tobytes()))
+
+    def design(self, k: int) -> Any:
+        """The isolator or the mount of a row."""
+        return self._of.replace(**{name: float(values[k]) for name, values in self.numbers.items()})
+
+    def columns(self) -> dict[str, Any]:
+        """The two answers under their names, and the free numbers."""
+        return {self.answers[0]: self.one, self.answers[1]: self.other, **self.numbers}
+
+    def units_of_columns(self) -> Mapping[str, str]:
+        """Of the answers, where they have one."""
+        return {name: unit for name, unit in zip(self.answers, self.units, strict=True) if unit}
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the one answer over the other into Matplotlib axes, or new ones, and return these."""
+        from slowflow import pictures
+
+        units = self.units_of_columns()
+        return pictures.front(ax, self.one, self.other, (head(self.answers[0], units), head(self.answers[1], units)))
+
+
+class _Search:
+    """Free numbers, requirements, and the designs that meet these."""
+
+    def __init__(
+        self, subject: Subject, free: Mapping[str, Any], at_least: Any, at_most: Any, load: Load, seed: int
+    ) -> None:
+        self.subject, self.load, self.seed = subject, load, seed
+        wanted = [(name, limit, 1.0) for name, limit in (at_least or {}).items()]
+        wanted += [(name, limit, -1.0) for name, limit in (at_most or {}).items()]
+        self.names = subject.answered([name for name, _, _ in wanted], load)
+        self.wanted = [(name, validate.number(name, limit, above=0.0), sign) for name, limit, sign in wanted]
+        subject.check_varied(free)
+        self.free = list(free)
+        ends = [validate.window(name, pair) for name, pair in free.items()]
+        self.low, self.high = np.array(ends, dtype=float).reshape(-1, 2).T
+        self.start = np.array([subject.nominal[name] for name in free])
+
+    def answers(self, values: Floats, names: Iterable[str]) -> dict[str, Floats]:
+        """Answers of designs, values of shape (numbers, designs)."""
+        return self.subject.ask(dict(zip(self.free, values, strict=True)), dict.fromkeys(names), self.load)
+
+    def short(self, values: Floats) -> Floats:
+        """How far each requirement is from being met, as a share of its limit: shape (requirements, designs)."""
+        found = self.answers(values, self.names)
+        rows = [np.zeros(values.shape[1])]
+        for name, limit, sign in self.wanted:
+            share = sign * (1 - np.minimum(found[name] / limit, 1e6))
+            rows.append(np.where(np.isnan(share), 1.0, np.maximum(share, 0.0)))
+        return np.array(rows)[1:]
+
+    def least(self, cost: Callable[[Floats], Floats], begin: Floats | None = None) -> Floats:
+        """The free numbers with the least cost, a function of (numbers, designs), among those that meet all."""
+
+        def whole(x: Floats) -> Floats:
+            values = x.reshape(len(self.free), -1)
+            missed = self.short(values).sum(axis=0)
+            return np.asarray(np.where(missed > MET, PENALTY * (1 + missed), 0.0) + cost(values))
+
+        found = differential_evolution(
+            whole,
+            list(zip(self.low, self.high, strict=True)),
+            x0=np.clip(self.start if begin is None else begin, self.low, self.high),
+            popsize=MEMBERS,
+            maxiter=GENERATIONS,
+            tol=1e-8,
+            rng=self.seed,
+            polish=False,
+            updating="deferred",
+            vectorized=True,
+        )
+        return np.asarray(found.x)
+
+    def binding(self, x: Floats) -> tuple[str, str]:
+        """The requirement that a design misses most, and what to say of it; empty where it meets all."""
+        if not self.wanted:
+            return "", ""
+        missed = self.short(x.reshape(-1, 1))[:, 0]
+        if missed.max() <= MET:
+            return "", ""
+        name, limit, sign = self.wanted[int(missed.argmax())]
+        unit = f" {self.subject.unit(name)}" if self.subject.unit(name) else ""
+        binding = f"{name} {'>=' if sign > 0 else '<='} {limit:g}{unit}"
+        return binding, INFEASIBLE.format(binding, float(self.answers(x.reshape(-1, 1), [name])[name][0]))
+
+
 def meet(
     of: Any,
     free: Mapping[str, tuple[float, float]],
@@ -56,6 +175,7 @@ def meet(
     at_most: Mapping[str, float] | None = None,
     F: float | None = None,
     F_0: float | None = None,
+    shock: tuple[float, float] | None = None,
     seed: int = 0,
 ) -> Met:
     """The design nearest to `of` that meets requirements.
@@ -64,57 +184,101 @@ def meet(
     free     -- by name, the lowest and the highest value of each number that may change; distances are shares of that
     at_least, at_most -- by name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed
     F, F_0   -- the forcing, F of a mount in N, F_0 of an isolator
+    shock    -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
 
     An answer that a design does not have meets nothing; F_SN and F_cr are infinite where there is no such forcing.
     Where no design meets all, `.feasible` is False and `.message` names the binding requirement. Raises ValueError for
     what is not allowed.
     """
     subject = Subject(of)
-    forcing = subject.forcing(F, F_0)
-    wanted = [(name, limit, 1.0) for name, limit in (at_least or {}).items()]
-    wanted += [(name, limit, -1.0) for name, limit in (at_most or {}).items()]
-    names = subject.answered([name for name, _, _ in wanted], forcing)
-    wanted = [(name, validate.number(name, limit, above=0.0), sign) for name, limit, sign in wanted]
-    subject.check_varied(free)
-    if not wanted or not free:
+    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, shock), seed)
+    if not search.wanted or not free:
         raise ValueError("meet needs at least one requirement and one free number")
-    ends = {name: validate.window(name, pair) for name, pair in free.items()}
-    low, high = np.array(list(ends.values())).T
-    start = np.array([subject.nominal[name] for name in free])
+    x = search.least(lambda values: (((values.T - search.start) / (search.high - search.low)) ** 2).sum(axis=1))
+    numbers = dict(zip(free, x.tolist(), strict=True))
+    reached = {name: float(values[0]) for name, values in search.answers(x.reshape(-1, 1), search.names).items()}
+    binding, message = search.binding(x)
+    return Met(subject.of.replace(**numbers), not binding, numbers, reached, binding, message)
 
-    def short(values: Floats) -> Floats:
-        """How far each requirement is from being met, as a share of its limit: shape (requirements, designs)."""
-        found = subject.ask(dict(zip(free, values, strict=True)), dict.fromkeys(names), forcing)
+
+def front(
+    of: Any,
+    free: Mapping[str, tuple[float, float]],
+    *,
+    high: Iterable[str] = (),
+    low: Iterable[str] = (),
+    at_least: Mapping[str, float] | None = None,
+    at_most: Mapping[str, float] | None = None,
+    F: float | None = None,
+    F_0: float | None = None,
+    shock: tuple[float, float] | None = None,
+    points: int = POINTS,
+    seed: int = 0,
+) -> Front:
+    """The trade-off between two answers: designs none of which is better in one without being worse in the other.
+
+    of, free, at_least, at_most, F, F_0, shock -- as in `meet`; no requirement is needed
+    high, low -- names of answers that are to be high, and low: two in all
+    points    -- how many designs along the front
+
+    The best of one answer, then the best of the other at each of several levels of the first. Where no design meets the
+    requirements there is no row, and `.message` names the binding one. Raises ValueError for what is not allowed.
+    """
+    subject = Subject(of)
+    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, shock), seed)
+    pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
+    if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:
+        raise ValueError("front needs two answers, in high or in low, and at least one free number")
+    names = one, other = (pair[0][0], pair[1][0])
+    subject.answered(names, search.load)
+    points = validate.count("points", points, least=2)
+    nominal = subject.ask({}, names, search.load)
+    size = {name: v if np.isfinite(v := float(nominal[name])) and v > 0 else 1.0 for name in names}
+
+    def worth(values: Floats) -> Floats:
+        """From 0, the best, to 1: rising functions of what is to be low, bounded as no force may be high enough."""
+        found = search.answers(values, names)
         rows = []
-        for name, limit, sign in wanted:
-            share = sign * (1 - np.minimum(found[name] / limit, 1e6))
-            rows.append(np.where(np.isnan(share), 1.0, np.maximum(share, 0.0)))
+        for name, sign in pair:
+            with np.errstate(invalid="ignore"):
+                share = np.where(np.isinf(found[name]), 1.0, found[name] / (found[name] + size[name]))
+            rows.append(np.where(np.isnan(share), 1.0, 1 - share if sign > 0 else share))
         return np.array(rows)
 
-    def cost(values: Floats) -> Floats:
-        away = (((values.T - start) / (high - low)) ** 2).sum(axis=1)
-        missed = short(values).sum(axis=0)
-        return np.asarray(np.where(missed > MET, PENALTY * (1 + missed), 0.0) + away)
+    best = [search.least(lambda values: worth(values)[0]), search.least(lambda values: worth(values)[1])]
+    _, message = search.binding(best[0])
+    if message:
+        none = np.empty(0)
+        return Front(none, none.copy(), (one, other), _units(subject, names), dict.fromkeys(free, none), message, of)
+    (least, _), (most, _) = (worth(x.reshape(-1, 1))[:, 0].tolist() for x in best)
+    found = [best[1]]
+    for part in progress.parts(points - 1, 1, "front"):
+        level = least + (most - least) * part.start / (points - 1) + SLACK * (most - least)
+        found.append(search.least(partial(_beneath, worth, level), best[0]))
+    values = np.array(found).T
+    kept = list(_undominated(worth(values)))
+    answers = search.answers(values[:, kept], names)
+    order = np.argsort(answers[one])
+    numbers = {name: row[kept][order] for name, row in zip(free, values, strict=True)}
+    columns = (answers[one][order], answers[other][order])
+    return Front(*columns, (one, other), _units(subject, names), numbers, "", of)
 
-    found = differential_evolution(
-        lambda x: cost(x.reshape(len(free), -1)),
-        list(zip(low, high, strict=True)),
-        x0=np.clip(start, low, high),
-        popsize=MEMBERS,
-        maxiter=GENERATIONS,
-        tol=1e-8,
-        rng=seed,
-        polish=False,
-        updating="deferred",
-        vectorized=True,
-    )
-    numbers = dict(zip(free, found.x.tolist(), strict=True))
-    missed = short(found.x.reshape(-1, 1))[:, 0]
-    reached = {name: float(values) for name, values in subject.ask(numbers, names, forcing).items()}
-    binding, message = "", ""
-    if missed.max() > MET:
-        name, limit, sign = wanted[int(missed.argmax())]
-        unit = f" {subject.unit(name)}" if subject.unit(name) else ""
-        binding = f"{name} {'>=' if sign > 0 else '<='} {limit:g}{unit}"
-        message = INFEASIBLE.format(binding, reached[name])
-    return Met(subject.of.replace(**numbers), not binding, numbers, reached, binding, message)
+
+def _beneath(worth: Callable[[Floats], Floats], level: float, values: Floats) -> Floats:
+    """The second worth of designs, where the first is at most at that level; else more than any."""
+    one, other = worth(values)
+    return np.asarray(np.where(one > level, 1 + one - level, other))
+
+
+def _undominated(worth: Floats) -> Iterator[int]:
+    """Columns that no other one is as good as in both rows and better in one; of equal ones the first."""
+    for k, (one, other) in enumerate(worth.T):
+        better = (worth[0] <= one) & (worth[1] <= other) & ((worth[0] < one) | (worth[1] < other))
+        same = (worth[0] == one) & (worth[1] == other)
+        if not better.any() and same.argmax() == k:
+            yield k
+
+
+def _units(subject: Subject, names: Iterable[str]) -> tuple[str, str]:
+    one, other = (subject.unit(name) for name in names)
+    return one, other

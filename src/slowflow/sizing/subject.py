@@ -7,17 +7,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from slowflow import loads, validate
+from slowflow import validate
 from slowflow.answer import frozen
-from slowflow.averaged.many import Designs
-from slowflow.averaged.questions import Averaged
+from slowflow.averaged.many import Folds
 from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.mechanism import Floats
-from slowflow.model import Model
+from slowflow.oscillator import Designs
 from slowflow.physical import UNITS, Physical, size, sizes
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING
@@ -27,8 +27,22 @@ from slowflow_kernels.scaling import SCALES
 WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c"}
 #: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator
 OF_ALL_FORCINGS = {"F_SN": "force", "F_cr": "force", "rest": "frequency"}
-AT_A_FORCING = {"A_peak": "length", **dict.fromkeys(("peak", "jump_up", "jump_down", "isolation"), "frequency")}
-KIND = OF_ALL_FORCINGS | AT_A_FORCING
+OF_FREQUENCIES = ("peak", "jump_up", "jump_down", "band", "isolation")
+AT_A_FORCING = {"A_peak": "length", **dict.fromkeys(OF_FREQUENCIES, "frequency")}
+IN_A_SHOCK = {"A_shock": "length", "a_shock": "acceleration"}
+KIND = OF_ALL_FORCINGS | AT_A_FORCING | IN_A_SHOCK
+
+
+@dataclass(frozen=True)
+class Load:
+    """What a design has to bear, None where that is not given; in SI units of a mount.
+
+    forcing -- amplitude of the force
+    shock   -- peak acceleration and duration of a half sine of the base
+    """
+
+    forcing: float | None
+    shock: tuple[float, float] | None
 
 
 class Subject:
@@ -72,26 +86,36 @@ class Subject:
         """Of an answer; "" without dimensions."""
         return next(iter(UNITS[KIND[self.answers[answer]]])) if self.mount else ""
 
-    def forcing(self, F: Any, F_0: Any) -> float | None:
-        """The forcing that was given, F of a mount or F_0 of an isolator, or none. Raises ValueError for the other."""
+    def load(self, F: Any, F_0: Any, shock: Any) -> Load:
+        """What was given of F, of a mount, or F_0, of an isolator, and a shock. Raises ValueError for the other one."""
         value, other, name = (F_0, F, "F_0") if self.mount is None else (F, F_0, "F")
         if other is not None:
             raise ValueError(f"the forcing of {'an isolator' if self.mount is None else 'a mount'} is {name}")
-        return None if value is None else validate.number(name, value, above=0.0)
+        forcing = None if value is None else validate.number(name, value, above=0.0)
+        if shock is None:
+            return Load(forcing, None)
+        try:
+            acceleration, duration = shock
+        except (TypeError, ValueError):
+            raise ValueError(f"shock = {shock!r} is not allowed: it must be a pair (acceleration, duration)") from None
+        pulse = (validate.number("shock[0]", acceleration, above=0.0), validate.number("shock[1]", duration, above=0.0))
+        return Load(forcing, pulse)
 
-    def answered(self, names: Iterable[str] | None, forcing: float | None) -> list[str]:
-        """The answers that are wanted, by default all that need no design-by-design search.
+    def answered(self, names: Iterable[str] | None, load: Load) -> list[str]:
+        """The answers that are wanted, by default all that the load allows.
 
-        Raises ValueError for an unknown one, and for one that needs a forcing where there is none.
+        Raises ValueError for an unknown one, and for one that needs a forcing or a shock where there is none.
         """
+        missing = {} if load.forcing is not None else dict.fromkeys(AT_A_FORCING, "F" if self.mount else "F_0")
+        missing |= {} if load.shock is not None else dict.fromkeys(IN_A_SHOCK, "shock")
         if names is None:
-            of = {**OF_ALL_FORCINGS, **({} if forcing is None else AT_A_FORCING)}
-            return [name for name, plain in self.answers.items() if plain in of and plain != "isolation"]
+            return [name for name, plain in self.answers.items() if plain not in missing]
         for name in names:
             if name not in self.answers:
                 raise ValueError(f"{name!r} is no answer: it must be one of {', '.join(self.answers)}")
-            if forcing is None and self.answers[name] in AT_A_FORCING:
-                raise ValueError(f"{name} needs a forcing: give {'F' if self.mount else 'F_0'}")
+            if needed := missing.get(self.answers[name]):
+                what = "a shock of the base" if needed == "shock" else "a forcing"
+                raise ValueError(f"{name} needs {what}: give {needed}")
         return list(names)
 
     def check_varied(self, names: Iterable[str]) -> None:
@@ -100,7 +124,7 @@ class Subject:
             if name not in self.nominal:
                 raise ValueError(f"{name!r} cannot be varied: it must be one of {', '.join(self.nominal)}")
 
-    def ask(self, values: Mapping[str, Any], names: Iterable[str], forcing: float | None) -> dict[str, Floats]:
+    def ask(self, values: Mapping[str, Any], names: Iterable[str], load: Load) -> dict[str, Floats]:
         """These answers of designs whose numbers are as given, arrays of one shape, and else nominal.
 
         NaN for what there is not, or for what is no design.
@@ -119,16 +143,17 @@ class Subject:
                 for name, scale in zip(names_of, self._scales(), strict=True)
             }
         arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in given.items()}
-        F_0 = None if forcing is None else np.broadcast_to(forcing / units["force"], shape)
-        batch = _Batch(Designs(self.mechanism, arrays), F_0)
+        F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units["force"], shape)
+        pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
+        batch = _Batch(Designs(self.mechanism, arrays), F_0, pulse)
         return {name: frozen(batch.answer(self.answers[name]) * units[KIND[self.answers[name]]]) for name in names}
 
 
 class _Batch:
     """Answers to a batch of designs, each question asked once."""
 
-    def __init__(self, designs: Designs, F_0: Floats | None) -> None:
-        self.designs, self.F_0 = designs, F_0
+    def __init__(self, designs: Designs, F_0: Floats | None, pulse: Any) -> None:
+        self.designs, self.F_0, self.pulse = designs, F_0, pulse
         self.asked: dict[str, Any] = {}
 
     def _ask(self, question: str, *arguments: Any) -> Any:
@@ -153,35 +178,29 @@ class _Batch:
                 stiffness = -np.asarray(mechanism.averaged(0.0, *mechanism.coefficients(*design))[1])
                 return np.sqrt(np.where(stiffness > 0, stiffness, np.nan))
         if name == "isolation":
-            return self._isolation()
+            return np.asarray(self._ask("isolation", self.F_0).Omega)
+        if name == "band":
+            bands = self._ask("hysteresis", self.F_0)
+            width = np.nansum(bands.Omega_high - bands.Omega_low, axis=-1)
+            return np.where(np.isin(bands.status, (Status.OK, Status.STICKS)), width, np.nan)
+        if name in IN_A_SHOCK:
+            if "shock" not in self.asked:
+                acceleration, duration = self.pulse
+                self.asked["shock"] = self.designs.shock_spectrum(acceleration=acceleration, duration=duration)
+            return np.asarray(self.asked["shock"].A if name == "A_shock" else self.asked["shock"].a_max)
         if name in ("A_peak", "peak"):
             peaks = self._ask("peak", self.F_0)
             if name == "peak":
                 return np.asarray(peaks.Omega)
             bounded = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.A)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
-        return self._jump(name == "jump_up")
+        return first_jump(self._ask("saddle_nodes", self.F_0), name == "jump_up")
 
-    def _jump(self, up: bool) -> Floats:
-        """The lowest fold that is left upwards, or the highest that is left downwards."""
-        folds = self._ask("saddle_nodes", self.F_0)
-        kinds = (
-            (FoldKind.JUMP_UP, FoldKind.JUMP_UP_AT_CORNER) if up else (FoldKind.JUMP_DOWN, FoldKind.JUMP_DOWN_AT_CORNER)
-        )
-        there = np.isin(folds.kind, kinds)
-        sign = 1.0 if up else -1.0
-        first = sign * np.where(there, sign * folds.Omega, math.inf).min(axis=-1)
-        return np.where(there.any(axis=-1), first, np.nan)
 
-    def _isolation(self) -> Floats:
-        """Design by design: there is no batch for it."""
-        assert self.F_0 is not None
-        found = np.full(self.F_0.shape, np.nan)
-        for at in np.ndindex(self.F_0.shape):
-            values = {name: float(value[at]) for name, value in self.designs.values.items()}
-            try:
-                one = loads.isolation(Averaged(Model.of(self.designs.mechanism, values)), float(self.F_0[at]))
-            except (ValueError, ArithmeticError):
-                continue
-            found[at] = np.nan if one.Omega is None else one.Omega
-        return found
+def first_jump(folds: Folds, up: bool) -> Floats:
+    """The lowest fold that is left upwards, or the highest that is left downwards; NaN where there is none."""
+    kinds = (FoldKind.JUMP_UP, FoldKind.JUMP_UP_AT_CORNER) if up else (FoldKind.JUMP_DOWN, FoldKind.JUMP_DOWN_AT_CORNER)
+    there = np.isin(folds.kind, kinds)
+    sign = 1.0 if up else -1.0
+    first = sign * np.where(there, sign * folds.Omega, math.inf).min(axis=-1)
+    return np.where(there.any(axis=-1), first, np.nan)

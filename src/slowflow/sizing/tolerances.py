@@ -6,7 +6,7 @@ package: `pip install 'slowflow[sizing]'`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
@@ -14,14 +14,16 @@ import numpy as np
 import numpy.typing as npt
 from scipy.stats import qmc
 
-from slowflow import validate
-from slowflow.answer import Table, optional
+from slowflow import progress, validate
+from slowflow.answer import Table, frozen, optional
 from slowflow.mechanism import Floats
-from slowflow.sizing.subject import Subject
+from slowflow.sizing.subject import Load, Subject
 
 #: ends of a band: 95 of 100 samples lie within
 LOW, HIGH = 0.025, 0.975
 MOST_SAMPLES = 10**7
+#: samples at once, between which progress is shown
+AT_ONCE = 2000
 MISSING = "{} has no answer for {:.2g} of the samples, which its band leaves out"
 
 
@@ -108,12 +110,25 @@ def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[
     return found
 
 
+def _asked(
+    subject: Subject, drawn: Mapping[str, Floats], names: Sequence[str], load: Load, what: str
+) -> dict[str, Floats]:
+    """Answers of all that was drawn, in parts between which progress is shown."""
+    count = len(next(iter(drawn.values())))
+    found = {name: np.empty(count) for name in names}
+    for part in progress.parts(count, AT_ONCE, what):
+        for name, values in subject.ask({name: value[part] for name, value in drawn.items()}, names, load).items():
+            found[name][part] = values
+    return {name: frozen(values) for name, values in found.items()}
+
+
 def tolerances(
     of: Any,
     within: Mapping[str, Any],
     *,
     F: float | None = None,
     F_0: float | None = None,
+    shock: tuple[float, float] | None = None,
     answers: Iterable[str] | None = None,
     samples: int = 10_000,
     seed: int = 0,
@@ -124,18 +139,19 @@ def tolerances(
     within  -- by name of a number: 0.05 for any value within 5 % of the nominal one, or a distribution of the value
                itself, anything with SciPy's `ppf`
     F, F_0  -- the forcing, F of a mount in N, F_0 of an isolator
-    answers -- which of those that `slowflow.sizing` lists; by default all that go in batches
+    shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
+    answers -- which of those that `slowflow.sizing` lists; by default all that the forcing and the shock allow
     samples, seed -- how many designs are tried, and which
 
     Raises ValueError for what is not allowed.
     """
     subject = Subject(of)
-    forcing = subject.forcing(F, F_0)
-    names = subject.answered(answers, forcing)
+    load = subject.load(F, F_0, shock)
+    names = subject.answered(answers, load)
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     shares = qmc.LatinHypercube(d=max(len(within), 1), rng=seed).random(samples)
     drawn = _drawn(subject, within, shares[:, : len(within)])
-    found, nominal = subject.ask(drawn, names, forcing), subject.ask({}, names, forcing)
+    found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
     rows = []
     for name in names:
         there = found[name][~np.isnan(found[name])]
@@ -156,6 +172,7 @@ def sobol(
     *,
     F: float | None = None,
     F_0: float | None = None,
+    shock: tuple[float, float] | None = None,
     answers: Iterable[str] | None = None,
     samples: int = 1024,
     seed: int = 0,
@@ -166,15 +183,15 @@ def sobol(
     without SALib.
     """
     subject = Subject(of)
-    forcing = subject.forcing(F, F_0)
-    names = subject.answered(answers, forcing)
+    load = subject.load(F, F_0, shock)
+    names = subject.answered(answers, load)
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     if samples & (samples - 1):
         raise ValueError(f"samples = {samples} is not allowed: samples must be a power of two")
     sample, analyse = (optional(f"SALib.{part}.sobol", "sobol", "sizing") for part in ("sample", "analyze"))
     problem = {"num_vars": len(within), "names": list(within), "bounds": [[0.0, 1.0]] * len(within)}
     shares = sample.sample(problem, samples, calc_second_order=False, seed=seed)
-    found = subject.ask(_drawn(subject, within, shares), names, forcing)
+    found = _asked(subject, _drawn(subject, within, shares), names, load, "sobol")
     rows, missing = [], []
     for name in names:
         values = np.full((4, len(within)), np.nan)

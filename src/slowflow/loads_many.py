@@ -1,0 +1,241 @@
+"""What an engineer asks of many designs under a load: in go designs and forcings, out come columns, a row a design.
+
+The same answers as of `loads`, from the batch questions. What these do not tell, as of designs with more than two folds
+or without viscous damping, is asked design by design.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow import loads, validate
+from slowflow.averaged.many import Batch, Codes, Designs
+from slowflow.averaged.questions import Averaged
+from slowflow.mechanism import Floats
+from slowflow.model import Model
+from slowflow.results import Remark
+from slowflow_kernels import slow_flow
+from slowflow_kernels.conventions import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+Flags = npt.NDArray[np.bool_]
+
+#: amplitudes, from this share of the highest peak up to it, between which what transmits the force is looked for
+LEAST, AMPLITUDES = 1e-4, 128
+#: designs at once, for their amplitudes to stay in the processor's cache, and halvings that leave only rounding
+AT_ONCE, HALVINGS = 1024, 60
+
+
+@dataclass(frozen=True, eq=False)
+class ManyMargins(Batch):
+    """`slowflow.loads.Margins` of each design.
+
+    F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing; F_SN and of_SN are NaN where folds below it end at
+                Omega = 0
+    folds    -- number of folds at F_0
+    detaches, sticks -- 1 where a stable motion passes u_cr, and where the mass does not move at all
+    """
+
+    F_SN: Floats
+    F_cr: Floats
+    of_SN: Floats
+    of_cr: Floats
+    folds: Codes
+    detaches: Codes
+    sticks: Codes
+    status: Codes
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return _no_state(self.status)
+
+
+@dataclass(frozen=True, eq=False)
+class ManyBands(Batch):
+    """`slowflow.loads.Hysteresis` of each design; what is a band's has one more axis, with `places` places.
+
+    Omega_low, Omega_high, motions -- by rising frequency, then NaN and 0
+    count -- how many bands there are, also where they are more than places
+    """
+
+    Omega_low: Floats
+    Omega_high: Floats
+    motions: Codes
+    count: Codes
+    status: Codes
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return _no_state(self.status)
+
+
+@dataclass(frozen=True, eq=False)
+class ManyIsolations(Batch):
+    """`slowflow.loads.Isolation` of each design.
+
+    Omega, A -- 0 and NaN where every motion transmits less than F_0; NaN where there is no such frequency,
+                `Status.NONE`
+    at_fold -- 1 where a motion that transmits more ends there in a fold
+    """
+
+    Omega: Floats
+    A: Floats
+    at_fold: Codes
+    status: Codes
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return _no_state(self.status)
+
+
+def _no_state(status: Codes) -> tuple[Any, Any, Any]:
+    none = np.full((*status.shape, 1), np.nan)
+    return none, none, False
+
+
+def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
+    """See `slowflow.oscillator.Designs.margins`."""
+    folds, peaks = designs.saddle_nodes(F_0, workers=workers), designs.peak(F_0, workers=workers)
+    onsets, detachments = designs.saddle_node_onset(workers=workers), designs.detachment(workers=workers)
+    shape, allowed = folds.status.shape, folds.status != Status.INVALID
+    F_SN = np.where(onsets.at_rest, np.nan, np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN))
+    F_cr = np.where(detachments.status == Status.NONE, math.inf, detachments.F_cr)
+    sticks = folds.status == Status.STICKS
+    # the highest motion is stable: beyond it there is none
+    passes = (peaks.status == Status.UNBOUNDED) | (peaks.A > detachments.u_cr)
+    detaches = passes & np.isfinite(F_cr) & ((peaks.remarks & Remark.LEAVES_CENTRE) == 0)
+    forcing = np.asarray(F_0, dtype=float)
+    columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
+    flags = {"detaches": detaches & allowed, "sticks": sticks}
+    return ManyMargins(
+        **{name: np.where(allowed, np.broadcast_to(values, shape), np.nan) for name, values in columns.items()},
+        **{name: values.astype(np.int8) for name, values in flags.items()},
+        folds=folds.count,
+        status=np.where(sticks, Status.OK, folds.status).astype(np.int8),
+        _designs=designs,
+        _F_0=F_0,
+    )
+
+
+def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> ManyBands:
+    """See `slowflow.oscillator.Designs.hysteresis`."""
+    places = validate.count("places", places, least=1)
+    folds = designs.saddle_nodes(F_0, workers=workers)
+    shape = folds.status.shape
+    low, high = (np.full((*shape, places), np.nan) for _ in range(2))
+    motions, count = np.zeros((*shape, places), np.int8), np.zeros(shape, np.int8)
+    status = np.where(folds.status == Status.TOO_MANY, Status.OK, folds.status).astype(np.int8)
+    zeta = np.broadcast_to(designs.values["zeta"], shape)
+    said = (folds.remarks & (Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS | Remark.UNDECIDED)) != 0
+    # below two folds and above them there is one motion, so there are three between them, the middle one unstable
+    plain = (folds.count == 2) & (zeta > 0) & ~said & (folds.Omega[..., 0] < folds.Omega[..., 1])
+    low[plain, 0], high[plain, 0] = folds.Omega[plain, 0], folds.Omega[plain, 1]
+    motions[plain, 0], count[plain] = 2, 1
+    for at, found in _singly(designs, F_0, (status == Status.OK) & (folds.count > 0) & ~plain, loads.hysteresis):
+        if found is None:
+            status[at] = Status.UNRESOLVED
+            continue
+        n, count[at] = min(places, len(found)), len(found)
+        low[at][:n], high[at][:n] = found.Omega_low[:n], found.Omega_high[:n]
+        motions[at][:n] = found.motions[:n]
+    status[(count > places) & (status == Status.OK)] = Status.TOO_MANY
+    return ManyBands(low, high, motions, count, status, _designs=designs, _F_0=F_0)
+
+
+def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
+    """See `slowflow.oscillator.Designs.isolation`.
+
+    The states that transmit the whole force are the zeros of one function of A, see `loads.isolation`; the last of them
+    that is stable, or the last fold of a motion that transmits more, is where isolation begins.
+    """
+    peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
+    shape = peaks.status.shape
+    Omega, A, at_fold = np.full(shape, np.nan), np.full(shape, np.nan), np.zeros(shape, np.int8)
+    status = peaks.status.copy()
+    plain = (peaks.status == Status.OK) & (folds.status == Status.OK)
+    plain &= ((peaks.remarks | folds.remarks) & (Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS)) == 0
+    spread = {name: np.broadcast_to(value, shape)[plain] for name, value in designs.values.items()}
+    forcing = np.broadcast_to(np.asarray(F_0, dtype=float), shape)[plain]
+    columns = [np.empty(forcing.size), np.empty(forcing.size), np.empty(forcing.size, bool)]
+    for start in range(0, forcing.size, AT_ONCE):
+        part = slice(start, start + AT_ONCE)
+        own = {name: np.asarray(value[part], dtype=float) for name, value in spread.items()}
+        of_folds = folds.Omega[plain][part], folds.A[plain][part]
+        for column, values in zip(
+            columns, _isolated(designs, own, forcing[part], peaks.A[plain][part], *of_folds), strict=True
+        ):
+            column[part] = values
+    Omega[plain], A[plain], at_fold[plain] = columns
+    # no zero where one was looked for
+    searched = np.isin(status, (Status.OK, Status.UNBOUNDED)) & np.isnan(Omega)
+    for at, one in _singly(designs, F_0, searched, loads.isolation):
+        status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
+        if one is not None and one.Omega is not None:
+            Omega[at], at_fold[at] = one.Omega, one.at_fold
+            A[at] = np.nan if one.A is None else one.A
+    return ManyIsolations(Omega=Omega, A=A, at_fold=at_fold, status=status, _designs=designs, _F_0=F_0)
+
+
+def _isolated(
+    designs: Designs, values: dict[str, Floats], F_0: Floats, highest: Floats, Omega: Floats, A: Floats
+) -> tuple[Floats, Floats, Flags]:
+    """Where isolation begins, the amplitude there, whether at a fold; NaN where that is not told. Folds Omega, A."""
+    *design, mu, zeta = values.values()
+    parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*design))
+    m = slow_flow.friction(mu)
+
+    def full(A: Floats, at: Any) -> tuple[Floats, Floats, Floats]:
+        """Omega at which a motion of that amplitude transmits as much as drives it, h, and h by A."""
+        h, h_A, *_ = designs.mechanism.averaged(A, *(value[at] for value in parameters))
+        return np.sqrt(-2 * h / A), h, h_A
+
+    def excess(A: Floats, at: Any) -> Floats:
+        """What drives it less F_0: the sign counts."""
+        at_A, h, _ = full(A, at)
+        driven: Floats = np.hypot(h, slow_flow.I(at_A, A, m[at], zeta[at])) - F_0[at]
+        return driven
+
+    every = (slice(None), np.newaxis)
+    with np.errstate(all="ignore"):  # where h is not negative there is no such frequency
+        grid = highest[every] * np.geomspace(LEAST, 1.0, AMPLITUDES)
+        above = excess(grid, every) > 0
+        which, k = np.nonzero(above[:, 1:] != above[:, :-1])
+        low, high = grid[which, k], grid[which, k + 1]
+        rises = above[which, k + 1]
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            beyond = (excess(middle, which) > 0) == rises
+            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+        roots = 0.5 * (low + high)
+        at_roots, h, h_A = full(roots, which)
+        stable = slow_flow.F_A(at_roots, roots, m[which], zeta[which], h, h_A) > 0
+        best, of_A = np.full(F_0.size, np.nan), np.full(F_0.size, np.nan)
+        order = np.argsort(at_roots[stable])  # the last that is put in is the highest
+        best[which[stable][order]], of_A[which[stable][order]] = at_roots[stable][order], roots[stable][order]
+        transmits = np.where(Omega <= full(A, every)[0], Omega, -math.inf)
+        last = transmits.argmax(axis=1)
+        rows = np.arange(F_0.size)
+        at_fold = transmits[rows, last] > np.where(np.isnan(best), math.inf, best)
+        # the grid has to begin below all of them
+        told = ~above[:, 0]
+    Omega_last, A_last = Omega[rows, last], A[rows, last]
+    return (
+        np.where(told, np.where(at_fold, Omega_last, best), np.nan),
+        np.where(told, np.where(at_fold, A_last, of_A), np.nan),
+        at_fold & told,
+    )
+
+
+def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[[Averaged, float], Any]) -> Any:
+    """A single question of each wanted design, with its place; None where it fails."""
+    forcing = np.broadcast_to(np.asarray(F_0, dtype=float), wanted.shape)
+    for at in map(tuple, np.argwhere(wanted)):
+        values = {name: float(np.broadcast_to(value, wanted.shape)[at]) for name, value in designs.values.items()}
+        try:
+            yield at, ask(Averaged(Model.of(designs.mechanism, values)), float(forcing[at]))
+        except ArithmeticError:
+            yield at, None

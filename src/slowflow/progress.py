@@ -1,0 +1,65 @@
+"""Progress: in go the parts of a work, out comes every second a word on how far it is, where somebody wants to read it.
+
+Nobody does unless `shown`: a program that asks is not talked into.
+
+    with progress.shown():
+        tolerances(mount, {"k_h": 0.05}, F=5, samples=10**6)
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
+
+#: seconds after which something is said, and between two words
+EVERY = 1.0
+
+_say: ContextVar[Callable[[str], None] | None] = ContextVar("who reads how far a work is", default=None)
+
+
+def _to_stderr(text: str) -> None:
+    print(text, file=sys.stderr, flush=True)
+
+
+@contextlib.contextmanager
+def shown(say: Callable[[str], None] | None = None) -> Iterator[None]:
+    """Within it what takes longer than a second says how far it is: to stderr, or to `say`, a line at a time."""
+    token = _say.set(_to_stderr if say is None else say)
+    try:
+        yield
+    finally:
+        _say.reset(token)
+
+
+def parts(count: int, at_once: int, what: str) -> Iterator[slice]:
+    """Slices of at most `at_once` that make up `count`; between them, how much of `what` is done."""
+    say, said = _say.get(), time.monotonic()
+    for start in range(0, count, at_once):
+        now = time.monotonic()
+        if say is not None and now - said >= EVERY:
+            said = now
+            say(f"{what}: {100 * start // count} %")
+        yield slice(start, start + at_once)
+
+
+@contextlib.contextmanager
+def named(what: str) -> Iterator[None]:
+    """Says that `what` is being done if it takes longer than a second, and then how long it took."""
+    say = _say.get()
+    if say is None:
+        yield
+        return
+    begun = time.monotonic()
+    timer = threading.Timer(EVERY, say, (f"{what} ...",))
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        if (took := time.monotonic() - begun) >= EVERY:
+            say(f"{what}: {took:.1f} s")

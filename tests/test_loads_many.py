@@ -1,0 +1,83 @@
+"""Questions under a load of many designs: each row is what the design says that is asked alone."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator
+from slowflow_kernels.conventions import Status
+
+
+def some(count):
+    """Isolators with forcings, among them some that stick, quasi-zero stiffness, and what is no design."""
+    draw = np.random.default_rng(5)
+    lam, delta_h = draw.integers(1, 4, count).astype(float), draw.uniform(0.02, 0.4, count)
+    r = draw.uniform(0.05, 1.0, count) / (lam * delta_h)
+    mu, zeta = draw.uniform(0, 0.02, count) * (draw.random(count) < 0.7), draw.uniform(0.005, 0.3, count)
+    zeta[:3], r[3] = 0.0, -1.0
+    return {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}, draw.uniform(0.01, 0.12, count)
+
+
+def one(given, k):
+    return Isolator(**{name: float(values[k]) for name, values in given.items()})
+
+
+@pytest.fixture(scope="module")
+def asked():
+    given, F_0 = some(120)
+    return given, F_0, Isolator.many(**given)
+
+
+def test_margins_of_many_are_those_of_each(asked):
+    given, F_0, designs = asked
+    found = designs.margins(F_0)
+    assert found.status[3] == Status.INVALID and np.isnan(found.F_SN[3]) and not found.detaches[3]
+    for k in set(range(120)) - {3}:
+        single = one(given, k).margins(F_0[k])
+        assert (found.folds[k], found.detaches[k], found.sticks[k]) == (single.folds, single.detaches, single.sticks), k
+        for name in ("F_cr", "of_cr"):
+            assert getattr(found, name)[k] == pytest.approx(getattr(single, name), rel=1e-13)
+        if given["zeta"][k]:
+            assert found.of_SN[k] == pytest.approx(math.inf if single.of_SN is None else single.of_SN, rel=1e-13)
+    assert 10 < found.detaches.sum() < 110 and found.sticks.sum() > 3
+
+
+def test_bands_of_many_are_those_of_each(asked):
+    given, F_0, designs = asked
+    found = designs.hysteresis(F_0)
+    for k in set(range(120)) - {3}:
+        bands = one(given, k).hysteresis(F_0[k])
+        n = len(bands)
+        assert (found.count[k], *found.motions[k, :n]) == (n, *bands.motions), k
+        assert found.Omega_low[k, :n].tolist() == pytest.approx(bands.Omega_low.tolist(), rel=1e-13)
+        assert found.Omega_high[k, :n].tolist() == pytest.approx(bands.Omega_high.tolist(), rel=1e-13)
+        assert np.isnan(found.Omega_low[k, n:]).all()
+    assert found.count.sum() > 30
+    one_place = Duffing.many(alpha=1.0, beta=[1.0, 0.0], mu=0.0, zeta=0.01).hysteresis(0.5, places=1)
+    assert one_place.count.tolist() == [1, 0] and one_place.motions[:, 0].tolist() == [2, 0]
+
+
+def test_isolation_of_many_is_that_of_each(asked):
+    given, F_0, designs = asked
+    found = designs.isolation(F_0)
+    folds = 0
+    for k in set(range(120)) - {3}:
+        iso = one(given, k)
+        single = iso.isolation(F_0[k])
+        if single.Omega is None:
+            assert found.status[k] in (Status.STICKS, Status.NONE) and np.isnan(found.Omega[k]), k
+            continue
+        assert found.status[k] == Status.OK and found.at_fold[k] == single.at_fold, k
+        assert found.Omega[k] == pytest.approx(single.Omega, rel=1e-11), k
+        assert np.isnan(found.A[k]) if single.A is None else found.A[k] == pytest.approx(single.A, rel=1e-10)
+        folds += single.at_fold
+    assert folds >= 2 and (found.status == Status.STICKS).sum() > 3
+
+
+def test_a_linear_mount_isolates_from_the_root_of_two_on_whatever_its_damping():
+    zeta = np.geomspace(1e-4, 3, 50)
+    found = Duffing.many(alpha=2.0, beta=0.0, zeta=zeta).isolation(0.3)
+    np.testing.assert_allclose(found.Omega, 2.0, rtol=1e-13)
