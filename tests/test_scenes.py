@@ -51,7 +51,8 @@ def test_a_shipped_scene_runs(path, tmp_path, capsys):
     code, out, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
     asked = scenes.read(path).asked
-    assert (code, out) == (0, "") and err == f"{len(asked)} answers in {tmp_path / 'out'}\n"
+    # on a busy machine a question may say that it takes more than a second
+    assert (code, out) == (0, "") and err.endswith(f"{len(asked)} answers in {tmp_path / 'out'}\n")
     assert [answer["question"] for answer in content["answers"]] == [one.question for one in asked]
     expected = {f"{one.question}.csv" for one in asked} | {"answers.json"}
     assert {file.name for file in (tmp_path / "out").iterdir()} == expected
