@@ -10,6 +10,7 @@
 #                 docs/validity.md, some ten minutes
 # make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, some
 #                 ten minutes
+# make explorer   docs/explorer.html, the compiled solvers in a browser; same bytes whenever it is made
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -20,7 +21,7 @@ DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress clean
+.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress explorer clean
 .DELETE_ON_ERROR:
 
 paper: derive
@@ -63,6 +64,11 @@ validity: $(DEVELOPED)
 
 stress: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.stress
+
+# the compiler has 90 MB: not among what tests need
+explorer: $(INSTALLED)
+	$(PIP) "slowflow[explorer]"
+	$(BIN)/python -m explorer
 
 bench-peers: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.peers

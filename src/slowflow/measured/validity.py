@@ -67,7 +67,7 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     """The validity of averaged steady states of that model; `corner` tells that a fold on a breakpoint is there."""
     h = model.averaged(A)[0]
     F_0 = model.flow.level(Omega, A, model.m, model.zeta, h)
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
         ratio, rest = model.mu / F_0, np.where(model.mu > 0, model.mu / (A * Omega**2), 0.0)
     if not _is_measured(model):
         unknown = np.full(np.shape(A), np.nan)

@@ -1,0 +1,127 @@
+"""`python -m explorer` writes docs/explorer.html; with --check it compares instead, and exits with 1 where they differ.
+
+In:  explorer.c and the solvers' C, compiled to WebAssembly by `ziglang`; the records; the page's parts in this folder.
+Out: one page that holds all of it and asks no network for anything. The same bytes whenever and wherever it is made.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import hashlib
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from explorer.about import about
+
+HERE = Path(__file__).parent
+ROOT = HERE.parent
+PAGE = ROOT / "docs" / "explorer.html"
+INCLUDED = [ROOT / "src/slowflow/native", ROOT / "generated/c", ROOT / "generated/native"]
+#: other compilers write other bytes
+ZIG = "0.17.1"
+#: as setup.py has them where they concern arithmetic: the same digits as every other build
+FLAGS = ("-std=c11", "-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-g0", "-w")
+LINKED = ("--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--strip-all")
+#: most that the page may weigh, in bytes
+MOST = 1_500_000
+
+
+def sources() -> list[Path]:
+    """All that the page is made of, but for the records in `about`."""
+    headers = [path for folder in INCLUDED for path in sorted(folder.glob("*.h"))]
+    parts = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
+    return headers + parts
+
+
+def digest() -> str:
+    """Of the sources, so that a page can be told that was made from others."""
+    of_all = hashlib.sha256()
+    for path in sources():
+        of_all.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+    return of_all.hexdigest()[:16]
+
+
+def forces(mechanisms: list[tuple[str, int]]) -> str:
+    """C: the restoring force of each mechanism, by name and number of parameters, in their order."""
+    lines = []
+    for name, count in mechanisms:
+        arguments = "".join(f", p[{i}]" for i in range(count))
+        lines.append(f"static double {name}_at(double u, const double *p) {{ return {name}_force(u{arguments}); }}")
+    names = ", ".join(f"{name}_at" for name, _ in mechanisms)
+    lines.append(f"static double (*const forces[])(double, const double *) = {{{names}}};")
+    return "\n".join(lines) + "\n"
+
+
+def records() -> list[tuple[str, int]]:
+    """Name and number of parameters of each mechanism, in the order of the table in records.h."""
+    text = (ROOT / "generated/native/records.h").read_text()
+    table = text[text.index("records[] = {") :]
+    counts = dict(re.findall(r'\.name = "(\w+)",.*?\.parameters = (\d+),', text, re.DOTALL))
+    return [(name, int(counts[name])) for name in re.findall(r"&(\w+)_record", table)]
+
+
+def compiled() -> bytes:
+    """The solvers as WebAssembly."""
+    version = subprocess.run(
+        [sys.executable, "-m", "ziglang", "version"], capture_output=True, text=True
+    ).stdout.strip()
+    if version != ZIG:
+        sys.exit(f"the explorer is compiled by ziglang {ZIG}, not {version or 'none'}: pip install ziglang=={ZIG}")
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "forces.h").write_text(forces(records()))
+        included = [f"-I{path.relative_to(ROOT)}" for path in INCLUDED]
+        target = Path(folder, "solvers.wasm")
+        command = [
+            sys.executable,
+            "-m",
+            "ziglang",
+            "cc",
+            *FLAGS,
+            *LINKED,
+            *included,
+            f"-I{folder}",
+            "explorer/explorer.c",
+        ]
+        subprocess.run([*command, "-o", str(target)], cwd=ROOT, check=True)
+        return target.read_bytes()
+
+
+def page(wasm: bytes) -> str:
+    """The whole page: its parts where page.html names them."""
+    known = about()
+    if set(known["mechanisms"]) != {name for name, _ in records()}:
+        sys.exit("PRESETS in explorer/about.py has to have a design of every mechanism in generated/native/records.h")
+    data = json.dumps({**known, "digest": digest()}, sort_keys=True, separators=(",", ":")).replace("</", "<\\/")
+    made = {"wasm": base64.b64encode(wasm).decode(), "data": data}
+
+    def part(match: re.Match[str]) -> str:
+        name = match[1]
+        return made[name] if name in made else (HERE / name).read_text().strip()
+
+    return re.sub(r"\{\{(\S+)\}\}", part, (HERE / "page.html").read_text())
+
+
+def main() -> int:
+    """Write the page, or compare it."""
+    parser = argparse.ArgumentParser(prog="python -m explorer", description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="compare with what is there, and write nothing")
+    wanted = parser.parse_args()
+    text = page(compiled())
+    if len(text.encode()) > MOST:
+        sys.exit(f"the page has {len(text.encode())} bytes, more than {MOST}")
+    if wanted.check:
+        same = PAGE.exists() and PAGE.read_text() == text
+        print(f"{PAGE.relative_to(ROOT)} is {'the same' if same else 'another'}")
+        return 0 if same else 1
+    PAGE.write_text(text)
+    print(f"{PAGE.relative_to(ROOT)}: {len(text.encode())} bytes")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

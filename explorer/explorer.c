@@ -1,0 +1,204 @@
+/* The solvers as WebAssembly: in go numbers in `in`, out come numbers in arrays that the page reads from memory.
+ *
+ * A thin interface: it keeps one oscillator and one workspace, calls the solvers and the generated kernels, and computes
+ * nothing itself. Everything is dimensionless. `python -m explorer` writes forces.h, which has the restoring force of each
+ * mechanism in the order of `records`.
+ */
+#include "curve.h"
+#include "onset.h"
+#include "records.h"
+#include "states.h"
+
+#include "forces.h"
+
+#define EXPORT(name) __attribute__((export_name(#name))) name
+
+/* points of one answer */
+enum { MOST = 1 << 14, COLUMNS = 5 };
+
+static sf_model model;
+static sf_given given, *known; /* known: NULL where no proof is possible */
+static sf_room room;
+static double in[SF_MOST_DESIGN + SF_MOST_DAMPING], out[COLUMNS][MOST];
+static unsigned char flags[2][MOST];
+static long long branch[MOST];
+static int undecided;
+
+double *EXPORT(input)(void) { return in; }
+double *EXPORT(column)(int i) { return out[i]; }
+unsigned char *EXPORT(flag)(int i) { return flags[i]; }
+long long *EXPORT(branches)(void) { return branch; }
+int EXPORT(capacity)(void) { return MOST; }
+int EXPORT(is_undecided)(void) { return undecided; }
+
+int EXPORT(mechanisms)(void) { return sizeof records / sizeof records[0]; }
+const char *EXPORT(name_of)(int i) { return records[i]->name; }
+
+/* in: the design, then mu and zeta. out[0]: breakpoints; returns their number, or -1 for a number outside its domain. */
+int EXPORT(choose)(int i)
+{
+    const sf_mechanism *record = records[i];
+    const double *of_damping = in + record->design_size;
+    known = NULL, model.mechanism = NULL;
+    if (!record->parameters_of(in, model.p) || !record->damping_of(of_damping, model.damping))
+        return -1;
+    sf_prepare(record, &model);
+    if (sf_give(record, in, of_damping[0], of_damping[1], &given))
+        known = &given;
+    memcpy(out[0], model.b, sizeof model.b);
+    return model.breaks;
+}
+
+double EXPORT(sticking)(void) { return model.m; }
+
+double EXPORT(stiffness_at_rest)(void)
+{
+    sf_sample at;
+    sf_sample_at(&model, 0, &at);
+    return -at.h_A;
+}
+
+static void add_phase_and_transmissibility(long i, double F_0)
+{
+    sf_sample at;
+    sf_sample_at(&model, out[1][i], &at);
+    out[2][i] = slow_flow_phase(out[0][i], out[1][i], model.m, model.zeta, at.h);
+    out[3][i] = slow_flow_transmissibility(out[0][i], out[1][i], F_0, model.m, model.zeta, at.h);
+}
+
+/* As `slowflow.averaged.remarks.keeps_centre`; and whether the slow flow is stable there. */
+static void look_at(long i)
+{
+    sf_sample at;
+    sf_sample_at(&model, out[1][i], &at);
+    flags[1][i] = slow_flow_mean_stiffness(at.A, at.h, at.h_A) > 0 ||
+                  slow_flow_offset_stiffness(out[0][i], at.A, at.h, at.h_A) > 0;
+    flags[0][i] = flags[0][i] && flags[1][i];
+}
+
+static void look_at_all(long n, double F_0)
+{
+    for (long i = 0; i < n; i++)
+        add_phase_and_transmissibility(i, F_0), look_at(i);
+}
+
+/* The response curve: out Omega, A, phi, transmissibility; flags stable, centred. Returns the number of points, or the
+ * status with its sign turned. */
+long EXPORT(respond)(double F_0, double low, double high, double samples)
+{
+    const sf_status status = sf_sticks(&model, F_0) ? SF_STICKS : sf_make_skeleton(&model, known, F_0, &room);
+    if (status != SF_OK)
+        return -(long)status;
+    const long n = sf_show(&model, F_0, low, high, samples, &room.work);
+    if (n > MOST)
+        return -(long)SF_TOO_MANY;
+    sf_draw(&model, F_0, samples, &room.work.shown, out[0], out[1], flags[0], branch);
+    undecided = room.undecided;
+    look_at_all(n, F_0);
+    return n;
+}
+
+/* Steady states of the curve that was asked for last: as `respond`. */
+int EXPORT(states)(double F_0, double Omega)
+{
+    const int n = sf_states(&model, known, F_0, &room, Omega, out[1], flags[0], &undecided);
+    for (int i = 0; i < n; i++)
+        out[0][i] = Omega;
+    look_at_all(n, F_0);
+    return n;
+}
+
+/* out: Omega, A; flags: up, corner. */
+int EXPORT(folds)(double F_0)
+{
+    sf_folds *found = &room.work.folds;
+    const sf_status status = sf_sticks(&model, F_0) ? SF_STICKS : sf_decided_folds(&model, known, F_0, &room, found);
+    if (status != SF_OK)
+        return -(int)status;
+    for (int i = 0; i < found->n; i++) {
+        out[0][i] = found->at[i].Omega, out[1][i] = found->at[i].A;
+        flags[0][i] = (unsigned char)found->at[i].up, flags[1][i] = (unsigned char)found->at[i].corner;
+    }
+    undecided = found->undecided;
+    return found->n;
+}
+
+/* out[0]: F_SN, Omega, A, its kind, and the lowest level at which the fold locus ends at Omega = 0; returns the status. */
+int EXPORT(onset)(void)
+{
+    sf_onset found;
+    const sf_status status = sf_find_onset(&model, &room.work, &found);
+    out[0][0] = found.F_SN, out[0][1] = found.Omega, out[0][2] = found.A;
+    out[0][3] = found.kind, out[0][4] = found.rest;
+    return status;
+}
+
+/* out[0]: F_cr, Omega_cr, u_cr; returns the status. */
+int EXPORT(detachment)(void) { return sf_detachment(&model, out[0], out[0] + 1, out[0] + 2); }
+
+/* out[0]: A, Omega; returns the status. */
+int EXPORT(peak)(double F_0)
+{
+    return sf_sticks(&model, F_0) ? SF_STICKS : sf_peak(&model, F_0, &room.work, out[0], out[0] + 1);
+}
+
+/* out: Omega, A, F_0 along the fold locus. */
+long EXPORT(locus)(double A_max, long samples)
+{
+    const sf_status status = sf_fold_locus(&model, A_max, &room.work);
+    if (status != SF_OK)
+        return -(long)status;
+    const long n = sf_draw_locus(&model, samples, &room.work, NULL, NULL, NULL, NULL);
+    if (n > MOST)
+        return -(long)SF_TOO_MANY;
+    sf_draw_locus(&model, samples, &room.work, out[0], out[1], out[2], branch);
+    return n;
+}
+
+/* Frequencies below `high` between which a steady state would be unstable, at n amplitudes up to A_max; out: A, then the
+ * ends of each interval. Returns how many there are. */
+int EXPORT(unstable)(double A_max, double high, int n)
+{
+    int found = 0;
+    for (int i = 0; i < n; i++) {
+        double w[5] = {0};
+        sf_sample at;
+        sf_sample_at(&model, A_max * (i + 0.5) / n, &at);
+        int ends = sf_fold_roots(at.A, at.h, at.h_A, model.m, model.zeta, w + 1) + 1;
+        w[ends++] = high;
+        for (int k = 0; k + 1 < ends; k++) {
+            const double a = w[k], b = fmin(w[k + 1], high);
+            if (a < b && slow_flow_stability(0.5 * (a + b), at.A, model.m, model.zeta, at.h, at.h_A) < 0 && found < MOST)
+                out[0][found] = at.A, out[1][found] = a, out[2][found++] = b;
+        }
+    }
+    return found;
+}
+
+/* out: A, the backbone's Omega (NaN where there is none), at n amplitudes up to A_max. */
+void EXPORT(backbone)(double A_max, int n)
+{
+    for (int i = 0; i < n; i++) {
+        sf_sample at;
+        sf_sample_at(&model, A_max * (i + 1) / n, &at);
+        out[0][i] = at.A, out[1][i] = slow_flow_backbone(at.A, at.h);
+    }
+}
+
+/* out: Omega, the amplitude that no response exceeds; needs zeta > 0. */
+void EXPORT(envelope)(double F_0, double high, int n)
+{
+    for (int i = 0; i < n; i++) {
+        out[0][i] = high * (i + 1) / n;
+        out[1][i] = slow_flow_limit_envelope(out[0][i], F_0, model.m, model.zeta);
+    }
+}
+
+/* out: u, f(u), at n displacements from -u_max to u_max. */
+void EXPORT(force)(int mechanism, double u_max, int n)
+{
+    for (int i = 0; i < n; i++) {
+        out[0][i] = u_max * (2.0 * i / (n - 1) - 1);
+        out[1][i] = forces[mechanism](out[0][i], model.p);
+    }
+}

@@ -1,0 +1,103 @@
+/* The design and what is shown of it: in goes an address, out comes a state, and back. */
+
+const PHYSICAL = DATA.physical_names;
+
+/** What a number is called in the units that are shown. */
+function nameIn(state, name) {
+  if (!state.si) return plainSymbol(name);
+  const own = { ...scalesOf(state.mechanism) }[name];
+  return plainSymbol({ Omega: "f", F_0: "F", mu: "F_c" }[name] || (own ? own.letter : name));
+}
+
+/** The domain of each number, by name, in the order in which they are shown. */
+function domains(mechanism) {
+  return [...DATA.mechanisms[mechanism].design, ...DATA.damping, DATA.forcing];
+}
+
+/** Whether a dimensionless number is allowed, as `slowflow_support.record.Parameter.holds`. */
+function holds(domain, value) {
+  return (
+    Number.isFinite(value) &&
+    !(value <= domain.above) &&
+    !(value < domain.least) &&
+    !(value >= domain.below) &&
+    !(value > domain.most)
+  );
+}
+
+function fromPreset(preset) {
+  const si = Boolean(preset.base);
+  const state = {
+    mechanism: preset.mechanism,
+    si,
+    base: { ...(si ? preset.base : DATA.mount.base) },
+    values: { ...preset.values },
+    high: preset.shown || 2,
+    Omega: 0,
+    up: true,
+  };
+  state.Omega = 0.35 * state.high;
+  return state;
+}
+
+/** The state as an address has it. Numbers are written so that they are read back as the same doubles. */
+function toAddress(state) {
+  const parts = { mechanism: state.mechanism, ...state.values, shown: state.high, at: state.Omega, level: state.level };
+  if (state.si) Object.assign(parts, { units: "si" }, state.base);
+  return `#${new URLSearchParams(Object.entries(parts).filter(([, value]) => value !== undefined))}`;
+}
+
+/** Null where the address has no mechanism, or a number that is not allowed. */
+function fromAddress(address) {
+  const parts = new URLSearchParams(address.replace(/^#/, ""));
+  const mechanism = parts.get("mechanism");
+  if (!Object.hasOwn(DATA.mechanisms, mechanism || "")) return null;
+  const number = (name, other) => (parts.has(name) ? Number(parts.get(name)) : other);
+  const state = fromPreset({ mechanism, values: {}, shown: number("shown", 2) });
+  if (!(state.high > 0 && state.high < 1e6)) return null;
+  state.si = parts.get("units") === "si" && DATA.mechanisms[mechanism].physical;
+  if (state.si) for (const { name } of BASE) state.base[name] = number(name, NaN);
+  for (const { name } of domains(mechanism)) state.values[name] = number(name, NaN);
+  if (state.si && !BASE.every(({ name }) => state.base[name] > 0 && Number.isFinite(state.base[name]))) return null;
+  const plain = dimensionless(state);
+  if (!domains(mechanism).every((domain) => holds(domain, plain[domain.name]))) return null;
+  state.Omega = Math.min(state.high, Math.max(1e-3 * state.high, number("at", 0.35 * state.high)));
+  state.level = parts.has("level") ? number("level") : undefined;
+  return state;
+}
+
+/** Lines of Python that give the same curve. */
+function inPython(state) {
+  const about = DATA.mechanisms[state.mechanism];
+  const words = Object.entries(about.words).map(([name, value]) => `${name}="${value}"`);
+  const names = [...about.design, ...DATA.damping].map((one) => one.name);
+  const python = (value) => (Number.isInteger(value) && Math.abs(value) < 1e15 ? `${value}.0` : String(value));
+  const given = (rename) => names.map((name) => `${rename[name] || name}=${name === "lam" && rename.lam && Number.isInteger(state.values[name]) ? state.values[name] : python(state.values[name])}`);
+  const plain = dimensionless(state);
+  const lines = [`from slowflow import ${about.constructor}`, ""];
+  if (state.si) {
+    const base = BASE.map(({ name }) => `${name}=${python(state.base[name])}`);
+    lines.push(`mount = ${about.constructor}.physical(${[...base, ...given(PHYSICAL), ...words].join(", ")})`);
+    const F = `F=${python(state.values.F_0)}`;
+    const top = python(state.high * measure(state, "Omega").size);
+    lines.push(`print(mount.saddle_node_onset())`, `print(mount.detachment())`, `print(mount.saddle_nodes(${F}))`);
+    lines.push(`curve = mount.frequency_response(${F}, f=(0.0, ${top}), samples=${SAMPLES})`);
+  } else {
+    lines.push(`oscillator = ${about.constructor}(${[...given({}), ...words].join(", ")})`);
+    const F = `F_0=${python(plain.F_0)}`;
+    lines.push(`print(oscillator.saddle_node_onset())`, `print(oscillator.detachment())`, `print(oscillator.saddle_nodes(${F}))`);
+    lines.push(`curve = oscillator.frequency_response(${F}, Omega=(0.0, ${python(state.high)}), samples=${SAMPLES})`);
+  }
+  return lines.join("\n") + "\n";
+}
+
+/** The curve as a table, in the units that are shown as SI's or without dimensions. */
+function inCSV(answer) {
+  const { state, curve } = answer;
+  const [omega, length] = [measure(state, "Omega"), measure(state, "A")];
+  const head = state.si ? "f/Hz,A/m" : "Omega,A";
+  const rows = [`${head},phi/rad,stable,transmissibility,branch`];
+  for (let i = 0; i < curve.n; i++)
+    rows.push([curve.Omega[i] * omega.size, curve.A[i] * length.size, curve.phi[i], curve.stable[i], curve.T[i], curve.branch[i]].join());
+  return rows.join("\n") + "\n";
+}

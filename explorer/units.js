@@ -1,0 +1,85 @@
+/* Numbers with and without dimensions: in goes what a user gives, out come numbers for the solvers, and back. */
+
+const DATA = JSON.parse(document.getElementById("data").textContent);
+const GREEK = { lam: "λ", mu: "μ", zeta: "ζ", Omega: "Ω", alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ" };
+
+/** A name as it is written in a text. */
+function plainSymbol(name) {
+  return name.replace(/[A-Za-z]+/g, (word) => GREEK[word] || word);
+}
+
+/** A name as HTML, with what follows "_" below the line. */
+function symbol(name) {
+  const [head, ...below] = plainSymbol(name).split("_");
+  return `<i>${head}</i>` + (below.length ? `<sub>${below.join(" ")}</sub>` : "");
+}
+
+function power(base, exponent) {
+  const whole = Math.abs(exponent) === 0.5 ? Math.sqrt(base) : base ** Math.abs(exponent);
+  return exponent < 0 ? 1 / whole : whole;
+}
+
+/** What a number with this scale is measured in, in SI units (4). */
+function sizeOf(scale, base) {
+  const [k_v, L, m] = scale.powers;
+  return scale.factor * (power(base.k_v, k_v) * power(base.L, L) * power(base.m, m));
+}
+
+/** Units by the powers of k_v, L and m: as they are shown, and how many of them make the SI unit. */
+const UNITS = { "1,0,0": ["N/m", 1], "0,1,0": ["mm", 1000], "1,1,0": ["N", 1] };
+const BASE = [
+  { name: "m", doc: "mass that moves", unit: "kg", shown: 1 },
+  { name: "k_v", doc: "stiffness of the vertical spring", unit: "N/m", shown: 1 },
+  { name: "L", doc: "length of the push-rod", unit: "mm", shown: 1000 },
+];
+
+/** The scale of each number of a mechanism, by name. */
+function scalesOf(mechanism) {
+  const { design, scales } = DATA.mechanisms[mechanism];
+  const own = Object.fromEntries(scales.map((scale, i) => [design[i].name, scale]));
+  const { mu, F_0, Omega, u } = DATA.scales;
+  return { ...own, mu, F_0, Omega, A: u };
+}
+
+/** What a number is measured in: SI's size of it, the unit that is shown, and how many of these make SI's. */
+function measure(state, name) {
+  const scale = state.si && scalesOf(state.mechanism)[name];
+  if (!scale || scale.powers.every((one) => one === 0)) return { size: 1, unit: "", shown: 1 };
+  const size = sizeOf(scale, state.base);
+  if (name === "Omega") return { size: size / (2 * Math.PI), unit: "Hz", shown: 1 };
+  const [unit, shown] = UNITS[scale.powers.join()];
+  return { size, unit, shown };
+}
+
+/** All numbers without dimensions, by name. */
+function dimensionless(state) {
+  const found = {};
+  for (const name of Object.keys(state.values)) found[name] = state.values[name] / measure(state, name).size;
+  return found;
+}
+
+/** Numbers of the design, then mu and zeta, as the solvers take them. */
+function numbersOf(state, values = dimensionless(state)) {
+  return [...DATA.mechanisms[state.mechanism].design, ...DATA.damping].map((one) => values[one.name]);
+}
+
+/** The same design in the other units. */
+function convert(state, si) {
+  const plain = dimensionless(state);
+  state.si = si;
+  for (const name of Object.keys(plain)) state.values[name] = plain[name] * measure(state, name).size;
+}
+
+/** A number in few letters; `digits` that count. */
+function short(value, digits = 4) {
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : value < 0 ? "−∞" : "–";
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-4 || size >= 1e6)) return value.toExponential(digits - 1).replace("-", "−");
+  return String(Number(value.toPrecision(digits))).replace("-", "−");
+}
+
+/** A dimensionless number in the units that are shown. */
+function told(state, name, value, digits) {
+  const { size, unit, shown } = measure(state, name);
+  return short(value * size * shown, digits) + (unit && ` ${unit}`);
+}

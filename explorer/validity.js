@@ -1,0 +1,74 @@
+/* What is to be said beside an answer, and how far averaging is off: in go states, out come words and measured errors.
+
+The errors are those that `slowflow.measured` has, looked up as it looks them up. */
+
+function binOf(edges, value) {
+  let i = edges.length - 1;
+  while (i > 0 && !(value >= edges[i])) i--;
+  return i;
+}
+
+function interpolate(x, xs, ys) {
+  if (x <= xs[0]) return ys[0];
+  for (let i = 1; i < xs.length; i++)
+    if (x <= xs[i]) return ys[i - 1] + ((ys[i] - ys[i - 1]) / (xs[i] - xs[i - 1])) * (x - xs[i - 1]);
+  return ys[ys.length - 1];
+}
+
+/** Relative errors of one state's amplitude: of half and of 95 in 100 measured ones, and what truncation adds; or null. */
+function errorsOf(mechanism, breaks, mu, F_0, Omega, A) {
+  const known = DATA.measured;
+  if (!known.MECHANISMS.includes(mechanism)) return null;
+  const rest = mu > 0 ? mu / (A * Omega * Omega) : 0;
+  const row = binOf(known.RATIOS, mu / F_0);
+  const column = binOf(known.RESTS, rest);
+  let truncation = 0;
+  if (DATA.mechanisms[mechanism].truncated && breaks.length) {
+    const sizes = known.TRUNCATION[0].map((_, k) => interpolate(breaks[0], known.U_CRS, known.TRUNCATION.map((of) => of[k])));
+    truncation = interpolate(A / breaks[0], [0, ...known.LEVELS], [0, ...sizes]);
+  }
+  return { typical: known.TYPICAL[row][column], error: known.ERROR[row][column], truncation, rest };
+}
+
+/** Python's words with the numbers put in, in their order or by name. */
+function fill(text, ...values) {
+  let next = 0;
+  return text.replace(/\{(\w*)[^}]*\}/g, (_, name) => (name ? values[0][name] : values[next++]));
+}
+
+const percent = (share) => `${Math.round(100 * share)}%`;
+
+/** Remarks on a response, a list of sentences. */
+function remarksOf(answer) {
+  const { state, plain, breaks, curve, folds } = answer;
+  const about = DATA.mechanisms[state.mechanism];
+  const { remarks, near_sticking, off_by, off_unknown } = DATA.words;
+  const said = [];
+  if (curve.status === DATA.status.STICKS)
+    return [`Sticks: ${symbol("F_0")} does not exceed 4μ/π = ${told(state, "F_0", answer.sticking)}. There is no motion.`];
+  if (curve.status !== 0) return ["The response is not resolved here: numbers are too large, or branches coincide within rounding."];
+  const highest = curve.A.reduce((most, A) => Math.max(most, A), 0);
+  if (plain.zeta === 0) said.push("Unbounded without viscous damping: the curve is cut.");
+  if (about.reach !== null && breaks.length && highest > about.reach)
+    said.push(fill(remarks.BEYOND_REACH, { reach: about.reach, reason: about.reach_reason }));
+  if (answer.stiffnessAtRest < 0) said.push(remarks.NEGATIVE_STIFFNESS);
+  if (curve.centred.includes(0)) said.push(remarks.LEAVES_CENTRE);
+  if (curve.undecided || folds.undecided) said.push(remarks.UNDECIDED);
+  if (about.truncated && folds.corner.includes(1)) said.push(remarks.OF_TRUNCATION);
+  const ratio = plain.mu / plain.F_0;
+  if (ratio > DATA.measured.NEAR) {
+    const known = DATA.measured.MECHANISMS.includes(state.mechanism);
+    const size = DATA.measured.BY_RATIO[binOf(DATA.measured.RATIOS, ratio)];
+    said.push(fill(near_sticking, short(ratio, 3)) + (known ? fill(off_by, percent(size)) : off_unknown));
+  }
+  return said;
+}
+
+/** The error of one state, in words. */
+function errorInWords(errors) {
+  if (errors === null) return "How far averaging is off was not measured for this mechanism.";
+  const parts = [`Averaging is typically off by ${short(100 * errors.typical, 2)} % here, by less than ${short(100 * errors.error, 2)} % in 95 of 100 measured cases.`];
+  if (errors.rest >= DATA.measured.STOPS_FROM) parts.push("The mass stops within the cycle, or nearly so.");
+  if (errors.truncation >= DATA.worth.truncation) parts.push(`The truncated force (6) adds ${short(100 * errors.truncation, 2)} %.`);
+  return parts.join(" ");
+}

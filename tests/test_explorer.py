@@ -1,0 +1,251 @@
+"""The explorer in headless Chromium: its numbers against the package's, and what a visitor does with it.
+
+In:  docs/explorer.html as it is committed.
+Out: verdicts; without Playwright or Chromium what needs them is skipped with a word.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from explorer.__main__ import MOST, PAGE, ROOT, digest
+from explorer.about import MOUNT, MOUNT_FORCE, PRESETS
+from slowflow import Duffing, Isolator, backend
+from slowflow.oscillator import Oscillator
+from slowflow.paper import example
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+ASK = """([name, numbers, F_0]) => {
+  const { solvers } = explorer.app, plain = (one) => Object.fromEntries(Object.entries(one).map(
+    ([key, value]) => [key, ArrayBuffer.isView(value) ? Array.from(value) : value]));
+  const breaks = solvers.choose(name, numbers);
+  const found = { onset: solvers.onset(), off: solvers.detachment(), peak: solvers.peak(F_0),
+                  folds: plain(solvers.folds(F_0)), curve: plain(solvers.respond(F_0, 0, 2, 300)),
+                  states: [0.3, 0.7, 0.9, 1.5].map((Omega) => plain(solvers.states(F_0, Omega))) };
+  const mu = numbers[numbers.length - 2];
+  found.errors = found.curve.Omega.map((Omega, i) => explorer.errorsOf(name, breaks, mu, F_0, Omega, found.curve.A[i]));
+  explorer.app.dirty = true;
+  return found;
+}"""
+
+
+def cases() -> list[tuple[Oscillator, float]]:
+    """Oscillators and forcings at which something changes, or numbers are extreme."""
+    return [
+        *((one, F_0) for _, one, F_0, _ in PRESETS),
+        *((example.isolator(), F_0) for F_0 in (0.0153, 0.0217, 0.0218, 0.03, 0.0301, 0.3)),
+        (example.isolator(mu=0.0, zeta=0.0), 0.02),
+        (example.isolator(zeta=0.0), 0.04),
+        (example.isolator(r=3.0, delta_h=0.2), 0.05),
+        (Isolator(lam=3, r=1e-6, delta_h=1e-6, mu=1e-9, zeta=1e-9), 1e-8),
+        (Isolator(lam=300, r=50.0, delta_h=0.9, mu=0.5, zeta=3.0), 10.0),
+        (Duffing(alpha=-1.0, beta=1.0, mu=0.01, zeta=0.05), 0.2),
+        (Duffing(alpha=1.0, beta=1e6, mu=0.0, zeta=1e-4), 1e-3),
+    ]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """Chromium, once for all tests of a process."""
+    if CHROMIUM is None or importlib.util.find_spec("playwright") is None:
+        pytest.skip("no Chromium or no Playwright here: the explorer is not tried in a browser")
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield opened
+        opened.close()
+
+
+@contextlib.contextmanager
+def opened(browser: Any, address: str = "", **about: Any) -> Iterator[Any]:
+    """The page, ready; whatever it complains of, and any request that it makes, fails the test."""
+    page = browser.new_page(**about)
+    said: list[str] = []
+    page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: said.append(request.url) if not _is_own(request.url) else None)
+    page.goto(PAGE.as_uri() + address)
+    page.wait_for_selector("body[data-ready]")
+    yield page
+    page.close()
+    assert said == []
+
+
+def _is_own(url: str) -> bool:
+    return url.startswith((PAGE.as_uri(), "blob:", "data:"))
+
+
+def test_the_page_was_made_from_these_sources_and_is_small() -> None:
+    text = PAGE.read_text()
+    assert f'"digest":"{digest()}"' in text, "docs/explorer.html was made from other sources: make explorer"
+    assert len(text.encode()) < MOST
+    # the name of SVG is an address that nobody asks
+    assert set(re.findall(r"https?://[^\s\"'<]+", text)) <= {"http://www.w3.org/2000/svg"}
+
+
+@pytest.mark.slow
+def test_the_page_is_made_again_byte_for_byte() -> None:
+    if importlib.util.find_spec("ziglang") is None:
+        pytest.skip("no ziglang here: the solvers are not compiled to WebAssembly")
+    done = subprocess.run([sys.executable, "-m", "explorer", "--check"], cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="the page has the digits of the compiled solvers")
+@pytest.mark.filterwarnings("ignore:delta_h")
+def test_its_numbers_are_those_of_the_package(browser: Any) -> None:
+    with opened(browser) as page:
+        for one, F_0 in cases():
+            numbers = [*one.model.design, one.mu, one.zeta]
+            found = page.evaluate(ASK, [one.model.mechanism.name, numbers, F_0])
+            told = f"{one!r} at {F_0}"
+            onset, off, peak = one.saddle_node_onset(), one.detachment(), one.peak(F_0)
+            assert (found["onset"]["status"] == 0) == (onset.F_SN is not None), told
+            if onset.F_SN is not None:
+                assert [found["onset"][name] for name in ("F_SN", "Omega", "A")] == [onset.F_SN, onset.Omega, onset.A]
+            if off.F_cr is not None:
+                assert [found["off"][name] for name in ("F_cr", "Omega", "u_cr")] == [off.F_cr, off.Omega_cr, off.u_cr]
+            if peak.A is not None:
+                assert [found["peak"][name] for name in ("A", "Omega")] == [peak.A, peak.Omega], told
+            folds, curve = one.saddle_nodes(F_0), one.frequency_response(F_0, samples=300)
+            assert found["folds"]["Omega"] == folds.Omega.tolist() and found["folds"]["A"] == folds.A.tolist(), told
+            for Omega, states in zip((0.3, 0.7, 0.9, 1.5), found["states"], strict=True):
+                theirs = one.amplitudes(Omega=Omega, F_0=F_0)
+                assert states["A"] == theirs.A.tolist(), told
+                for name, values in {"phi": theirs.phi, "T": theirs.transmissibility}.items():
+                    np.testing.assert_array_max_ulp(np.array(states[name], float), values, maxulp=2)
+            assert found["curve"]["branch"] == curve.branch.tolist(), told
+            assert np.array(found["curve"]["stable"], bool).tolist() == curve.stable.tolist(), told
+            # between folds and peaks points lie where cos() of the C library puts them, which is not the same
+            for name, values, most in (("A", curve.A, 8), ("Omega", curve.Omega, 32)):
+                np.testing.assert_array_max_ulp(np.array(found["curve"][name], float), values, maxulp=most)
+            if curve.A.size and found["errors"][0] is not None:
+                validity = curve.validity
+                assert [error["error"] for error in found["errors"]] == validity.error.tolist(), told
+                truncation = [error["truncation"] for error in found["errors"]]
+                np.testing.assert_allclose(truncation, validity.truncation, rtol=1e-12, atol=1e-18)
+
+
+def test_it_compares_itself_and_measures_its_frames(browser: Any) -> None:
+    with opened(browser) as page:
+        page.click("#check")
+        page.wait_for_selector("#check-result:not(:empty)")
+        told = re.match(
+            r"(\d+) of (\d+) numbers equal .* A frame of all pictures takes [\d.]+ ms", page.inner_text("#check-result")
+        )
+        assert told and told[1] == told[2] and int(told[1]) > 50
+
+
+def test_dragging_the_force_passes_sticking_onset_and_detachment(browser: Any) -> None:
+    with opened(browser) as page:
+        box = page.locator("#range-F_0").bounding_box()
+        page.mouse.move(box["x"] + 1, box["y"] + box["height"] / 2)
+        page.mouse.down()
+        cards = set()
+        for k in range(41):
+            page.mouse.move(box["x"] + box["width"] * k / 40, box["y"] + box["height"] / 2)
+            page.evaluate("explorer.step(16)")
+            cards.add(page.locator(".card.passed").count())
+            sticks = "Sticks" in page.inner_text("#remarks")
+            assert sticks == (float(page.input_value("#number-F_0")) <= example.isolator().sticking_forcing)
+        page.mouse.up()
+        assert {0, 1, 2} <= cards
+
+
+def test_a_sweep_jumps_where_the_fold_is(browser: Any) -> None:
+    folds = example.isolator().saddle_nodes(F_0=0.04)
+    with opened(browser) as page:
+        for button, kind in (("#sweep-up", "jump-down"), ("#sweep-down", "jump-up")):
+            page.click(button)
+            page.evaluate("() => { for (let k = 0; k < 160; k++) explorer.step(80) }")
+            at = float(re.search(r"at Ω = ([\d.]+)", page.inner_text("#events"))[1])  # type: ignore[index]
+            (fold,) = folds.Omega[folds.kind == kind]
+            # a frame of 80 ms moves by 0.0114, in 24 steps
+            assert abs(at - fold) < 0.0006
+
+
+FILL = """() => {
+  for (const field of document.querySelectorAll("#fields input[type=text]")) {
+    const kept = field.value;
+    for (const text of ["0", "1e-300", "1e300", "-1", "nonsense", kept]) {
+      field.value = text;
+      field.dispatchEvent(new Event("input"));
+      explorer.step(16);
+    }
+  }
+}"""
+
+
+@pytest.mark.slow
+def test_extreme_numbers_every_mechanism_and_both_units_are_shown_without_a_complaint(browser: Any) -> None:
+    with opened(browser) as page:
+        for preset in range(len(PRESETS) + 1):
+            page.select_option("#preset", str(preset))
+            page.evaluate("explorer.step(16)")
+            page.evaluate(FILL)
+            assert page.locator("#answers .card").count() == 5
+
+
+def test_an_address_and_lines_of_python_give_the_same_curve(browser: Any) -> None:
+    for preset in (1, 6):
+        with opened(browser) as page:
+            page.select_option("#preset", str(preset))
+            page.evaluate("explorer.step(16)")
+            lines = page.evaluate("explorer.inPython(explorer.app.state)")
+            table = page.evaluate("explorer.inCSV(explorer.app.answer)")
+            address = page.evaluate("explorer.toAddress(explorer.app.state)")
+        names: dict[str, Any] = {}
+        with contextlib.redirect_stdout(io.StringIO()):
+            exec(lines, names)
+        rows = np.genfromtxt(io.StringIO(table), delimiter=",", skip_header=1)
+        curve = names["curve"]
+        for column, values in enumerate((curve.f, curve.A) if preset == 6 else (curve.Omega, curve.A)):
+            # with units the window's end is rounded on its way there and back
+            np.testing.assert_allclose(rows[:, column], values, rtol=1e-13 if preset == 6 else 2e-15)
+        with opened(browser, address) as page:
+            assert page.evaluate("explorer.inCSV(explorer.app.answer)") == table
+    assert names["mount"].oscillator == MOUNT.oscillator and MOUNT_FORCE == curve.F
+
+
+def test_the_map_is_painted_and_a_click_goes_there(browser: Any) -> None:
+    with opened(browser) as page:
+        page.wait_for_selector("#map[data-whole=yes]")
+        i, j = 30, 12
+        x, y, value = page.evaluate(
+            """([i, j]) => {
+              const { request, values } = explorer.app.map;
+              return [request.xs[i], request.ys[j], values[j * request.xs.length + i]];
+            }""",
+            [i, j],
+        )
+        assert value == example.isolator(r=x, delta_h=y).saddle_node_onset().F_SN
+        page.locator("#map").focus()
+        before = float(page.input_value("#number-r"))
+        page.keyboard.press("ArrowRight")
+        page.evaluate("explorer.step(16)")
+        assert float(page.input_value("#number-r")) > before
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_is_wider_than_a_phone(browser: Any, scheme: str) -> None:
+    with opened(browser, viewport={"width": 390, "height": 844}, color_scheme=scheme) as page:
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390
+        naming = """all => all.map((one) => one.id + (one.labels?.length ? " named" : "")
+          + (one.getAttribute("aria-label") || one.getAttribute("aria-labelledby") || one.textContent.trim()))"""
+        named = page.eval_on_selector_all("input, select, button, textarea", naming)
+        ids = page.eval_on_selector_all("input, select, button, textarea", "all => all.map((one) => one.id)")
+        assert all(len(name) > len(id) for name, id in zip(named, ids, strict=True))
+        paper = page.evaluate("getComputedStyle(document.body).backgroundColor")
+        assert (paper == "rgb(20, 23, 28)") == (scheme == "dark")
