@@ -272,6 +272,35 @@ def test_an_oscillator_draws_its_responses_with_folds_and_regions():
         one.plot(0.04, of="B")
 
 
+def test_a_mount_draws_the_same_in_its_units():
+    """Each number in the picture is that of the dimensionless one times what it is measured in."""
+    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
+    of = {name: mount.scales.sizes[name] for name in ("frequency", "force")} | {"length": 1e3 * mount.scales.L}
+    plain = mount.oscillator.plot([F / of["force"] for F in (3.0, 5.0)])
+    ax = mount.plot([3.0, 5.0])
+    for one, other in zip(*(lines(axes, linewidth=1.6) for axes in (plain, ax)), strict=True):
+        np.testing.assert_allclose(other.get_xydata(), one.get_xydata() * (of["frequency"], of["length"]), rtol=1e-12)
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("frequency $f$ / Hz", "amplitude $A$ / mm")
+    told = {text.get_text() for text in ax.get_legend().get_texts()}
+    assert {
+        "3",
+        "5",
+        "beyond $x_{cr}$",
+        "unstable",
+    } <= told and ax.get_legend().get_title().get_text() == "force $F$ / N"
+    (stopping, before) = (axes.collections[-1].get_paths()[0].vertices for axes in (ax, plain))
+    np.testing.assert_allclose(stopping[:400], before[:400] * (of["frequency"], of["length"]), rtol=1e-9)
+    assert mount.plot(5.0, f=(1, 3), of="transmissibility_dB").get_ylabel() == "transmissibility / dB"
+    locus = mount.fold_locus().plot()
+    assert (
+        locus.get_ylim()[1] == pytest.approx(4 * mount.fold_locus().F.min()) and locus.get_ylabel() == "force $F$ / N"
+    )
+    assert mount.frequency_response(5).plot(of="phi").get_xlabel() == "frequency $f$ / Hz"
+    assert mount.transient(acceleration=20, duration=0.05).plot().get_xlabel() == "time $t$ / ms"
+    with pytest.raises(ValueError, match="no picture of this answer"):
+        mount.detachment().plot()
+
+
 def test_a_fold_locus_shows_its_tip_and_not_its_tail():
     one = isolator()
     locus = one.fold_locus()

@@ -67,6 +67,8 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
 )
 #: and which unit is of which kind
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
+#: what can be drawn of a response curve
+DRAWN = ("A", "phi", "transmissibility_dB")
 #: standard gravity, m/s^2
 g = UNITS["acceleration"]["g"]
 
@@ -168,6 +170,24 @@ class Quantities(Answer):
 
     def __str__(self) -> str:
         return "\n".join(_lines(self.in_units()))
+
+    def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
+        """Draw a curve, folds, a fold locus or a shock, in mm, Hz, N, into Matplotlib axes, or new ones; return these.
+
+        of -- of a response curve what is drawn: "A", "phi" or "transmissibility_dB"
+
+        Other units: `in_units` first. Raises ValueError where there is no picture of this answer, ImportError without
+        Matplotlib.
+        """
+        picture = getattr(self.answer, "picture", None)
+        if picture is None:
+            raise ValueError(f"there is no picture of this answer: it has {', '.join(self.values)}")
+        from slowflow import pictures
+
+        shown = self if set(self.units.values()).isdisjoint(("m", "s")) else self.in_units()
+        if picture != "response":
+            return getattr(pictures, picture)(ax, shown)
+        return pictures.response(ax, shown, "A" if of is None else validate.choice("of", of, DRAWN))
 
 
 def _times(value: Any, size: float) -> Any:
@@ -433,6 +453,30 @@ class Physical:
         """
         Omega = None if f is None else self._frequency("f", f)
         return self.scales.quantities(self.oscillator.certify(self._force("F", F), Omega=Omega))
+
+    def plot(self, F: Any, *, f: Any = None, of: str = "A", ax: Any = None) -> Any:
+        """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
+
+        f  -- the window of frequencies, up to twice f_n without
+        of -- what is drawn over frequency, in Hz: "A", in mm, "phi" or "transmissibility_dB"
+
+        Signs and tints as of `Averaged.plot`. Raises ValueError for another word, ImportError without Matplotlib.
+        """
+        from slowflow import pictures
+
+        validate.choice("of", of, DRAWN)
+        forces = np.atleast_1d(np.asarray(si("F", F, "newton"), dtype=float)).ravel().tolist()
+        answers = ((self.frequency_response(force, f=f), self.saddle_nodes(force)) for force in forces)
+        found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
+        ax = pictures.responses(ax, found, of)
+        window = validate.WINDOW if f is None else self._window(f)["Omega"]
+        ax.set_xlim(*(end * self.scales.sizes["frequency"] for end in window))
+        if of == "A":
+            length = self.scales.sizes["length"] / UNITS["length"]["mm"]
+            pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")
+            pictures.stopping(ax, self.oscillator.mu * length * self.scales.sizes["frequency"] ** 2)
+        pictures.legend(ax, pictures.axis(found[0][0], "F"))
+        return ax
 
     def explain(self, question: str, F: Any = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""

@@ -8,7 +8,7 @@ are drawn.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -49,11 +49,18 @@ LABELS = {
     "F_cr": "critical forcing $F_{cr}$",
     "u_cr": "$u_{cr}$",
     "tau": r"time $\tau$",
-    "duration": r"duration $\tau$ of the pulse",
+    "f": "frequency $f$",
+    "F": "force $F$",
+    "x": "displacement $x$",
+    "t": "time $t$",
+    "k_h": "stiffness of the springs $k_h$",
+    "duration": "duration of the pulse",
     "acceleration": "acceleration of the pulse",
     "ratio": "largest acceleration over the pulse's",
     "Omega_cr": r"$\Omega_{cr}$",
 }
+#: points of a motion over time
+HISTORY = 2000
 #: a fold locus is shown up to this many times its least forcing
 LOCUS_SHOWN = 4.0
 
@@ -71,6 +78,17 @@ def ramp(count: int) -> list[Any]:
 def label(name: str) -> str:
     """What an axis is called."""
     return LABELS.get(name, name)
+
+
+def axis(found: Any, name: str) -> str:
+    """The same for a number of an answer, with its unit if it has one."""
+    unit = found.units_of_columns().get(name, "").replace("^2", "²")
+    return f"{label(name)} / {f'({unit})' if '/' in unit else unit}" if unit else label(name)
+
+
+def _has(found: Any, *names: str) -> str:
+    """The first of the names that an answer has: it is dimensionless, or in units."""
+    return next(name for name in names if hasattr(found, name))
 
 
 def curve(
@@ -99,22 +117,22 @@ def jumps(ax: Any, x: Values, y: Values, kind: Values, *, colour: Any) -> None:
         )
 
 
-def breakpoints(ax: Any, amplitudes: Sequence[float]) -> None:
+def breakpoints(ax: Any, amplitudes: Sequence[float], letter: str = "u") -> None:
     """The plane beyond the first breakpoint tinted, and each named at the right end, off the curves."""
     low, high = ax.get_ylim()
     for number, u_cr in enumerate(amplitudes):
         if not low < u_cr < high:
             continue
         if number == 0:
-            ax.axhspan(u_cr, high, color=DETACHED, zorder=-3, linewidth=0)
+            ax.axhspan(u_cr, high, color=DETACHED, zorder=-3, linewidth=0, label=f"_beyond ${letter}_{{cr}}$")
         ax.axhline(u_cr, color="0.4", linewidth=0.8, zorder=-2)
-        name = "$u_{cr}$" if len(amplitudes) == 1 else f"$u_{{cr,{number + 1}}}$"
+        name = f"${letter}_{{cr}}$" if len(amplitudes) == 1 else f"${letter}_{{cr,{number + 1}}}$"
         ax.annotate(name, (1.01, u_cr), xycoords=("axes fraction", "data"), va="center", color="0.3")
     ax.set_ylim(low, high)
 
 
 def stopping(ax: Any, mu: float) -> None:
-    """The plane of Omega and A tinted where A Omega^2 < mu: friction holds a mass that turns there."""
+    """The plane of frequency and A tinted where A Omega^2 < mu: friction holds a mass that turns there."""
     if mu > 0:
         low, high = ax.get_xlim()
         bottom, top = ax.get_ylim()
@@ -134,96 +152,124 @@ def legend(ax: Any, title: str = "", *, beside: bool = True) -> None:
         ax.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **place)
 
 
-def responses(ax: Any, found: Sequence[tuple[Any, Any]], of: str = "A") -> Any:
-    """Response curves, each with its folds, at rising forcings: `of` over Omega; `of` is "A", "phi", ...
+def responses(
+    ax: Any,
+    found: Sequence[tuple[Any, Any]],
+    of: str = "A",
+    *,
+    names: Sequence[str] = (),
+) -> Any:
+    """Response curves, each with its folds: `of` over frequency; `of` is "A", "phi", "transmissibility_dB", ...
 
-    found -- for each forcing the curve and its folds, records of `results`
+    found -- for each the curve and its folds or None: records of `results`, or the same in units
+    names -- of the curves; by default their forcings, which rise
     """
     ax = axes(ax)
-    for (points, folds), colour in zip(found, ramp(len(found)), strict=True):
-        curve(
-            ax, points.Omega, getattr(points, of), points.stable, points.branch, colour=colour, name=f"{points.F_0:.4g}"
-        )
+    for number, ((points, folds), colour) in enumerate(zip(found, ramp(len(found)), strict=True)):
+        over = _has(points, "Omega", "f")
+        name = names[number] if names else f"{getattr(points, _has(points, 'F_0', 'F')):.4g}"
+        if not len(points):
+            ax.axhline(0.0, color=colour, linewidth=4, label=f"{name}, sticks", clip_on=False)
+            continue
+        curve(ax, getattr(points, over), getattr(points, of), points.stable, points.branch, colour=colour, name=name)
         if of == "A" and folds is not None:
-            jumps(ax, folds.Omega, folds.A, folds.kind, colour=colour)
-    ax.set(xlabel=label("Omega"), ylabel=label(of))
+            jumps(ax, getattr(folds, over), folds.A, folds.kind, colour=colour)
+    if found:
+        points = found[0][0]
+        ax.set(xlabel=axis(points, _has(points, "Omega", "f")), ylabel=axis(points, of))
     if of == "A":
         ax.set_ylim(bottom=0.0)
+    if of == "transmissibility_dB":
+        ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
     if of == "phi":
         ax.set(ylim=(-np.pi, 0.0))
         ax.set_yticks([-np.pi, -np.pi / 2, 0], [r"$-\pi$", r"$-\pi/2$", "0"])
     return ax
 
 
+def response(ax: Any, found: Any, of: str = "A") -> Any:
+    """One curve, its forcing beside it."""
+    ax = responses(ax, [(found, None)], of)
+    legend(ax, axis(found, _has(found, "F_0", "F")))
+    return ax
+
+
 def folds(ax: Any, found: Any) -> Any:
-    """Folds at one forcing as points of the plane of Omega and A."""
-    ax = axes(ax)
-    jumps(ax, found.Omega, found.A, found.kind, colour=COLOURS[0])
-    ax.set(xlabel=label("Omega"), ylabel=label("A"))
+    """Folds at one forcing as points of the plane of frequency and A."""
+    ax, over = axes(ax), _has(found, "Omega", "f")
+    jumps(ax, getattr(found, over), found.A, found.kind, colour=COLOURS[0])
+    ax.set(xlabel=axis(found, over), ylabel=axis(found, "A"))
     legend(ax)
     return ax
 
 
 def locus(ax: Any, found: Any) -> Any:
-    """The forcing over Omega along a fold locus, up to `LOCUS_SHOWN` times the least one; there lie its tips.
+    """The forcing over frequency along a fold locus, up to `LOCUS_SHOWN` times the least one; there lie its tips.
 
     What lies beyond is drawn too, outside the limits of the axes.
     """
-    ax = axes(ax)
+    ax, over, force = axes(ax), _has(found, "Omega", "f"), _has(found, "F_0", "F")
+    x, y = getattr(found, over), getattr(found, force)
     for number in np.unique(found.branch):
         on = found.branch == number
-        ax.plot(found.Omega[on], found.F_0[on], color=COLOURS[0], linewidth=1.6)
-    if found.F_0.size:
-        most = LOCUS_SHOWN * float(found.F_0.min())
-        shown = found.Omega[found.F_0 <= most]
+        ax.plot(x[on], y[on], color=COLOURS[0], linewidth=1.6)
+    if y.size:
+        most = LOCUS_SHOWN * float(y.min())
+        shown = x[y <= most]
         margin = 0.05 * (float(np.ptp(shown)) or float(shown[0]))
         ax.set(xlim=(max(0.0, float(shown.min()) - margin), float(shown.max()) + margin), ylim=(0.0, most))
-    ax.set(xlabel=label("Omega"), ylabel=label("F_0"))
+    ax.set(xlabel=axis(found, over), ylabel=axis(found, force))
     return ax
 
 
-def motions(ax: Any, found: Any, *, colour: Any = COLOURS[1], name: str | None = None) -> Any:
+def motions(ax: Any, found: Any) -> Any:
     """The curve of the equation of motion with its folds; bars where the mass stops within the cycle."""
-    ax = axes(ax)
-    curve(ax, found.Omega, found.A, found.stable, colour=colour, name=name)
+    ax, over, colour = axes(ax), _has(found, "Omega", "f"), COLOURS[1]
+    x = getattr(found, over)
+    curve(ax, x, found.A, found.stable, colour=colour)
     stops = found.stops > 0
-    ax.plot(found.Omega[stops], found.A[stops], linestyle="none", marker=STOPS, color=colour, markersize=6, markevery=3)
+    ax.plot(x[stops], found.A[stops], linestyle="none", marker=STOPS, color=colour, markersize=6, markevery=3)
     for fold in found.folds:
-        one = np.array([fold.Omega]), np.array([fold.A]), np.array([fold.kind])
+        one = np.array([getattr(fold, over)]), np.array([fold.A]), np.array([fold.kind])
         jumps(ax, *one, colour=colour)
-    ax.set(xlabel=label("Omega"), ylabel="amplitude, largest $|u|$")
-    return ax
-
-
-def history(ax: Any, x: Values, y: Values, breakpoints: Sequence[float], names: tuple[str, str]) -> Any:
-    """A motion over time; tinted where the springs have left, on either side."""
-    ax = axes(ax)
-    ax.plot(x, y, color=COLOURS[0], linewidth=1.6)
-    low, high = ax.get_ylim()
-    if breakpoints:
-        for sign, end in ((1.0, high), (-1.0, low)):
-            if sign * end > breakpoints[0]:
-                ax.axhspan(sign * breakpoints[0], end, color=DETACHED, zorder=-3, linewidth=0)
-    ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
-    ax.set(xlabel=label(names[0]), ylabel=label(names[1]), xlim=(x[0], x[-1]), ylim=(low, high))
+    ax.set(xlabel=axis(found, over), ylabel=axis(found, "A"))
     legend(ax)
     return ax
 
 
-def shocks(ax: Any, columns: Mapping[str, Values], names: tuple[str, str, str]) -> Any:
-    """Shock spectra: one column over another, a curve for each value of the third; columns by name."""
+def history(ax: Any, found: Any) -> Any:
+    """The motion in a shock over time; tinted where the springs have left, on either side."""
     ax = axes(ax)
-    x, y, of = names
-    values = np.unique(columns[of])
+    line = found.series(HISTORY) if hasattr(found, "series") else found
+    time, place = _has(line, "tau", "t"), _has(line, "u", "x")
+    ax.plot(getattr(line, time), getattr(line, place), color=COLOURS[0], linewidth=1.6)
+    low, high = ax.get_ylim()
+    stroke = getattr(found, _has(found, "u_cr", "x_cr"))
+    for sign, end in ((1.0, high), (-1.0, low)) if stroke is not None else ():
+        if sign * end > stroke:
+            name = f"_beyond ${_has(found, 'u_cr', 'x_cr').replace('_cr', '')}_{{cr}}$"
+            ax.axhspan(sign * stroke, end, color=DETACHED, zorder=-3, linewidth=0, label=name)
+    ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
+    shown = getattr(line, time)
+    ax.set(xlabel=axis(found, time), ylabel=axis(found, place), xlim=(shown[0], shown[-1]), ylim=(low, high))
+    legend(ax)
+    return ax
+
+
+def shocks(ax: Any, found: Any) -> Any:
+    """Shock spectra: the share of a pulse's acceleration that the mass sees, over its duration, for each peak."""
+    ax = axes(ax)
+    values = np.unique(found.acceleration)
     for value, colour in zip(values, ramp(values.size), strict=True):
-        here = np.flatnonzero(columns[of] == value)
-        here = here[np.argsort(columns[x][here])]
-        ax.plot(columns[x][here], columns[y][here], color=colour, linewidth=1.6, label=f"{value:.4g}")
-        off = here[columns["detaches"][here].astype(bool)]
-        ax.plot(columns[x][off], columns[y][off], linestyle="none", marker=LEAVES, color=colour, markersize=3.5)
-    ax.set(xscale="log", xlabel=label(x), ylabel=label(y))
+        here = np.flatnonzero(found.acceleration == value)
+        here = here[np.argsort(found.duration[here])]
+        ax.plot(found.duration[here], found.ratio[here], color=colour, linewidth=1.6, label=f"{value:.4g}")
+        off = here[found.detaches[here]]
+        some = {"marker": LEAVES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
+        ax.plot(found.duration[off], found.ratio[off], linestyle="none", color=colour, **some)
+    ax.set(xscale="log", xlabel=axis(found, "duration"), ylabel=axis(found, "ratio"))
     ax.set_ylim(bottom=0.0)
-    legend(ax, label(of))
+    legend(ax, axis(found, "acceleration"))
     return ax
 
 
@@ -281,10 +327,12 @@ def _signs(ax: Any) -> Iterator[tuple[Any, str]]:
     for marker, text in MARKERS.items():
         if any(line.get_marker() == marker and line.get_xdata().size for line in lines):
             yield Line2D([], [], color="0.2", linestyle="none", marker=marker), text
-    tints = {mpl.colors.to_hex(patch.get_facecolor()) for patch in ax.patches}
-    tints |= {mpl.colors.to_hex(one) for drawn in ax.collections for one in drawn.get_facecolor()}
+    # a label that begins with an underscore is in no legend of its own
+    beyond = {patch.get_label()[1:] for patch in ax.patches if patch.get_label().startswith("_beyond")}
+    for text in sorted(beyond):
+        yield Patch(color=DETACHED), text
+    tints = {mpl.colors.to_hex(one) for drawn in ax.collections for one in drawn.get_facecolor()}
     for tint, text in (
-        (DETACHED, "beyond $u_{cr}$"),
         (STOPPING, r"$A\,\Omega^2 < \mu$: stops"),
         (UNSTABLE_REGION, "would be unstable"),
     ):

@@ -104,21 +104,10 @@ def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     yield "<h2>Curves</h2>"
     curves = [_shown(of.frequency_response(F)) for F in forcings]
     folds = [_shown(of.saddle_nodes(F)) for F in forcings]
-    x, force = ("f", "F") if isinstance(of, Physical) else ("Omega", "F_0")
+    force = "F" if isinstance(of, Physical) else "F_0"
     for y, said in (("A", "Amplitude"), ("transmissibility_dB", "Transmissibility in decibels")):
-        ax = pictures.axes(None)
-        for curve, fold, colour in zip(curves, folds, pictures.ramp(len(curves)), strict=True):
-            columns = curve.columns()
-            at = fold.columns()
-            name = f"{getattr(curve, force):.4g}"
-            pictures.curve(ax, columns[x], columns[y], columns["stable"], columns["branch"], colour=colour, name=name)
-            if y == "A":
-                pictures.jumps(ax, at[x], at[y], at["kind"], colour=colour)
-        if y != "A":
-            ax.axhline(0.0, color="0.4", linewidth=0.8)
-        units = curves[0].units_of_columns()
-        ax.set(xlabel=head(x, units), ylabel=head(y, units))
-        pictures.legend(ax, head(force, units))
+        ax = pictures.responses(None, list(zip(curves, folds, strict=True)), y)
+        pictures.legend(ax, pictures.axis(curves[0], force))
         yield _figure(ax, f"{said} over frequency, a curve for each force; unstable motions dashed.")
 
 

@@ -291,6 +291,7 @@ class FrequencyResponse(SteadyStates):
     F_0: float
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
+    picture: ClassVar[str] = "response"
 
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:
         """Draw the curve into Matplotlib axes, or new ones, and return these; stable is solid, unstable dashed.
@@ -301,9 +302,7 @@ class FrequencyResponse(SteadyStates):
         """
         from slowflow import pictures
 
-        ax = pictures.responses(ax, [(self, None)], validate.choice("of", of, DRAWN))
-        pictures.legend(ax, "$F_0$")
-        return ax
+        return pictures.response(ax, self, validate.choice("of", of, DRAWN))
 
 
 @dataclass(frozen=True, eq=False)
@@ -430,6 +429,8 @@ class SaddleNodes(Table):
             raise ValueError(NOT_ASKED)
         return self._asked.measured_folds(self, force)
 
+    picture: ClassVar[str] = "folds"
+
     def plot(self, ax: Any = None) -> Any:
         """Draw the folds, A over Omega, into Matplotlib axes, or new ones, and return these."""
         from slowflow import pictures
@@ -524,6 +525,7 @@ class FoldLocus(Table):
     F_0: Floats
     branch: npt.NDArray[np.intp]
     message: str
+    picture: ClassVar[str] = "locus"
 
     def plot(self, ax: Any = None) -> Any:
         """Draw F_0 over Omega into Matplotlib axes, or new ones, and return these.

@@ -90,6 +90,7 @@ class Response(Table):
     closed: bool
     states: tuple[_Point, ...] = field(repr=False)
     message: str = ""
+    picture: ClassVar[str] = "motions"
 
     def steady_state(self, index: int) -> SteadyState:
         """The full steady state of a point of the curve."""
@@ -103,9 +104,7 @@ class Response(Table):
         """
         from slowflow import pictures
 
-        ax = pictures.motions(ax, self)
-        pictures.legend(ax)
-        return ax
+        return pictures.motions(ax, self)
 
     @functools.cached_property
     def peak(self) -> SteadyState:

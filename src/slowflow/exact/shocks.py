@@ -48,12 +48,13 @@ class ShockSpectrum(Table):
     a_max: Floats
     ratio: Floats
     detaches: Flags
+    picture: ClassVar[str] = "shocks"
 
     def plot(self, ax: Any = None) -> Any:
         """Draw the ratio over the duration into Matplotlib axes, or new ones, and return these."""
         from slowflow import pictures
 
-        return pictures.shocks(ax, self.columns(), ("duration", "ratio", "acceleration"))
+        return pictures.shocks(ax, self)
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,6 +77,7 @@ class Transient(Answer):
 
     A, tau_A      -- largest |u|, the deflection of the springs, and when it is reached
     a_max, tau_a  -- largest acceleration of the mass, as seen by who stands still, and when
+    u_cr          -- the stroke, None where the springs never touch
     detaches      -- whether the springs leave, |u| > u_cr; tau_detaches -- when first, None if never
     rests         -- whether friction holds the mass at the end of what was followed, at u_end
     message       -- what to bear in mind
@@ -89,12 +90,14 @@ class Transient(Answer):
     tau_A: float
     a_max: float
     tau_a: float
+    u_cr: float | None
     detaches: bool
     tau_detaches: float | None
     rests: bool
     u_end: float
     message: str
     stretches: tuple[Stretch, ...] = field(repr=False)
+    picture: ClassVar[str] = "history"
 
     def series(self, samples: int = 400) -> Series:
         """The motion at `samples` equal steps from the pulse's beginning to the end of what was followed."""
@@ -117,8 +120,7 @@ class Transient(Answer):
         """Draw u over tau into Matplotlib axes, or new ones, and return these; tinted beyond u_cr."""
         from slowflow import pictures
 
-        force = self.stretches[0].forced.system.force
-        return pictures.history(ax, *self.series(2000)[:2], force.breakpoints, ("tau", "u"))
+        return pictures.history(ax, self)
 
 
 def half_sine(acceleration: float, duration: float) -> tuple[Arc, ...]:
@@ -159,7 +161,9 @@ def transient(
     tau_A = next(stretch.tau(phase.end) for stretch, phase in phases if abs(phase.u_end) >= A * SAME)
     off = next((stretch.tau(phase.theta) for stretch, phase in phases if phase.region != 0), None)
     a_max, tau_a = _largest_acceleration(phases)
-    return Transient(A, tau_A, a_max, tau_a, off is not None, off, last.slip == 0, last.u_end, "", tuple(stretches))
+    u_cr = next(iter(system.force.breakpoints), None)
+    rests, stated = last.slip == 0, tuple(stretches)
+    return Transient(A, tau_A, a_max, tau_a, u_cr, off is not None, off, rests, last.u_end, "", stated)
 
 
 def _followed(

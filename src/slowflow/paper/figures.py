@@ -265,14 +265,9 @@ def _continuous(Omega: Any, ratio: float) -> Any:
 def _responses(ax: Any, these: Iterable[tuple[str, Isolator]], title: str, *, beyond: bool = True) -> None:
     """Response curves at F_0 with their folds, each isolator under its name."""
     listed = list(these)
-    for (name, one), colour in zip(listed, ramp(len(listed)), strict=True):
-        curve, folds = one.frequency_response(F_0, Omega=NEAR_RESONANCE), one.saddle_nodes(F_0)
-        pictures.curve(ax, curve.Omega, curve.A, curve.stable, curve.branch, colour=colour, name=name)
-        pictures.jumps(ax, folds.Omega, folds.A, folds.kind, colour=colour)
-        if curve.A.size == 0:
-            ax.plot(NEAR_RESONANCE, (0.0, 0.0), color=colour, linewidth=4, label=f"{name}, sticks", clip_on=False)
-    ax.set(xlim=NEAR_RESONANCE, xlabel=label("Omega"), ylabel=label("A"))
-    ax.set_ylim(bottom=0.0)
+    found = [(one.frequency_response(F_0, Omega=NEAR_RESONANCE), one.saddle_nodes(F_0)) for _, one in listed]
+    pictures.responses(ax, found, names=[name for name, _ in listed])
+    ax.set(xlim=NEAR_RESONANCE)
     if beyond:
         pictures.breakpoints(ax, listed[0][1].breakpoints)
     pictures.legend(ax, title)
