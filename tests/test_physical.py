@@ -7,6 +7,7 @@ import dataclasses
 import math
 import pickle
 import re
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -101,7 +102,7 @@ def test_every_question_in_physical_units_is_the_dimensionless_one(mount):
         for name, (shown, scale) in named.items():
             if hasattr(answer, name):
                 np.testing.assert_allclose(getattr(twin, shown), getattr(answer, name) * scale, rtol=1e-15)
-    assert mount.explain("peak", 5).F_0 == F_0
+    assert mount.explain("peak", 5).F_0 == F_0 and str(mount.explain("peak", 5)).startswith("peak at F = 5 N")
     assert mount.backbone(0.01) == iso.backbone(0.01 / L) * f
     assert mount.limit_envelope(f=2, F=5) == iso.limit_envelope(Omega=2 / f, F_0=F_0) * L
     assert mount.force([0.01]) == iso.force([0.01 / L]) * F
@@ -268,3 +269,57 @@ def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 numbers = [one.name for one in dataclasses.fields(kind) if "loat" in str(one.type)]
                 assert set(numbers) <= set(KINDS) | without, kind
+
+
+# ---- words ---------------------------------------------------------------------------------------------------------
+
+
+def words_of(mount):
+    """All that is said beside answers of a mount, and where there is none; plans too."""
+    for F in (0.3, 0.509, 0.51, 2.0, 5.0, 30.0):
+        for question in ("saddle_nodes", "peak", "frequency_response", "margins", "hysteresis", "isolation"):
+            yield getattr(mount, question)(F).message
+            yield str(mount.explain(question, F))
+        yield mount.amplitudes(f=[0.01, 2.2], F=F).message
+        yield mount.spectrum(f=[0.01, 2.2], F=F).message
+        yield mount.frequency_response(F, f=(3.0, 4.0)).message
+    for question, given in (
+        *dict.fromkeys(("saddle_node_onset", "detachment"), {}).items(),
+        *dict.fromkeys(("cusps", "isola_points", "fold_locus"), {"A_max": 0.08}).items(),
+    ):
+        yield getattr(mount, question)(**given).message
+        yield str(mount.explain(question))
+
+
+@pytest.mark.parametrize(
+    "changes", [{}, {"zeta": 0.0}, {"friction": 0.0}, {"preload": 0.04}, {"preload": 0.0}, {"k_h": 2500, "n": 2}]
+)
+def test_words_about_a_mount_are_in_its_letters_and_units(changes):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # of negative stiffness at rest
+        mount = Isolator.physical(**{**MOUNT, **changes})
+        said = [text for text in words_of(mount) if text]
+    for text in said:
+        # what scenes of the slow flow are called has the paper's letters
+        told = re.sub(r"runs .*", "", text)
+        assert not re.search(r"F_0|Omega|\bmu\b|u_cr|\btau\b", told), text
+
+
+def test_numbers_in_words_about_a_mount_are_those_that_were_given():
+    mount = Isolator.physical(**MOUNT)
+    assert mount.peak(0.3).message == f"sticks: F = 0.3 N does not exceed 4 friction/pi = {1.6 / math.pi:.6g} N"
+    assert mount.saddle_nodes(2).message == "no saddle node at F = 2 N: the response is single-valued"
+    assert "amplitudes above 80 mm are not reached" in mount.peak(30).message
+    assert "sticks: F = 0.3 N" in str(mount.explain("saddle_nodes", 0.3))
+    unit = mount.scales.sizes
+    said = mount.scales.worded("here at Omega = 0.5, 1e-05, 0.12345678; steady_state(Omega=0.5, F_0=0.025, A=0.5)")
+    first, second, third = (x * unit["frequency"] for x in (0.5, 1e-5, 0.12345678))
+    numbers = f"{first:.4g}, {second:.4g}, {third:.8g}"
+    assert said == f"here at f = {numbers} Hz; steady_state(f={first:.4g}, F=5, A=0.04)"
+
+
+def test_a_curve_of_the_equation_of_motion_begins_at_a_motion_of_the_mount():
+    mount = Isolator.physical(**MOUNT)
+    state = mount.steady_state(f=2.2, F=5.0, A=0.040)
+    curve = mount.exact_response(5.0, f=(2.15, 2.3), start=state)
+    assert np.abs(curve.A - state.A).min() < 1e-12

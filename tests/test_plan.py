@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, backend
-from slowflow.averaged import solvers
+from slowflow.averaged import plan, solvers
 from slowflow.model import Model
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow_kernels import duffing, rod_spring
@@ -14,8 +14,8 @@ from slowflow_kernels import duffing, rod_spring
 pytestmark = pytest.mark.both_backends
 
 
-def runs(plan):
-    return {step.name: step.runs for step in plan.steps}
+def runs(made):
+    return {step.name: step.runs for step in made.steps}
 
 
 def same_folds(one, other):
@@ -141,3 +141,30 @@ def test_the_plan_of_a_curve_does_not_claim_a_skip_that_is_none(question):
 
 def test_the_plan_of_a_peak_has_no_curve():
     assert runs(isolator().explain("peak", 0.04)) == {"force": True, "slow flow": True, "peaks": True, "folds": False}
+
+
+def test_every_question_has_a_plan():
+    """At each depth: whatever takes numbers and gives an answer."""
+    iso = isolator()
+    asked = {**dict.fromkeys((*plan.QUESTIONS, *plan.AT_ONE), 0.04), **dict.fromkeys(plan.OF_ALL)}
+    asked |= {name: None for name in plan.COMPOSED if name not in asked}
+    for name, F_0 in asked.items():
+        assert callable(getattr(iso, name))
+        assert len(iso.explain(name, F_0).steps) >= 2 and iso.explain(name, F_0).question == name
+    # the rest are formulas, numbers, and what proves, draws and says
+    formulas = {"backbone", "limit_envelope", "equivalent_damping", "stability", "force", "stiffness"}
+    beside = {"certify", "explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
+    beside |= {"measured_states", "measured_folds", "states", "curve", "folds"}
+    public = {name for name in dir(type(iso)) if not name.startswith("_") and callable(getattr(type(iso), name))}
+    assert public - formulas - beside - {"physical"} == set(asked)
+
+
+def test_the_second_approximation_says_what_it_makes_of_averaging():
+    second = isolator().second_approximation
+    for question, F_0 in (("saddle_nodes", 0.04), ("peak", 0.04), ("saddle_node_onset", None)):
+        *before, last = second.explain(question, F_0).steps
+        first = isolator().explain(question, F_0)
+        assert (tuple(before), last.name, last.runs) == (first.steps, "harmonics", True)
+    assert not second.explain("peak", 0.01).steps[-1].runs  # it sticks
+    with pytest.raises(ValueError, match="question = 'cusps' is not allowed"):
+        second.explain("cusps")

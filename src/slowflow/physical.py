@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType, SimpleNamespace
 from typing import Any
 
@@ -67,6 +68,30 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
 )
 #: and which unit is of which kind
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
+#: the unit of each kind in which answers are shown
+SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
+#: words about dimensionless answers that are followed by numbers: which, by what they are replaced, and of which kind
+PHRASES = (
+    (r"(?<![\w/])F_0 = ", "F = ", "force"),
+    (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
+    (r"\bF_SN = ", "F_SN = ", "force"),
+    (r"\bOmega = ", "f = ", "frequency"),
+    (r"\bfor Omega in \[", "for f in [", "frequency"),
+    (r"\bA = ", "A = ", "length"),
+    (r"\bamplitude up to ", "amplitude up to ", "length"),
+    (r"\bamplitudes above ", "amplitudes above ", "length"),
+)
+#: arguments of a question, which are in SI units
+CALLS = ((r"\bOmega=", "f=", "frequency"), (r"\bF_0=", "F=", "force"), (r"\bA=", "A=", "length"))
+#: and letters that stand alone
+LETTERS = (
+    (r"\bF_0\b", "F"),
+    (r"\bmu\b", "friction"),
+    (r"\bOmega\b", "f"),
+    (r"\bu_cr\b", "x_cr"),
+    (r"\bu = 0\b", "x = 0"),
+)
+NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
 #: what can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
 #: standard gravity, m/s^2
@@ -194,6 +219,17 @@ def _times(value: Any, size: float) -> Any:
     return None if value is None else value * size
 
 
+def _digits(number: str) -> int:
+    """As many as a number was written with, four at least."""
+    return max(4, min(15, len(re.sub(r"e.*|[^\d]", "", number).lstrip("0"))))
+
+
+def _told(name: str, size: float, unit: str, match: re.Match[str]) -> str:
+    """Numbers of words times what they are measured in, after their name."""
+    numbers = re.findall(NUMBER, match["numbers"])
+    return name + ", ".join(f"{float(one) * size:.{_digits(one)}g}" for one in numbers) + unit
+
+
 def _lines(shown: Quantities) -> Iterator[str]:
     """The answer, intervals that it holds, then answers that it holds."""
     yield from in_text(shown)
@@ -295,6 +331,18 @@ class Scales:
             entry += ("transmissibility_dB", "F_0") if np.ndim(answer.F_0) else ("transmissibility_dB",)
         return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
 
+    def worded(self, text: str) -> str:
+        """Words about a dimensionless answer with its letters, and numbers in N, mm and Hz."""
+        for pattern, name, kind in PHRASES:
+            size = self.sizes[kind] / UNITS[kind][SHOWN[kind]]
+            told = partial(_told, name, size, f" {SHOWN[kind]}")
+            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER}(?:, {NUMBER})*)", told, text)
+        for pattern, name, kind in CALLS:
+            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER})", partial(_told, name, self.sizes[kind], ""), text)
+        for letter, name in LETTERS:
+            text = re.sub(letter, name, text)
+        return text
+
     def named(self, found: Mapping[str, Any], answer: Any, entry: tuple[str, ...] = ()) -> Quantities:
         """Dimensionless numbers by name, as `KINDS` has them, in SI units."""
         values: dict[str, Any] = {}
@@ -302,6 +350,8 @@ class Scales:
         for name, value in found.items():
             shown, kind = KINDS.get(name, (name, ""))
             values[shown] = self.quantities(value) if isinstance(value, Answer) else value
+            if name == "message":
+                values[shown] = self.worded(value)
             if kind:
                 values[shown] = _times(value, self.sizes[kind])
                 units[shown] = next(iter(UNITS[kind]))
@@ -481,7 +531,9 @@ class Physical:
     def explain(self, question: str, F: Any = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
         found: Plan = self.oscillator.explain(question, None if F is None else self._force("F", F))
-        return found
+        steps = tuple(dataclasses.replace(step, why=self.scales.worded(step.why)) for step in found.steps)
+        where = "" if F is None else f" at F = {si('F', F, 'newton'):g} N"
+        return dataclasses.replace(found, steps=steps, where=where)
 
     @property
     def second_approximation(self) -> Physical:
@@ -499,9 +551,15 @@ class Physical:
         said = {name: getattr(found, name) for name in ("Omega", "F_0", "A", "stops", "stable", "period")}
         return self.scales.named({**said, "tau": tau, "u": u, "v": v}, found)
 
-    def exact_response(self, F: Any, *, f: Any = None, step: float = 0.02) -> Quantities:
-        """The curve of the equation of motion: .f .A .stable .stops, and .folds; see `Oscillator.exact_response`."""
-        found = self.oscillator.exact_response(self._force("F", F), step=step, **self._window(f))
+    def exact_response(
+        self, F: Any, *, f: Any = None, start: Quantities | None = None, step: float = 0.02
+    ) -> Quantities:
+        """The curve of the equation of motion: .f .A .stable .stops, and .folds; see `Oscillator.exact_response`.
+
+        start -- what `steady_state` gave
+        """
+        begun = None if start is None else start.answer
+        found = self.oscillator.exact_response(self._force("F", F), start=begun, step=step, **self._window(f))
         entry = ("Omega", "A", "stable", "stops")
         columns = ("Omega", "A", "kind", "corner")
         folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}

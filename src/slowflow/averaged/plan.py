@@ -6,7 +6,9 @@ plan skips. `str(plan)` tells it, step by step, with the reasons.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from slowflow.averaged import words
 from slowflow.model import Model
@@ -49,6 +51,7 @@ class Plan:
     folds -- whether folds are searched for
     sticks -- whether the mass stays at rest
     steps -- the same in words
+    where -- at which forcing, in words
     """
 
     question: str
@@ -56,6 +59,7 @@ class Plan:
     model: Model | None
     folds: bool
     steps: tuple[Step, ...]
+    where: str = ""
 
     @property
     def sticks(self) -> bool:
@@ -63,8 +67,8 @@ class Plan:
         return self.model is None
 
     def __str__(self) -> str:
-        where = "" if self.F_0 is None else f" at F_0 = {self.F_0:g}"
-        return "\n".join([f"{self.question}{where}", *(f"  {step}" for step in self.steps)])
+        at = "" if self.F_0 is None else f" at F_0 = {self.F_0:g}"
+        return "\n".join([f"{self.question}{self.where or at}", *(f"  {step}" for step in self.steps)])
 
 
 def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> Plan:
@@ -109,6 +113,68 @@ LOCUS = {
     "cusps": Step("fold locus", False, "cusps are explicit in A"),
     "isola_points": Step("fold locus", False, "isola points are explicit in A"),
 }
+
+
+_NEWTON = (
+    "Newton's iteration on the motion with its order of switches, from what averaging or the motion before leads to"
+)
+_SWITCHES = "Taylor series from switch to switch: a stop, a breakpoint, a break-away"
+
+#: questions that ask others, or the equation of motion, by what they do
+COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
+    {
+        "margins": (
+            Step("folds", True, "how many there are at F_0"),
+            Step("onset", True, "F_SN, found once for the oscillator"),
+            Step("detachment", True, "F_cr, found once for the oscillator"),
+            Step("curve", True, "whether a stable motion passes u_cr; not where the force has one piece"),
+        ),
+        "hysteresis": (
+            Step("folds", True, "the ends of the bands"),
+            Step("states", True, "in the middle between each two folds: how many are stable"),
+        ),
+        "isolation": (
+            Step("peaks", True, "up to which frequency there is anything to look at"),
+            Step("curve", True, "its last stable point that transmits the force"),
+            Step("root", True, "next to that point, in A"),
+        ),
+        "spectrum": (
+            Step("states", True, "of each row, and between the rows for folds that are crossed"),
+            Step("curve", False, "not needed: rows are tones"),
+        ),
+        "steady_state": (
+            Step("averaging", True, "where A is given: states and folds to begin with"),
+            Step("motion", True, _SWITCHES),
+            Step("cycle", True, _NEWTON),
+        ),
+        "exact_response": (
+            Step("start", True, "followed from rest at the lowest frequency until it is shown to settle"),
+            Step("motion", True, _SWITCHES),
+            Step("curve", True, f"{_NEWTON}; folds, borders and stability on the way"),
+            Step("averaging", True, "which other curves there are, in words"),
+        ),
+        "sweep": (
+            Step("motion", True, _SWITCHES),
+            Step("settling", True, "at each frequency until it is shown to tend to a periodic motion"),
+            Step("averaging", False, "not needed: a sweep only follows"),
+        ),
+        "transient": (
+            Step("motion", True, f"{_SWITCHES}; during the pulse, and after it until it turns twice or rests"),
+            Step("averaging", False, "not needed: a shock is no steady state"),
+        ),
+        "shock_spectrum": (
+            Step("motion", True, f"of each pulse: {_SWITCHES}"),
+            Step("averaging", False, "not needed: a shock is no steady state"),
+        ),
+    }
+)
+#: those of them that are about one forcing
+AT_ONE = ("margins", "hysteresis", "isolation", "steady_state", "exact_response", "sweep")
+
+
+def plan_composed(question: str, F_0: float | None, whole: Model) -> Plan:
+    """The plan for one of `COMPOSED`."""
+    return Plan(question, F_0, whole, question not in ("sweep", "transient", "shock_spectrum"), COMPOSED[question])
 
 
 def needs_no_solver(question: str, whole: Model) -> bool:

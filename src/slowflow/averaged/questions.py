@@ -283,18 +283,21 @@ class Averaged:
     def explain(self, question: str, F_0: float | None = None) -> plan.Plan:
         """What runs for a question, what is skipped, and why. Print it; the question itself follows this plan.
 
-        "frequency_response", "amplitudes", "saddle_nodes" and "peak" need an F_0; "saddle_node_onset", "detachment",
-        "fold_locus", "cusps" and "isola_points" are about all forcings and take none. Raises ValueError for another
-        question, F_0 <= 0, and one that is missing or not needed.
+        Questions at one forcing need an F_0, as "saddle_nodes", "margins" or "exact_response"; those about all
+        forcings, as "saddle_node_onset", and about rows of their own, as "spectrum" or "transient", take none. Raises
+        ValueError for another question, F_0 <= 0, and one that is missing or not needed.
         """
-        if question in plan.OF_ALL:
+        if question not in (known := (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED)):
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(known)}")
+        if question not in (*plan.QUESTIONS, *plan.AT_ONE):
             if F_0 is not None:
                 raise ValueError(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
-            return plan.plan_of_all(question, self.model)
-        if question not in plan.QUESTIONS:
-            known = ", ".join((*plan.QUESTIONS, *plan.OF_ALL))
-            raise ValueError(f"question = {question!r} is not allowed: it must be one of {known}")
-        return self._plan(question, validate.number("F_0", F_0, above=0.0))
+            of_all = plan.plan_of_all if question in plan.OF_ALL else functools.partial(plan.plan_composed, F_0=None)
+            return of_all(question, whole=self.model)
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        if question in plan.COMPOSED:
+            return plan.plan_composed(question, F_0, self.model)
+        return self._plan(question, F_0)
 
     @cached_property
     def _onset(self) -> SaddleNodeOnset:

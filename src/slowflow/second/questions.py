@@ -8,7 +8,7 @@ survive is left out, and `message` says so.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -18,6 +18,7 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.averaged import remarks
+from slowflow.averaged.plan import Plan, Step
 from slowflow.measured import validity
 from slowflow.model import Floats
 from slowflow.results import (
@@ -48,6 +49,15 @@ NO_PEAK = "no peak of the second approximation beside the first's: {}"
 AT_REST = "the first's is the static amplitude, which has no harmonics"
 LEFT_OUT = "the curve ends before it turns"
 
+#: what is made of averaging's answer to a question
+SECOND = {
+    "frequency_response": "each point moves to the balance of harmonics 1, 3 and 5 beside it",
+    "amplitudes": "the curve is followed, and crossed at each frequency",
+    "saddle_nodes": "the curve is followed, and turns between two of its points",
+    "peak": "the curve is followed about averaging's highest peak",
+    "saddle_node_onset": "the cusp is followed",
+    "detachment": "the lowest forcing whose largest displacement is u_cr",
+}
 #: why a question of averaging's is none of the second approximation's
 UNANSWERED = {
     **dict.fromkeys(
@@ -60,7 +70,6 @@ UNANSWERED = {
     ),
     "certify": "what is proved is proved of the averaged equations",
     "plot": "the picture is averaging's",
-    "explain": "it always runs averaging first, whose plan is the oscillator's own",
 }
 
 
@@ -97,6 +106,18 @@ class SecondApproximation:
         """Raises AttributeError, with the reason where averaging answers the question of that name."""
         why = f": {UNANSWERED[name]}" if name in UNANSWERED else ""
         raise AttributeError(f"the second approximation has no {name}{why}")
+
+    def explain(self, question: str, F_0: float | None = None) -> Plan:
+        """What runs for a question: averaging's plan, and what is made of its answer; see `Averaged.explain`.
+
+        Raises ValueError as that, and for a question that the second approximation does not answer.
+        """
+        if question not in SECOND:
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(SECOND)}")
+        first = self.first.explain(question, F_0)
+        skipped = first.sticks or (question == "saddle_nodes" and not first.folds)
+        after = Step("harmonics", not skipped, "nothing to begin with" if skipped else SECOND[question])
+        return replace(first, steps=(*first.steps, after))
 
     def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
