@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .gradients import KINDS
+
 
 @dataclass(frozen=True)
 class Word:
@@ -94,6 +96,26 @@ FOLD_KIND = Table(
     ),
 )
 
+PINNED = Table(
+    ("Pinned", "sf_pinned"),
+    "What an answer is whose gradient is asked for.",
+    tuple(Word(name.upper(), doc) for name, (_, doc) in KINDS.items()),
+    "_PINNED",
+)
+
+MOVES = Table(
+    ("MovesStatus", "sf_moves_status"),
+    "Whether an answer has a gradient.",
+    (
+        Word("OK", "it has"),
+        Word("NOTHING", "there is no answer"),
+        Word("MEETS", "it meets another one there: beyond it there is none, and before it moves without bound"),
+        Word("TURNS", "it comes to a breakpoint there: on either side it moves in its own way"),
+        Word("BOUNDLESS", "a number is not finite, as at the end of a parameter's domain"),
+    ),
+    "_MOVES",
+)
+
 OUTCOME = Table(
     ("Outcome", "sf_outcome"),
     "How a motion or a cycle fared.",
@@ -146,7 +168,7 @@ CONVENTIONS = (
     Conventions(
         "conventions",
         "What the solvers of averaged motions have in common",
-        (STATUS, ONSET_KIND, FOLD_KIND),
+        (STATUS, ONSET_KIND, FOLD_KIND, PINNED, MOVES),
         (
             Number("STATIC_MULTIPLE", sp.Integer(100), "an undamped response without a reach is cut at this times F_0"),
             Number("RAISE", sp.Integer(4), "the forcing is raised by this factor until the onset lies below it"),
@@ -176,6 +198,11 @@ CONVENTIONS = (
             ),
             Number("CLOSE", sp.Rational(1, 2**40), "share of its size that rounding may add to a value"),
             Number("NEAR_END", sp.Rational(1, 2**40), "frequencies closer than this are one where a curve ends"),
+            Number(
+                "MEETING",
+                sp.Rational(1, 2**25),
+                "share of its size below which what vanishes where answers meet leaves no digit of a gradient",
+            ),
             Number("SAME", sp.Rational(1, 2**49), "amplitudes closer than this, relatively, are one"),
         ),
     ),

@@ -14,14 +14,16 @@ from . import elliptic, resultants
 from .along import Along, along
 from .averaging import Averaged, averaged
 from .bounds import Bounds, bounds
+from .by_parameter import by_parameter
 from .den_hartog import DenHartog, den_hartog
 from .frequencies import Frequencies, frequencies
+from .gradients import Gradients, gradients
 from .harmonics import Harmonics, of_polynomials, of_untruncated
 from .mechanisms import Mechanism, all_mechanisms
 from .monotone import prove_monotone
 from .motion import Motion, Smoothed, motion, smoothed
 from .oscillator import Dimensionless, oscillator
-from .restoring import Restoring, restoring
+from .restoring import Case, Restoring, restoring
 from .resultants import Elimination
 from .second_approximation import SecondApproximation, second_approximation
 from .slopes import Slopes, slopes
@@ -54,6 +56,11 @@ class OfMechanism:
             return of_polynomials(pieces, tuple(breakpoints))
         return of_untruncated(pieces, breakpoints)
 
+    @cached_property
+    def by_parameter(self) -> tuple[Case, ...]:
+        """How the average of the whole force changes with each parameter; the ledger does without."""
+        return by_parameter(self.whole, self.oscillator.breakpoints, self.oscillator.mechanism.parameters)
+
 
 @dataclass(frozen=True)
 class Results:
@@ -67,6 +74,7 @@ class Results:
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
+    gradients  -- how answers move with the parameters
     detachment -- (34), by scene
     second     -- the second approximation
     den_hartog -- (35)-(37)
@@ -81,6 +89,7 @@ class Results:
     along: dict[str, Along]
     slopes: Slopes
     bounds: Bounds
+    gradients: Gradients
     detachment: dict[str, Elimination]
     second: SecondApproximation
     den_hartog: DenHartog
@@ -121,6 +130,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         {scene: along(flow) for scene, flow in flows.items()},
         slopes(flows[""]),
         bounds(flows[""]),
+        gradients(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         den_hartog(),

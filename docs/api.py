@@ -26,6 +26,7 @@ MODULES = (
     "slowflow.oscillator",
     "slowflow.averaged.questions",
     "slowflow.results",
+    "slowflow.gradient",
     "slowflow.answer",
     "slowflow.loads",
     "slowflow.loads_many",

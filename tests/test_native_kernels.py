@@ -35,6 +35,8 @@ native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels a
 U = 2.0**-53
 #: modules that serve any kind of number, or arrays as they are
 GENERIC = ("frequencies", "motion")
+#: what gradients ask
+OF_GRADIENTS = ("beside", "by_parameter", "by_design")
 #: of a mechanism: its own averages one by one, and the slow flow's functions with these put in
 CALLS_ONLY = (
     *("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"),
@@ -70,12 +72,13 @@ def arguments(function, seed: int, size: int = 3001) -> dict[str, np.ndarray]:
 
 
 def kernels_of(module) -> list[str]:
-    """Names of a module's functions, without those for any kind of number: they are never compiled."""
+    """Names of a module's functions, without those for any kind of number and those of gradients: never compiled."""
     if module.__name__.rpartition(".")[2] in GENERIC:
         return []
     record = getattr(module, "MECHANISM", None)
     pieces = {function.__name__ for law in record.pieces for function in law[:2]} if record else set()
-    return [name for name in module.__all__ if callable(getattr(module, name)) and name not in pieces]
+    names = [name for name in module.__all__ if callable(getattr(module, name)) and name not in pieces]
+    return [name for name in names if name not in OF_GRADIENTS and not name.startswith("moves_of_")]
 
 
 def outputs(result) -> list[np.ndarray]:

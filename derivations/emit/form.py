@@ -65,6 +65,7 @@ class Kernel:
                   floats, complex numbers, arrays, an integrator's symbols
     enclosed   -- whether it is wanted on intervals too, in C
     searched   -- and on arrays of intervals, in Python
+    looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
     """
 
     name: str
@@ -78,6 +79,7 @@ class Kernel:
     generic: bool = False
     enclosed: bool = False
     searched: bool = False
+    looped: bool = True
 
     @property
     def width(self) -> int:
@@ -86,7 +88,7 @@ class Kernel:
     @property
     def compiled(self) -> bool:
         """Whether Python has it as a loop over arrays of floats."""
-        return self.width > 0 and not self.generic
+        return self.width > 0 and self.looped and not self.generic
 
 
 @dataclass(frozen=True)

@@ -99,6 +99,40 @@ static inline void duffing_harmonics(double A, const double *p, double *out)
     out[7] = 0.0;
 }
 
+/* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
+   Equation from (20)-(22), (31). Domain: A > 0.
+   Operations: 6 structured, 6 common subexpressions, 5 power chains
+ */
+static inline void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AA);
+    (void)(p);
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    out[0] = -A;
+    out[1] = -1.0;
+    out[2] = 0.0;
+    out[3] = -0.75 * A3;
+    out[4] = -2.25 * A2;
+    out[5] = -4.5 * A;
+}
+
+/* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
+   Equation (5), (7). Domain: any design.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline void duffing_by_design(double alpha, double beta, double *out)
+{
+    (void)(alpha);
+    (void)(beta);
+    out[0] = 1.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 1.0;
+}
+
 /* The parameters alpha, beta from the design.
    Equation (5), (7). Domain: any design.
    Operations: 0 structured, 0 common subexpressions, 0 power chains

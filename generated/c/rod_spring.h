@@ -712,6 +712,196 @@ static inline void rod_spring_harmonics(double A, const double *p, double *out)
     rod_spring_harmonics_passed_1_far_1(A, p, out);
 }
 
+/* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
+   Equation from (20)-(22), (31). Domain: A > 0.
+   Operations where passed_0: 18 structured, 16 common subexpressions, 10 power chains
+   Operations where passed_1: 207 structured, 131 common subexpressions, 109 power chains
+   Operations where passed_1_far_1: 298 structured, 178 common subexpressions, 149 power chains
+ */
+static inline void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AA);
+    (void)(p);
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    const double A4 = A2 * A2;
+    const double A5 = A * A4;
+    out[0] = -A;
+    out[1] = -1.0;
+    out[2] = 0.0;
+    out[3] = -0.75 * A3;
+    out[4] = -2.25 * A2;
+    out[5] = -4.5 * A;
+    out[6] = -0.625 * A5;
+    out[7] = -3.125 * A4;
+    out[8] = -12.5 * A3;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = 0.0;
+}
+
+static inline void rod_spring_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AA);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double theta = angles_atan2_swapped(root, u_cr);
+    const double t1 = x * y;
+    const double M2 = -0.5 * t1 + 0.5 * theta;
+    const double t2 = x * x;
+    const double M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta;
+    const double M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta;
+    const double A2 = A * A;
+    const double t3 = 1.0 / A2;
+    const double t4 = 1.0 / root;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double A3 = A * A2;
+    const double t5 = 1.0 / A3;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double t6 = 1.0 / root3;
+    const double t7 = t0 * t6;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    const double A4 = A2 * A2;
+    const double u_cr6 = u_cr3 * u_cr3;
+    const double u_cr7 = u_cr * u_cr6;
+    const double t8 = 1.2732395447351628 * u_cr2 * (alpha + beta * u_cr2 + gamma * u_cr4 - 1.0);
+    const double A5 = A * A4;
+    const double root4 = root2 * root2;
+    const double root5 = root * root4;
+    out[0] = -1.2732395447351628 * A * M2;
+    out[1] = 1.2732395447351628 * (-M2 + t3 * t4 * u_cr3);
+    out[2] = 1.2732395447351628 * (-t4 * t5 * u_cr3 - t7 * u_cr3);
+    out[3] = -1.2732395447351628 * A3 * M4;
+    out[4] = 1.2732395447351628 * (-3.0 * A2 * M4 + t3 * t4 * u_cr5);
+    out[5] = 1.2732395447351628 * (-6.0 * A * M4 + t4 * t5 * u_cr5 - t7 * u_cr5);
+    out[6] = -1.2732395447351628 * A5 * M6;
+    out[7] = 1.2732395447351628 * (-5.0 * A4 * M6 + t3 * t4 * u_cr7);
+    out[8] = 1.2732395447351628 * (-20.0 * A3 * M6 + 3.0 * t4 * t5 * u_cr7 - t7 * u_cr7);
+    out[9] = -t0 * t4 * t8;
+    out[10] = t3 * t6 * t8 * (A2 + root2);
+    out[11] = -t5 * t8 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / root5;
+}
+
+static inline void rod_spring_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double gamma = p[2];
+    const double u_cr = p[3];
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AA);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t0 = 1.0 / A;
+    const double x = t0 * u_cr;
+    const double y = root * t0;
+    const double s = x / sqrt(2.0 * y + 2.0);
+    const double s2 = s * s;
+    const double s4 = s2 * s2;
+    const double s3 = s * s2;
+    const double s6 = s3 * s3;
+    const double s7 = s * s6;
+    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
+        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
+        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
+        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
+        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
+    const double x2 = x * x;
+    const double x4 = x2 * x2;
+    const double x5 = x * x4;
+    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
+    const double x3 = x * x2;
+    const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
+    const double A2 = A * A;
+    const double t1 = 1.0 / A2;
+    const double t2 = 1.0 / root;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    const double A3 = A * A2;
+    const double t3 = 1.0 / A3;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double t4 = 1.0 / root3;
+    const double t5 = t0 * t4;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    const double A4 = A2 * A2;
+    const double u_cr6 = u_cr3 * u_cr3;
+    const double u_cr7 = u_cr * u_cr6;
+    const double t6 = 1.2732395447351628 * u_cr2 * (alpha + beta * u_cr2 + gamma * u_cr4 - 1.0);
+    const double A5 = A * A4;
+    const double root4 = root2 * root2;
+    const double root5 = root * root4;
+    out[0] = -1.2732395447351628 * A * M2;
+    out[1] = 1.2732395447351628 * (-M2 + t1 * t2 * u_cr3);
+    out[2] = 1.2732395447351628 * (-t2 * t3 * u_cr3 - t5 * u_cr3);
+    out[3] = -1.2732395447351628 * A3 * M4;
+    out[4] = 1.2732395447351628 * (-3.0 * A2 * M4 + t1 * t2 * u_cr5);
+    out[5] = 1.2732395447351628 * (-6.0 * A * M4 + t2 * t3 * u_cr5 - t5 * u_cr5);
+    out[6] = -1.2732395447351628 * A5 * M6;
+    out[7] = 1.2732395447351628 * (-5.0 * A4 * M6 + t1 * t2 * u_cr7);
+    out[8] = 1.2732395447351628 * (-20.0 * A3 * M6 + 3.0 * t2 * t3 * u_cr7 - t5 * u_cr7);
+    out[9] = -t0 * t2 * t6;
+    out[10] = t1 * t4 * t6 * (A2 + root2);
+    out[11] = -t3 * t6 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / root5;
+}
+
+static inline void rod_spring_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    const double u_cr = p[3];
+    if (A <= u_cr) {
+        rod_spring_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
+        return;
+    }
+    if (A <= 1.25 * u_cr) {
+        rod_spring_by_parameter_passed_1(A, h, h_A, h_AA, p, out);
+        return;
+    }
+    rod_spring_by_parameter_passed_1_far_1(A, h, h_A, h_AA, p, out);
+}
+
+/* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
+   Equation (5), (7). Domain: any design that has a breakpoint.
+   Operations: 31 structured, 17 common subexpressions, 17 power chains
+ */
+static inline void rod_spring_by_design(double lam, double r, double delta_h, double *out)
+{
+    const double t0 = lam * r;
+    const double t1 = delta_h - 1.0;
+    const double t2 = 0.5 * t1;
+    const double t3 = 0.375 * t1;
+    const double t4 = -t1 / (sqrt(delta_h) * sqrt(2.0 - delta_h));
+    out[0] = -delta_h * r;
+    out[1] = -delta_h * lam;
+    out[2] = -t0;
+    out[3] = -r * t2;
+    out[4] = -lam * t2;
+    out[5] = -0.5 * t0;
+    out[6] = -r * t3;
+    out[7] = -lam * t3;
+    out[8] = -0.375 * t0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = t4;
+    out[12] = 0.0;
+    out[13] = 0.0;
+    out[14] = t4;
+}
+
 /* The parameters alpha, beta, gamma, u_cr from the design.
    Equation (5), (7). Domain: any design.
    Operations: 15 structured, 11 common subexpressions, 11 power chains

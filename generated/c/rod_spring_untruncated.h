@@ -3456,6 +3456,134 @@ static inline void rod_spring_untruncated_harmonics(double A, const double *p, d
     rod_spring_untruncated_harmonics_passed_1(A, p, out);
 }
 
+/* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
+   Equation from (20)-(22), (31). Domain: A > 0.
+   Operations where passed_0: 6 structured, 7 common subexpressions, 7 power chains
+   Operations where passed_1: 48 structured, 44 common subexpressions, 44 power chains
+   Operations where passed_1_far_1: 148 structured, 90 common subexpressions, 87 power chains
+ */
+static inline void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    const double alpha = p[0];
+    const double beta = p[1];
+    const double t0 = 1.0 / beta;
+    out[0] = -A;
+    out[1] = -1.0;
+    out[2] = 0.0;
+    out[3] = t0 * (A * alpha + h);
+    out[4] = t0 * (alpha + h_A);
+    out[5] = h_AA * t0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = 0.0;
+}
+
+static inline void rod_spring_untruncated_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double t0 = 1.0 - delta_h;
+    const double inner = -1.0 / (t0 * t0);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double y = root * t1;
+    const double theta = angles_atan2_swapped(root, u_cr);
+    const double M2 = 0.5 * theta - 0.5 * x * y;
+    const double t2 = 1.0 / beta;
+    const double t3 = 2.5464790894703255 * beta * inner;
+    const double t4 = 1.0 / (A * A);
+    const double t5 = 1.0 / root;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = t2 * (A + h);
+    out[4] = t2 * (h_A + 1.0);
+    out[5] = h_AA * t2;
+    out[6] = -A * M2 * t3;
+    out[7] = t3 * (-M2 + t4 * t5 * u_cr3);
+    out[8] = -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root));
+}
+
+static inline void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double t0 = 1.0 - delta_h;
+    const double inner = -1.0 / (t0 * t0);
+    const double root = sqrt((A - u_cr) * (A + u_cr));
+    const double t1 = 1.0 / A;
+    const double x = t1 * u_cr;
+    const double y = root * t1;
+    const double s = x / sqrt(2.0 * y + 2.0);
+    const double s2 = s * s;
+    const double s4 = s2 * s2;
+    const double s3 = s * s2;
+    const double M2 = s3 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00067810320704266795 * s4 -
+        0.00088998368261633694) - 0.001207644289190119) - 0.0017101353612439386) - 0.0025628662109375001) -
+        0.0041562034970238099) - 0.0075827205882352941) - 0.016826923076923076) - 0.055555555555555552) -
+        0.80000000000000004) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00059807125876960886 * s4 -
+        0.0007739815359505323) - 0.0010318889149597713) - 0.0014283964710850869) - 0.0020763962357132522) -
+        0.0032255753226902175) - 0.0055124383223684207) - 0.010937499999999999) - 0.028409090909090908) -
+        0.14285714285714285) + 2.6666666666666665);
+    const double t2 = 1.0 / beta;
+    const double t3 = 2.5464790894703255 * beta * inner;
+    const double t4 = 1.0 / (A * A);
+    const double t5 = 1.0 / root;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr3 = u_cr * u_cr2;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = t2 * (A + h);
+    out[4] = t2 * (h_A + 1.0);
+    out[5] = h_AA * t2;
+    out[6] = -A * M2 * t3;
+    out[7] = t3 * (-M2 + t4 * t5 * u_cr3);
+    out[8] = -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root));
+}
+
+static inline void rod_spring_untruncated_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
+{
+    const double delta_h = p[2];
+    if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
+        rod_spring_untruncated_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
+        return;
+    }
+    if (A <= 1.25 * sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
+        rod_spring_untruncated_by_parameter_passed_1(A, h, h_A, h_AA, p, out);
+        return;
+    }
+    rod_spring_untruncated_by_parameter_passed_1_far_1(A, h, h_A, h_AA, p, out);
+}
+
+/* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
+   Equation (5), (7). Domain: any design that has a breakpoint.
+   Operations: 17 structured, 13 common subexpressions, 13 power chains
+ */
+static inline void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out)
+{
+    const double t0 = lam * r;
+    const double t1 = delta_h - 1.0;
+    const double t2 = 0.5 * t1;
+    out[0] = -delta_h * r;
+    out[1] = -delta_h * lam;
+    out[2] = -t0;
+    out[3] = -r * t2;
+    out[4] = -lam * t2;
+    out[5] = -0.5 * t0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = 1.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = -t1 / (sqrt(delta_h) * sqrt(2.0 - delta_h));
+}
+
 /* The parameters alpha, beta, delta_h from the design.
    Equation (5), (7). Domain: any design.
    Operations: 7 structured, 6 common subexpressions, 6 power chains

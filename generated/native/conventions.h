@@ -36,6 +36,29 @@ typedef enum {
     SF_JUMP_DOWN_AT_CORNER = 4 /* to a smaller one, from a corner at a breakpoint */
 } sf_fold_kind;
 
+/* What an answer is whose gradient is asked for. */
+typedef enum {
+    SF_STATE_PINNED = 0, /* a steady state; with Omega = 0 a peak at rest */
+    SF_FOLD_PINNED = 1, /* a fold at a forcing */
+    SF_CORNER_FOLD_PINNED = 2, /* a fold at a forcing, on a breakpoint */
+    SF_PEAK_PINNED = 3, /* a peak at a forcing */
+    SF_CUSP_PINNED = 4, /* where two folds meet */
+    SF_ISOLA_PINNED = 5, /* where an isolated curve is born */
+    SF_CORNER_TOP_PINNED = 6, /* the least forcing on a breakpoint */
+    SF_CORNER_END_PINNED = 7, /* where the fold locus meets a breakpoint */
+    SF_CORNER_BACKBONE_PINNED = 8, /* where the backbone meets a breakpoint */
+    SF_CORNER_REST_PINNED = 9 /* at Omega = 0 on a breakpoint */
+} sf_pinned;
+
+/* Whether an answer has a gradient. */
+typedef enum {
+    SF_OK_MOVES = 0, /* it has */
+    SF_NOTHING_MOVES = 1, /* there is no answer */
+    SF_MEETS_MOVES = 2, /* it meets another one there: beyond it there is none, and before it moves without bound */
+    SF_TURNS_MOVES = 3, /* it comes to a breakpoint there: on either side it moves in its own way */
+    SF_BOUNDLESS_MOVES = 4 /* a number is not finite, as at the end of a parameter's domain */
+} sf_moves_status;
+
 /* an undamped response without a reach is cut at this times F_0 */
 #define SF_STATIC_MULTIPLE 100.0
 /* the forcing is raised by this factor until the onset lies below it */
@@ -72,6 +95,8 @@ typedef enum {
 #define SF_CLOSE 9.0949470177292824e-13
 /* frequencies closer than this are one where a curve ends */
 #define SF_NEAR_END 9.0949470177292824e-13
+/* share of its size below which what vanishes where answers meet leaves no digit of a gradient */
+#define SF_MEETING 2.9802322387695312e-08
 /* amplitudes closer than this, relatively, are one */
 #define SF_SAME 1.7763568394002505e-15
 

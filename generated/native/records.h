@@ -141,6 +141,17 @@ static double duffing_record_intercept(double A, const double *p)
     return duffing_intercept(A, p[0], p[1]);
 }
 
+/* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
+static void duffing_record_by_parameter(double A, const double *h, const double *p, double *out)
+{
+    duffing_by_parameter(A, h[0], h[1], h[2], p, out);
+}
+
+static void duffing_record_by_design(const double *design, double *out)
+{
+    duffing_by_design(design[0], design[1], out);
+}
+
 static void duffing_record_parameters_within(const double *design, sf_interval *p)
 {
     duffing_intervals_given(sfi_point(design[0]), sfi_point(design[1]), p);
@@ -175,6 +186,8 @@ static const sf_mechanism duffing_record = {
     .intercept = duffing_record_intercept,
     .harmonics = duffing_record_harmonics,
     .harmonics_up_to = INFINITY,
+    .by_parameter = duffing_record_by_parameter,
+    .by_design = duffing_record_by_design,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -237,6 +250,17 @@ static double rod_spring_record_intercept(double A, const double *p)
     return rod_spring_intercept(A, p[0], p[1], p[2], p[3]);
 }
 
+/* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
+static void rod_spring_record_by_parameter(double A, const double *h, const double *p, double *out)
+{
+    rod_spring_by_parameter(A, h[0], h[1], h[2], p, out);
+}
+
+static void rod_spring_record_by_design(const double *design, double *out)
+{
+    rod_spring_by_design(design[0], design[1], design[2], out);
+}
+
 static void rod_spring_record_parameters_within(const double *design, sf_interval *p)
 {
     rod_spring_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
@@ -269,6 +293,8 @@ static const sf_mechanism rod_spring_record = {
     .intercept = rod_spring_record_intercept,
     .harmonics = rod_spring_record_harmonics,
     .harmonics_up_to = INFINITY,
+    .by_parameter = rod_spring_record_by_parameter,
+    .by_design = rod_spring_record_by_design,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
@@ -332,6 +358,17 @@ static double rod_spring_untruncated_record_intercept(double A, const double *p)
     return rod_spring_untruncated_intercept(A, p[0], p[1], p[2]);
 }
 
+/* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
+static void rod_spring_untruncated_record_by_parameter(double A, const double *h, const double *p, double *out)
+{
+    rod_spring_untruncated_by_parameter(A, h[0], h[1], h[2], p, out);
+}
+
+static void rod_spring_untruncated_record_by_design(const double *design, double *out)
+{
+    rod_spring_untruncated_by_design(design[0], design[1], design[2], out);
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring_untruncated needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_untruncated_record = {
@@ -352,6 +389,8 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .intercept = rod_spring_untruncated_record_intercept,
     .harmonics = rod_spring_untruncated_record_harmonics,
     .harmonics_up_to = 0.75,
+    .by_parameter = rod_spring_untruncated_record_by_parameter,
+    .by_design = rod_spring_untruncated_record_by_design,
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,

@@ -64,6 +64,50 @@ class FoldKind(IntEnum):
     JUMP_DOWN_AT_CORNER = 4
 
 
+class Pinned(IntEnum):
+    """What an answer is whose gradient is asked for.
+
+    0  STATE                a steady state; with Omega = 0 a peak at rest
+    1  FOLD                 a fold at a forcing
+    2  CORNER_FOLD          a fold at a forcing, on a breakpoint
+    3  PEAK                 a peak at a forcing
+    4  CUSP                 where two folds meet
+    5  ISOLA                where an isolated curve is born
+    6  CORNER_TOP           the least forcing on a breakpoint
+    7  CORNER_END           where the fold locus meets a breakpoint
+    8  CORNER_BACKBONE      where the backbone meets a breakpoint
+    9  CORNER_REST          at Omega = 0 on a breakpoint
+    """
+
+    STATE = 0
+    FOLD = 1
+    CORNER_FOLD = 2
+    PEAK = 3
+    CUSP = 4
+    ISOLA = 5
+    CORNER_TOP = 6
+    CORNER_END = 7
+    CORNER_BACKBONE = 8
+    CORNER_REST = 9
+
+
+class MovesStatus(IntEnum):
+    """Whether an answer has a gradient.
+
+    0  OK                   it has
+    1  NOTHING              there is no answer
+    2  MEETS                it meets another one there: beyond it there is none, and before it moves without bound
+    3  TURNS                it comes to a breakpoint there: on either side it moves in its own way
+    4  BOUNDLESS            a number is not finite, as at the end of a parameter's domain
+    """
+
+    OK = 0
+    NOTHING = 1
+    MEETS = 2
+    TURNS = 3
+    BOUNDLESS = 4
+
+
 # an undamped response without a reach is cut at this times F_0
 STATIC_MULTIPLE = 100.0
 # the forcing is raised by this factor until the onset lies below it
@@ -100,5 +144,7 @@ COINCIDE = 5.6843418860808015e-14
 CLOSE = 9.0949470177292824e-13
 # frequencies closer than this are one where a curve ends
 NEAR_END = 9.0949470177292824e-13
+# share of its size below which what vanishes where answers meet leaves no digit of a gradient
+MEETING = 2.9802322387695312e-08
 # amplitudes closer than this, relatively, are one
 SAME = 1.7763568394002505e-15

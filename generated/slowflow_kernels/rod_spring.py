@@ -31,6 +31,8 @@ __all__ = [
     "averaged_H",
     "backbone",
     "breakpoints",
+    "by_design",
+    "by_parameter",
     "coefficients",
     "detachment",
     "equivalent_damping",
@@ -709,6 +711,182 @@ def harmonics(A, alpha, beta, gamma, u_cr):
     return by_regime(guards, bodies, arguments, 8)
 
 
+def _by_parameter_passed_0(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
+    # operations: 18 structured, 16 common subexpressions, 10 power chains
+    A2 = A * A
+    A3 = A * A2
+    A4 = A2 * A2
+    A5 = A * A4
+    return (
+        -A,
+        -1.0,
+        0.0,
+        -0.75 * A3,
+        -2.25 * A2,
+        -4.5 * A,
+        -0.625 * A5,
+        -3.125 * A4,
+        -12.5 * A3,
+        0.0,
+        0.0,
+        0.0,
+    )
+
+
+def _by_parameter_passed_1(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
+    # operations: 207 structured, 131 common subexpressions, 109 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    theta = np.arctan2(u_cr, root)
+    t1 = x * y
+    M2 = -0.5 * t1 + 0.5 * theta
+    t2 = x * x
+    M4 = -t1 * (0.25 * t2 + 0.375) + 0.375 * theta
+    M6 = -t1 * (t2 * (0.16666666666666666 * t2 + 0.20833333333333334) + 0.3125) + 0.3125 * theta
+    A2 = A * A
+    t3 = 1.0 / A2
+    t4 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    A3 = A * A2
+    t5 = 1.0 / A3
+    root2 = root * root
+    root3 = root * root2
+    t6 = 1.0 / root3
+    t7 = t0 * t6
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    A4 = A2 * A2
+    u_cr6 = u_cr3 * u_cr3
+    u_cr7 = u_cr * u_cr6
+    t8 = 1.2732395447351628 * u_cr2 * (alpha + beta * u_cr2 + gamma * u_cr4 - 1.0)
+    A5 = A * A4
+    root4 = root2 * root2
+    root5 = root * root4
+    return (
+        -1.2732395447351628 * A * M2,
+        1.2732395447351628 * (-M2 + t3 * t4 * u_cr3),
+        1.2732395447351628 * (-t4 * t5 * u_cr3 - t7 * u_cr3),
+        -1.2732395447351628 * A3 * M4,
+        1.2732395447351628 * (-3.0 * A2 * M4 + t3 * t4 * u_cr5),
+        1.2732395447351628 * (-6.0 * A * M4 + t4 * t5 * u_cr5 - t7 * u_cr5),
+        -1.2732395447351628 * A5 * M6,
+        1.2732395447351628 * (-5.0 * A4 * M6 + t3 * t4 * u_cr7),
+        1.2732395447351628 * (-20.0 * A3 * M6 + 3.0 * t4 * t5 * u_cr7 - t7 * u_cr7),
+        -t0 * t4 * t8,
+        t3 * t6 * t8 * (A2 + root2),
+        -t5 * t8 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / root5,
+    )
+
+
+def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
+    # operations: 298 structured, 178 common subexpressions, 149 power chains
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t0 = 1.0 / A
+    x = t0 * u_cr
+    y = root * t0
+    s = x / np.sqrt(2.0 * y + 2.0)
+    s2 = s * s
+    s4 = s2 * s2
+    s3 = s * s2
+    s6 = s3 * s3
+    s7 = s * s6
+    M6 = (
+        s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 - 0.00038296467549092059)
+        - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) - 0.01488095238095238) -
+        0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) - 0.00052806309291294638) -
+        0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) - 0.032894736842105261) -
+        0.33333333333333331) + 21.818181818181817) + 18.285714285714285)
+    )
+    x2 = x * x
+    x4 = x2 * x2
+    x5 = x * x4
+    M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y
+    x3 = x * x2
+    M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y
+    A2 = A * A
+    t1 = 1.0 / A2
+    t2 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    A3 = A * A2
+    t3 = 1.0 / A3
+    root2 = root * root
+    root3 = root * root2
+    t4 = 1.0 / root3
+    t5 = t0 * t4
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    A4 = A2 * A2
+    u_cr6 = u_cr3 * u_cr3
+    u_cr7 = u_cr * u_cr6
+    t6 = 1.2732395447351628 * u_cr2 * (alpha + beta * u_cr2 + gamma * u_cr4 - 1.0)
+    A5 = A * A4
+    root4 = root2 * root2
+    root5 = root * root4
+    return (
+        -1.2732395447351628 * A * M2,
+        1.2732395447351628 * (-M2 + t1 * t2 * u_cr3),
+        1.2732395447351628 * (-t2 * t3 * u_cr3 - t5 * u_cr3),
+        -1.2732395447351628 * A3 * M4,
+        1.2732395447351628 * (-3.0 * A2 * M4 + t1 * t2 * u_cr5),
+        1.2732395447351628 * (-6.0 * A * M4 + t2 * t3 * u_cr5 - t5 * u_cr5),
+        -1.2732395447351628 * A5 * M6,
+        1.2732395447351628 * (-5.0 * A4 * M6 + t1 * t2 * u_cr7),
+        1.2732395447351628 * (-20.0 * A3 * M6 + 3.0 * t2 * t3 * u_cr7 - t5 * u_cr7),
+        -t0 * t2 * t6,
+        t1 * t4 * t6 * (A2 + root2),
+        -t3 * t6 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / root5,
+    )
+
+
+def by_parameter(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
+    """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
+
+    Equation from (20)-(22), (31). Domain: A > 0.
+    """
+    arguments = floats(A, h, h_A, h_AA, alpha, beta, gamma, u_cr)
+    A, h, h_A, h_AA, alpha, beta, gamma, u_cr = arguments
+    guards = (A <= u_cr, A <= 1.25 * u_cr,)
+    bodies = (_by_parameter_passed_0, _by_parameter_passed_1, _by_parameter_passed_1_far_1)
+    return by_regime(guards, bodies, arguments, 12)
+
+
+def by_design(lam, r, delta_h):
+    """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
+
+    Equation (5), (7). Domain: any design that has a breakpoint.
+    Operations: 31 structured, 17 common subexpressions, 17 power chains.
+    """
+    lam, r, delta_h = floats(lam, r, delta_h)
+    t0 = lam * r
+    t1 = delta_h - 1.0
+    t2 = 0.5 * t1
+    t3 = 0.375 * t1
+    t4 = -t1 / (np.sqrt(delta_h) * np.sqrt(2.0 - delta_h))
+    arguments = (lam, r, delta_h)
+    return (
+        full(-delta_h * r, arguments),
+        full(-delta_h * lam, arguments),
+        full(-t0, arguments),
+        full(-r * t2, arguments),
+        full(-lam * t2, arguments),
+        full(-0.5 * t0, arguments),
+        full(-r * t3, arguments),
+        full(-lam * t3, arguments),
+        full(-0.375 * t0, arguments),
+        full(0.0, arguments),
+        full(0.0, arguments),
+        full(t4, arguments),
+        full(0.0, arguments),
+        full(0.0, arguments),
+        full(t4, arguments),
+    )
+
+
 def coefficients(lam, r, delta_h):
     """The parameters alpha, beta, gamma, u_cr from the design.
 
@@ -1275,6 +1453,8 @@ MECHANISM = Mechanism(
     intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=float("inf"),
+    by_parameter=by_parameter,
+    by_design=by_design,
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=True,

@@ -33,6 +33,8 @@ __all__ = [
     "averaged_all",
     "backbone",
     "breakpoints",
+    "by_design",
+    "by_parameter",
     "coefficients",
     "detachment",
     "equivalent_damping",
@@ -3736,6 +3738,132 @@ def harmonics(A, alpha, beta, delta_h):
     return by_regime(guards, bodies, arguments, 8)
 
 
+def _by_parameter_passed_0(A, h, h_A, h_AA, alpha, beta, delta_h):
+    # operations: 6 structured, 7 common subexpressions, 7 power chains
+    t0 = 1.0 / beta
+    return (
+        -A,
+        -1.0,
+        0.0,
+        t0 * (A * alpha + h),
+        t0 * (alpha + h_A),
+        h_AA * t0,
+        0.0,
+        0.0,
+        0.0,
+    )
+
+
+def _by_parameter_passed_1(A, h, h_A, h_AA, alpha, beta, delta_h):
+    # operations: 48 structured, 44 common subexpressions, 44 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    t0 = 1.0 - delta_h
+    inner = -1.0 / (t0 * t0)
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t1 = 1.0 / A
+    x = t1 * u_cr
+    y = root * t1
+    theta = np.arctan2(u_cr, root)
+    M2 = 0.5 * theta - 0.5 * x * y
+    t2 = 1.0 / beta
+    t3 = 2.5464790894703255 * beta * inner
+    t4 = 1.0 / (A * A)
+    t5 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    return (
+        0.0,
+        0.0,
+        0.0,
+        t2 * (A + h),
+        t2 * (h_A + 1.0),
+        h_AA * t2,
+        -A * M2 * t3,
+        t3 * (-M2 + t4 * t5 * u_cr3),
+        -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root)),
+    )
+
+
+def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, delta_h):
+    # operations: 148 structured, 90 common subexpressions, 87 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    t0 = 1.0 - delta_h
+    inner = -1.0 / (t0 * t0)
+    root = np.sqrt((A - u_cr) * (A + u_cr))
+    t1 = 1.0 / A
+    x = t1 * u_cr
+    y = root * t1
+    s = x / np.sqrt(2.0 * y + 2.0)
+    s2 = s * s
+    s4 = s2 * s2
+    s3 = s * s2
+    M2 = (
+        s3 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00067810320704266795 * s4 -
+        0.00088998368261633694) - 0.001207644289190119) - 0.0017101353612439386) - 0.0025628662109375001) -
+        0.0041562034970238099) - 0.0075827205882352941) - 0.016826923076923076) - 0.055555555555555552) -
+        0.80000000000000004) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00059807125876960886 * s4 -
+        0.0007739815359505323) - 0.0010318889149597713) - 0.0014283964710850869) - 0.0020763962357132522) -
+        0.0032255753226902175) - 0.0055124383223684207) - 0.010937499999999999) - 0.028409090909090908) -
+        0.14285714285714285) + 2.6666666666666665)
+    )
+    t2 = 1.0 / beta
+    t3 = 2.5464790894703255 * beta * inner
+    t4 = 1.0 / (A * A)
+    t5 = 1.0 / root
+    u_cr2 = u_cr * u_cr
+    u_cr3 = u_cr * u_cr2
+    return (
+        0.0,
+        0.0,
+        0.0,
+        t2 * (A + h),
+        t2 * (h_A + 1.0),
+        h_AA * t2,
+        -A * M2 * t3,
+        t3 * (-M2 + t4 * t5 * u_cr3),
+        -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root)),
+    )
+
+
+def by_parameter(A, h, h_A, h_AA, alpha, beta, delta_h):
+    """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
+
+    Equation from (20)-(22), (31). Domain: A > 0.
+    """
+    arguments = floats(A, h, h_A, h_AA, alpha, beta, delta_h)
+    A, h, h_A, h_AA, alpha, beta, delta_h = arguments
+    guards = (A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h), A <= 1.25 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h),)
+    bodies = (_by_parameter_passed_0, _by_parameter_passed_1, _by_parameter_passed_1_far_1)
+    return by_regime(guards, bodies, arguments, 9)
+
+
+def by_design(lam, r, delta_h):
+    """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
+
+    Equation (5), (7). Domain: any design that has a breakpoint.
+    Operations: 17 structured, 13 common subexpressions, 13 power chains.
+    """
+    lam, r, delta_h = floats(lam, r, delta_h)
+    t0 = lam * r
+    t1 = delta_h - 1.0
+    t2 = 0.5 * t1
+    arguments = (lam, r, delta_h)
+    return (
+        full(-delta_h * r, arguments),
+        full(-delta_h * lam, arguments),
+        full(-t0, arguments),
+        full(-r * t2, arguments),
+        full(-lam * t2, arguments),
+        full(-0.5 * t0, arguments),
+        full(0.0, arguments),
+        full(0.0, arguments),
+        full(1.0, arguments),
+        full(0.0, arguments),
+        full(0.0, arguments),
+        full(-t1 / (np.sqrt(delta_h) * np.sqrt(2.0 - delta_h)), arguments),
+    )
+
+
 def coefficients(lam, r, delta_h):
     """The parameters alpha, beta, delta_h from the design.
 
@@ -4111,6 +4239,8 @@ MECHANISM = Mechanism(
     intercept=intercept,
     harmonics=harmonics,
     harmonics_up_to=0.75,
+    by_parameter=by_parameter,
+    by_design=by_design,
     reach=1.0,
     reach_reason="the push-rod stands vertical",
     truncated=False,

@@ -4,6 +4,7 @@ In:  an oscillator's parameters. Out: `Isolator`, `Duffing`, `Oscillator` of any
      the classes of `slowflow.results`, in units `Quantities`.
 """
 
+from slowflow.gradient import Gradient
 from slowflow.isolator import Duffing, Isolator
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical, Quantities
@@ -29,6 +30,7 @@ __all__ = [
     "Duffing",
     "FoldLocus",
     "FrequencyResponse",
+    "Gradient",
     "IsolaPoints",
     "Isolator",
     "Oscillator",

@@ -15,11 +15,13 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import validate
+from slowflow import moves, validate
 from slowflow.answer import Answer, Single, Table, frozen
+from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
+from slowflow_kernels.conventions import OnsetKind
 
 
 class Remark(IntFlag):
@@ -215,6 +217,17 @@ DRAWN = ("A", "phi", "transmissibility", "transmissibility_dB")
 NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion is known to measure it against"
 
 
+#: an answer that is not of averaging
+NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator with a design: this is none"
+
+
+def _given(model: Model | None) -> moves.Given:
+    """Whose answer it is. Raises ValueError where nothing says it."""
+    if model is None or not model.design:
+        raise ValueError(NOT_AVERAGED)
+    return moves.Given(model.mechanism, (*model.design, model.mu, model.zeta))
+
+
 @dataclass(frozen=True, eq=False)
 class SteadyStates(Table):
     """Steady states, one entry each: flat arrays of one length.
@@ -263,6 +276,15 @@ class SteadyStates(Table):
     def validity(self) -> Validity:
         """How far each state may be from the equation of motion, by measurement; looked up when first asked for."""
         return of_states(self._model, self.Omega, self.A)
+
+    def gradient(self) -> Gradient:
+        """How A, phi and transmissibility of each state move with the parameters, F_0 and Omega, exactly.
+
+        Where a state is a fold, or lies on a breakpoint at which the force jumps, it has no gradient, and `.status` and
+        `.message` say so.
+        """
+        given = _given(self._model)
+        return moves.of_states(given, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
 
     def measure(self, force: str | None = None) -> Measured:
         """How far each state is from the equation of motion (3): measured here and now, some 0.2 ms for each.
@@ -419,6 +441,14 @@ class SaddleNodes(Table):
         """How far each fold may be from the equation of motion, by measurement; looked up when first asked for."""
         return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
 
+    def gradient(self) -> Gradient:
+        """How Omega and A of each fold move with the parameters and F_0, exactly; a corner moves with its breakpoint.
+
+        Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
+        gradient, and `.status` and `.message` say so.
+        """
+        return moves.of_folds(_given(self._model), self.Omega, self.A, self.F_0, self.corner)
+
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
 
@@ -508,6 +538,15 @@ class SaddleNodeOnset(Single):
     message: str
     untruncated: SaddleNodeOnset | None = field(default=None, kw_only=True)
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How F_SN, Omega and A move with the parameters, exactly; on a breakpoint with that.
+
+        Where two folds and more are born together there is no gradient, and `.status` and `.message` say so.
+        """
+        kind = OnsetKind[self.kind.upper() or "NO"]
+        return moves.of_onset(_given(self._model), self.F_SN, self.Omega, self.A, kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -579,6 +618,15 @@ class Peak(Single):
     F_0: float
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How A and Omega move with the parameters and F_0, exactly; a peak at Omega = 0 stays there.
+
+        Where the peak is an isola point, or lies on a breakpoint at which the force jumps, it has no gradient, and
+        `.status` and `.message` say so. Of two peaks of one height it is that of the one which is given.
+        """
+        return moves.of_peak(_given(self._model), self.A, self.Omega, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -590,6 +638,11 @@ class Detachment(Single):
     u_cr: float | None
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How F_cr, Omega_cr and u_cr move with the parameters, exactly."""
+        return moves.of_detachment(_given(self._model), self.F_cr, self.Omega_cr, self.u_cr)
 
 
 def joined(*remarks: Any) -> str:

@@ -93,6 +93,9 @@ class Mechanism:
     truncated   -- whether the force is a Taylor polynomial that stands for another
     load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
     scales      -- what each number of the design is measured in; () where the design has no dimensional quantities
+    by_parameter -- d/dp of h, h_A, h_AA at (A, h, h_A, h_AA, *parameters), for each parameter p in turn
+    by_design   -- d/d of each number of the design, of each parameter in turn, then of each breakpoint; without these
+                   two there are no gradients
     """
 
     name: str
@@ -113,6 +116,8 @@ class Mechanism:
     truncated: bool
     load_untruncated: Callable[[], Mechanism] | None
     scales: tuple[Scale, ...] = ()
+    by_parameter: Function | None = None
+    by_design: Function | None = None
 
     @cached_property
     def is_generated(self) -> bool:

@@ -36,6 +36,7 @@ class Mechanism(ctypes.Structure):
         ("intercept", ctypes.c_void_p),
         ("harmonics", ctypes.c_void_p),
         ("harmonics_up_to", ctypes.c_double),
+        *((name, ctypes.c_void_p) for name in ("by_parameter", "by_design")),
         ("dissipation", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles)),
         ("level", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles, ctypes.c_double)),
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),

@@ -27,6 +27,7 @@ from ...along import (
     scaled_root,
     t,
 )
+from ...gradients import MOVES, OF_PARAMETER, Gradients, h_p, m_p, zeta_p
 from ...offset import mean_stiffness, offset_stiffness
 from ...resultants import Elimination
 from ...results import Results
@@ -82,6 +83,7 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     "along.py",
                     "slopes.py",
                     "bounds.py",
+                    "gradients.py",
                     "resultants.py",
                 ),
                 kernels=tuple(
@@ -109,7 +111,13 @@ def told(flow: SlowFlow, scene: str) -> str:
 def kernels_of(results: Results, scene: str) -> list[Kernel]:
     """All of them, in one scene."""
     flow = results.flows[scene]
-    general = [] if scene else [*slope_kernels(flow, results.slopes), *bound_kernels(results)]
+    general = []
+    if not scene:
+        general = [
+            *slope_kernels(flow, results.slopes),
+            *bound_kernels(results),
+            *gradient_kernels(results.gradients),
+        ]
     return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.along[scene]), *general]
 
 
@@ -338,6 +346,51 @@ def bound_kernels(results: Results) -> list[Kernel]:
             "The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.",
             "from (24), (30)",
             "F_0 >= m",
+        ),
+    ]
+
+
+def gradient_kernels(gradients: Gradients) -> list[Kernel]:
+    """How each kind of answer moves with a parameter; asked once an answer, they have no compiled loops in Python."""
+    at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
+    equation = "from (23)-(34)"
+
+    def flat(pivots: Sequence[tuple[sp.Expr, sp.Expr]], count: int) -> list[sp.Expr]:
+        one = (sp.Integer(1), sp.Integer(1))
+        return [part for pivot in (*pivots, *[one] * (count - len(pivots))) for part in pivot]
+
+    most = max(len(moves.pivots) for moves in gradients.kinds.values())
+    kinds = [
+        plain(
+            f"moves_of_{name}",
+            (*at, *OF_PARAMETER),
+            [*moves.values, *flat(moves.pivots, most)],
+            f"A_p, Omega_p, F_0_p of {moves.doc}; then what must not vanish, each with its size.",
+            equation,
+            lets=moves.lets,
+            generic=True,
+        )
+        for name, moves in gradients.kinds.items()
+    ]
+    return [
+        *kinds,
+        plain(
+            "beside",
+            (Omega, A, m, zeta, h, h_A),
+            flat(gradients.beside, len(gradients.beside)),
+            "F_A, F_Omega and R, each with its size.",
+            equation,
+            lets=gradients.beside_lets,
+            generic=True,
+        ),
+        plain(
+            "moves_of_phase",
+            (Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, *MOVES),
+            gradients.of_state,
+            "d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.",
+            equation,
+            lets=gradients.of_state_lets,
+            generic=True,
         ),
     ]
 

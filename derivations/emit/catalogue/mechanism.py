@@ -39,7 +39,7 @@ from ..form import (
 #: What is emitted for each mechanism, and for whom.
 #:
 #: For the solvers, by the record: `averaged`, `averaged_2`, `intercept`, `harmonics`, `coefficients`,
-#: `breakpoints`, `jumps`, `hardening`, and the pieces of the force with their slopes.
+#: `breakpoints`, `jumps`, `hardening`, `by_parameter`, `by_design`, and the pieces of the force with their slopes.
 #: For users, who import them: `force`, the resultants `saddle_node_onset` (33) and `saddle_nodes`, and, thin because
 #: each only calls another:
 #:     h, H and derivatives     out of `averaged`, `averaged_2` and `averaged_H`
@@ -66,6 +66,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
         kernels=(
             *averages.kernels,
             harmonics_kernel(derived),
+            *gradient_kernels(derived),
             *data_kernels(derived),
             *pieces,
             force_kernel(derived, pieces[::2]),
@@ -297,6 +298,36 @@ def harmonics_kernel(derived: OfMechanism) -> Kernel:
         derived.harmonics.domain,
         parameters=len(parameters),
         returns="tuple",
+    )
+
+
+def gradient_kernels(derived: OfMechanism) -> tuple[Kernel, Kernel]:
+    """How the average changes with the parameters of the force, and these with the design."""
+    mechanism = derived.oscillator.mechanism
+    parameters, design = mechanism.parameters, tuple(parameter.symbol for parameter in mechanism.design)
+    definitions = definitions_of(derived)
+    followed = [definitions[name] for name in (*parameters, *mechanism.breakpoints)]
+    return (
+        Kernel(
+            "by_parameter",
+            (A, *AVERAGED[:3], *parameters),
+            branches(derived.by_parameter),
+            "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.",
+            "from (20)-(22), (31)",
+            "A > 0",
+            parameters=len(parameters),
+            returns="tuple",
+            looped=False,
+        ),
+        plain(
+            "by_design",
+            design,
+            [sp.factor(sp.diff(value, number)) for value in followed for number in design],
+            "d/d of each number of the design: of each parameter in turn, then of each breakpoint.",
+            "(5), (7)",
+            "any design that has a breakpoint" if mechanism.breakpoints else "any design",
+            looped=False,
+        ),
     )
 
 

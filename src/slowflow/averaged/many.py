@@ -22,9 +22,11 @@ from slowflow import backend, validate
 from slowflow.answer import Answer, frozen, optional
 from slowflow.averaged import remarks
 from slowflow.averaged.questions import Averaged
+from slowflow.gradient import Gradient
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
-from slowflow.results import Remark
+from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak
+from slowflow.results import NOT_AVERAGED, Remark
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 Codes = npt.NDArray[np.int8]
@@ -33,12 +35,16 @@ One = Callable[..., tuple[Any, ...]]
 
 @dataclass(frozen=True, eq=False)
 class Batch(Answer):
-    """What all answers to a batch share: `remarks`, computed when first asked for."""
+    """What all answers to a batch share: `remarks`, computed when first asked for.
+
+    _averaged -- whether they are answers of averaging, whose gradients are known
+    """
 
     if TYPE_CHECKING:  # each has it as its last column
         status: Codes
     _designs: Designs = field(repr=False, kw_only=True)
     _F_0: Any = field(repr=False, kw_only=True, default=np.nan)
+    _averaged: Any = field(repr=False, kw_only=True, default=False)
 
     def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
         """Draw a number of each design over two parameters into Matplotlib axes, or new ones, and return these.
@@ -53,6 +59,13 @@ class Batch(Answer):
         numbers = [name for name, value in vars(self).items() if not name.startswith("_") and value.dtype == float]
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
         return pictures.design_map(ax, *self._designs.spanned(x, y, of, values, self._F_0))
+
+    def _given(self) -> Given:
+        """Whose answers these are. Raises ValueError for those of another approximation."""
+        if not self._averaged:
+            raise ValueError(NOT_AVERAGED)
+        numbers = (np.asarray(value, dtype=float) for value in self._designs.values.values())
+        return Given(self._designs.mechanism, tuple(numbers))
 
     def _found(self) -> tuple[Any, Any, Any]:
         """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
@@ -115,6 +128,10 @@ class Detachments(Batch):
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega_cr[..., np.newaxis], self.u_cr[..., np.newaxis], False
 
+    def gradient(self) -> Gradient:
+        """As of a single `Detachment`, of each design; `.slopes` of shape (..., 3, parameters)."""
+        return of_detachment(self._given(), self.F_cr, self.Omega_cr, self.u_cr)
+
 
 @dataclass(frozen=True, eq=False)
 class Onsets(Batch):
@@ -151,6 +168,10 @@ class Onsets(Batch):
             (self.kind == OnsetKind.CORNER)[..., np.newaxis],
         )
 
+    def gradient(self) -> Gradient:
+        """As of a single `SaddleNodeOnset`, of each design; `.slopes` of shape (..., 3, parameters)."""
+        return of_onset(self._given(), self.F_SN, self.Omega, self.A, self.kind)
+
 
 @dataclass(frozen=True, eq=False)
 class Folds(Batch):
@@ -176,7 +197,19 @@ class Folds(Batch):
         return frozen(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
 
     def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega, self.A, self.kind >= FoldKind.JUMP_UP_AT_CORNER
+        return self.Omega, self.A, self._corner
+
+    @property
+    def _corner(self) -> Any:
+        return self.kind >= FoldKind.JUMP_UP_AT_CORNER
+
+    def gradient(self) -> Gradient:
+        """As of single `SaddleNodes`, of each design; `.slopes` of shape (..., places, 2, parameters)."""
+        given = self._given()
+        # beside the places
+        numbers = tuple(number[..., np.newaxis] for number in given.numbers)
+        F_0 = np.asarray(self._F_0, dtype=float)[..., np.newaxis]
+        return of_folds(Given(given.mechanism, numbers), self.Omega, self.A, F_0, self._corner)
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,6 +222,10 @@ class Peaks(Batch):
 
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega[..., np.newaxis], self.A[..., np.newaxis], False
+
+    def gradient(self) -> Gradient:
+        """As of a single `Peak`, of each design; `.slopes` of shape (..., 2, parameters)."""
+        return of_peak(self._given(), self.A, self.Omega, np.asarray(self._F_0, dtype=float))
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,20 +273,20 @@ class Designs:
 
     def detachment(self, *, workers: int = 1) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; `Status.NONE` for a mechanism without breakpoints."""
-        return Detachments(*self.ask(DETACHMENT, workers), _designs=self)
+        return Detachments(*self.ask(DETACHMENT, workers), _designs=self, _averaged=True)
 
     def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
         """F_SN of every design, with its Omega and A."""
-        return Onsets(*self.ask(ONSET, workers), _designs=self)
+        return Onsets(*self.ask(ONSET, workers), _designs=self, _averaged=True)
 
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
         """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`."""
         places = validate.count("places", places, least=1)
-        return Folds(*self.ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0)
+        return Folds(*self.ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0, _averaged=True)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""
-        return Peaks(*self.ask(PEAK, workers, F_0), _designs=self, _F_0=F_0)
+        return Peaks(*self.ask(PEAK, workers, F_0), _designs=self, _F_0=F_0, _averaged=True)
 
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Proofs:
         """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs."""

@@ -200,7 +200,7 @@ class Averaged:
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("peak", F_0)
         if planned.model is None:
-            return Peak(None, None, F_0, words.sticks(self.model, F_0))
+            return Peak(None, None, F_0, words.sticks(self.model, F_0), _model=self.model)
         return self._remarked(solvers.peak(planned.model, F_0), F_0)
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
@@ -331,6 +331,8 @@ class Averaged:
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""
+        if isinstance(found, (SaddleNodeOnset, Detachment, Peak)):
+            found.__dict__["_model"] = self.model
         if F_0 <= self.model.m:
             return found
         beside = remarks.of_one(self.model, F_0, *_states(found))

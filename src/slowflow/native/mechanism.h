@@ -13,7 +13,7 @@
 #include "interval.h"
 
 enum {
-    SF_FORM = 4, /* of the record below; one of another form is refused */
+    SF_FORM = 5, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -47,6 +47,12 @@ typedef struct sf_mechanism {
      * harmonics_up_to; NULL where they are not known. */
     void (*harmonics)(ptrdiff_t n, const double *A, const double *p, double *out);
     double harmonics_up_to;
+
+    /* How they change with the parameters: d/dp of h, h_A and h_AA at A, which are given, for each parameter p in turn; and
+     * these with the design: d/d of each of its numbers, of each parameter in turn, then of each breakpoint. NULL where that is
+     * not known: there are no gradients. */
+    void (*by_parameter)(double A, const double *averaged, const double *p, double *out);
+    void (*by_design)(const double *design, double *out);
 
     /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
     double (*dissipation)(double Omega, double A, const double *damping);

@@ -1,6 +1,7 @@
 /* All solvers and all records for one target: SF_SOLVERS is the name of the table that is defined here. */
 #include "certify.h"
 #include "curve.h"
+#include "gradient.h"
 #include "interface.h"
 #include "many.h"
 #include "many_proofs.h"
@@ -41,6 +42,7 @@ const sf_solvers SF_SOLVERS = {
     sf_many_peaks,
     sf_many_proved_folds,
     sf_many_proved_states,
+    sf_many_gradients,
     sf_many_second_detachment,
     sf_many_second_onsets,
     sf_many_second_folds,

@@ -16,7 +16,7 @@
 #define D NPY_DOUBLE
 #define B NPY_INT8
 
-/* A question: the outputs behind the design, the damping and what is asked at, F_0 and Omega or less. */
+/* A question: the outputs behind the design, the damping and what is asked at, F_0 and Omega or less, and of an answer A and what it is. */
 typedef struct {
     const char *name, *out, *doc;
     int at, outputs;
@@ -39,7 +39,10 @@ static const question proved_states = {
     "many_proved_amplitudes", "(),(),()", "design, damping, F_0, Omega -> count, whether it is proved, status", 2, 3,
     {B, B, B}};
 
-enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2 + 6 };
+static const question gradients = {
+    "many_gradients", "(r,n),()", "design, damping, F_0, Omega, A, what it is -> moves, status", 4, 2, {D, B}};
+
+enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 4 + 6 };
 
 /* What NumPy keeps pointers to, for as long as the process lives. */
 typedef struct {
@@ -142,6 +145,11 @@ static PyObject *many_proved_amplitudes(PyObject *cache, PyObject *record)
     return batch(cache, record, &proved_states, sf_here()->many_proved_states);
 }
 
+static PyObject *many_gradients(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &gradients, sf_here()->many_gradients);
+}
+
 static PyMethodDef functions[] = {
     {"many_detachment", many_detachment, METH_O, "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
     {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
@@ -157,6 +165,8 @@ static PyMethodDef functions[] = {
      "record -> ufunc of (design, damping, F_0) -> count, whether it is proved, status"},
     {"many_proved_amplitudes", many_proved_amplitudes, METH_O,
      "record -> ufunc of (design, damping, F_0, Omega) -> count, whether it is proved, status"},
+    {"many_gradients", many_gradients, METH_O,
+     "record -> ufunc of (design, damping, F_0, Omega, A, what it is) -> moves (rows, columns), status"},
 };
 
 int sf_add_batches(PyObject *module)

@@ -1,0 +1,70 @@
+"""What a gradient is: how the numbers of an answer change with each parameter, and where they have no gradient, why."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.answer import Answer
+from slowflow.mechanism import Floats
+from slowflow_kernels.conventions import MovesStatus
+
+#: why an answer has no gradient
+WITHOUT_GRADIENT = {
+    MovesStatus.NOTHING: "there is no answer that could move",
+    MovesStatus.MEETS: "it meets another answer there, as at a fold, a cusp or an isola point: beyond it there is "
+    "none, and next to it its slope has no bound",
+    MovesStatus.TURNS: "it comes to a breakpoint of the force there: on either side it moves in its own way",
+    MovesStatus.BOUNDLESS: "a parameter is at the end of its domain, where the force changes without bound, or numbers "
+    "are beyond the range of doubles",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Gradient(Answer):
+    """How numbers of an answer change with each parameter, exactly: d(number)/d(parameter), all dimensionless.
+
+    of      -- the numbers, as "Omega", "A", "F_SN"
+    by      -- the parameters: those of the design, mu, zeta, and what was asked at, F_0 and Omega
+    slopes  -- shape (..., numbers, parameters), behind the shape of the answer; NaN where there is no gradient
+    status  -- whether there is one, a number of `slowflow_kernels.conventions.MovesStatus`, 0 where there is
+    message -- why some have none, in words; empty if all have one
+
+    `gradient["A", "delta_h"]` is one slope of each entry of the answer, `gradient["A"]` that by every parameter.
+    """
+
+    of: tuple[str, ...]
+    by: tuple[str, ...]
+    slopes: Floats
+    status: npt.NDArray[np.int8]
+    _values: tuple[Any, ...] = field(repr=False)
+    _at: tuple[Any, ...] = field(repr=False)
+
+    def __getitem__(self, what: str | tuple[str, str]) -> Any:
+        of, by = (what, None) if isinstance(what, str) else what
+        if of not in self.of or (by is not None and by not in self.by):
+            raise KeyError(f"{what!r}: the numbers are {', '.join(self.of)}, the parameters {', '.join(self.by)}")
+        found = self.slopes[..., self.of.index(of), :]
+        return found if by is None else found[..., self.by.index(by)][()]
+
+    @property
+    def message(self) -> str:
+        """Why some answers have no gradient; empty if all have one."""
+        codes, counts = np.unique(self.status[self.status != MovesStatus.OK], return_counts=True)
+        said = []
+        for code, count in zip(codes, counts, strict=True):
+            of_all = f"{count} of {self.status.size}: " if self.status.ndim else ""
+            said.append(of_all + WITHOUT_GRADIENT[MovesStatus(code)])
+        return f"no gradient: {'; '.join(said)}" if said else ""
+
+    def condition(self, of: str) -> Any:
+        """The condition number of a number: its relative change over the largest relative change of the parameters.
+
+        The sum of |p d(number)/dp|/|number| over the parameters, shape (...); NaN where there is no gradient.
+        """
+        with np.errstate(all="ignore"):
+            moved = sum(abs(at * self[of, by]) for at, by in zip(self._at, self.by, strict=True))
+            return moved / np.abs(self._values[self.of.index(of)])

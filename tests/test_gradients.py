@@ -1,0 +1,306 @@
+"""Gradients of answers: against certified differences and condition numbers, and by what scaling says of them."""
+
+import json
+import pickle
+import warnings
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, backend
+from slowflow.paper import example
+from slowflow_kernels.conventions import MovesStatus
+from tests.oracles.answers import Nearby
+
+DATA = Path(__file__).parent / "data"
+FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
+CASES = [
+    case
+    for name in FILES
+    for case in json.loads((DATA / f"{name}.json").read_text())
+    if not any(isinstance(value, str) for value in case["parameters"].values())
+]
+F_0 = 0.04
+#: of a critical forcing, as the reference names its numbers
+OF_FORCING = ("F_0", "Omega", "A")
+
+
+def oscillator(case):
+    values = {name: value[1] for name, value in case["parameters"].items()}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return Duffing(**values) if case["mechanism"] == "duffing" else Isolator(**values)
+
+
+def random_oscillators(count):
+    """Isolators of either force and Duffing oscillators, with folds at 0.04."""
+    random = np.random.default_rng(20261122)
+    found = []
+    while len(found) < 3 * count:
+        mu, zeta = random.uniform(0.001, 0.015), random.uniform(0.01, 0.03)
+        lam, r = 3.0, random.uniform(1.2, 3)
+        delta_h = random.uniform(0.3, 0.9) / (lam * r)
+        made = [
+            Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, force=f) for f in ("truncated", "untruncated")
+        ]
+        made.append(Duffing(random.uniform(0.2, 1), random.uniform(0.5, 2), mu, zeta))
+        if all(len(one.saddle_nodes(F_0)) for one in made):
+            found += made
+    return found
+
+
+# ---- certified
+
+
+def test_condition_numbers_are_those_of_every_reference_case():
+    """Those of the reference are rounded to three digits."""
+    asked, kinds = 0, set()
+    for case in CASES:
+        of = oscillator(case)
+        found = []
+        onset, detachment = case["onset"], case.get("detachment")
+        if onset and onset["global"]:
+            moves = of.saddle_node_onset().gradient()
+            found += [(moves.condition(x), onset["condition"][y]) for x, y in zip(moves.of, OF_FORCING, strict=True)]
+            kinds.add(onset["kind"])
+        if detachment and detachment["attained"]:
+            moves = of.detachment().gradient()
+            found += [
+                (moves.condition(x), detachment["condition"][y]) for x, y in zip(moves.of, OF_FORCING, strict=True)
+            ]
+        for forcing in case["forcings"]:
+            at = forcing["F_0"][1]
+            moves = of.saddle_nodes(at).gradient()
+            for x in moves.of:
+                found += zip(moves.condition(x), (one["condition"][x] for one in forcing["folds"]), strict=True)
+            kinds |= {one["corner"] for one in forcing["folds"]}
+            for states in forcing["amplitudes"]:
+                moves = of.amplitudes(Omega=states["Omega"][1], F_0=at).gradient()
+                found += zip(moves.condition("A"), (one["condition"]["A"] for one in states["steady"]), strict=True)
+        np.testing.assert_allclose(*np.array(found, dtype=float).reshape(-1, 2).T, rtol=5.01e-3)
+        asked += len(found)
+    assert asked > 8000
+    assert {"cusp", "corner", True} <= kinds
+
+
+#: relative, of a parameter: the error of a difference quotient is its square
+STEP = Fraction(1, 2**120)
+
+
+def beside(mechanism, kind, at, numbers):
+    """Omega, A and F_0 of the certified answer next to given ones, in hundreds of bits; numbers exact, F_0 last."""
+    near = Nearby(mechanism, **{name: value for name, value in numbers.items() if name not in ("F_0", "Omega")})
+    Omega, A, _ = at
+    if kind == "state":
+        state, _ = near.state(numbers["Omega"], A, numbers["F_0"])
+        return None, state.A, None
+    if kind in ("corner", "detachment"):
+        found, _ = near.on_corner("fold" if kind == "corner" else kind, Omega, numbers["F_0"])
+    else:
+        found, _ = near.two(kind, Omega, A, numbers["F_0"])
+    return found.Omega, found.A, found.F_0
+
+
+ROW = {"Omega": 0, "A": 1, "F_SN": 2, "Omega_cr": 0, "u_cr": 1, "F_cr": 2}
+
+
+def check(of, kind, moves, at, entry=()):
+    """Every slope that Newton's method knows, against a quotient of certified answers; relative to all p dx/dp."""
+    mechanism = of.model.mechanism.name
+    given = {"F_0": at[2] or 1.0, "Omega": at[0]}
+    numbers = {name: Fraction(given.get(name) or getattr(of, name)) for name in moves.by}
+    if "F_0" not in numbers:
+        numbers["F_0"] = Fraction(1)
+    rows = [x for x in moves.of if x in ROW]
+    for by in moves.by:
+        ends = []
+        for sign in (1, -1):
+            ends.append(beside(mechanism, kind, at, {**numbers, by: numbers[by] * (1 + sign * STEP)}))
+        for x in rows:
+            one, other = (end[ROW[x]] for end in ends)
+            width = 2 * STEP * numbers[by]
+            certified = float((one - other) * width.denominator / width.numerator)
+            # all that the parameters can do to it, over this one
+            most = sum(abs(moves[x, p][entry] * float(numbers[p])) for p in moves.by) / abs(float(numbers[by]))
+            assert abs(moves[x, by][entry] - certified) < 1e-12 * most, (of, kind, x, by)
+
+
+def test_slopes_are_those_of_certified_answers_at_forty_digits():
+    for of in random_oscillators(2):
+        folds = of.saddle_nodes(F_0)
+        moves = folds.gradient()
+        for k, fold in enumerate(folds):
+            check(of, "fold", moves, (fold.Omega, fold.A, F_0), k)
+        states = of.amplitudes(Omega=0.95, F_0=F_0)
+        moves = states.gradient()
+        for k, state in enumerate(states):
+            check(of, "state", moves, (state.Omega, state.A, F_0), k)
+        peak = of.peak(F_0)
+        check(of, "peak", peak.gradient(), (peak.Omega, peak.A, F_0))
+        onset, detachment = of.saddle_node_onset(), of.detachment()
+        if onset.kind in ("cusp", "isola"):
+            check(of, onset.kind, onset.gradient(), (onset.Omega, onset.A, None))
+        if detachment.F_cr:
+            check(of, "detachment", detachment.gradient(), (detachment.Omega_cr, detachment.u_cr, None))
+
+
+def test_a_fold_on_a_breakpoint_moves_with_it():
+    tried = 0
+    for case in CASES:
+        for forcing in case["forcings"]:
+            if tried < 4 and any(fold["corner"] for fold in forcing["folds"]):
+                of, at = oscillator(case), forcing["F_0"][1]
+                folds = of.saddle_nodes(at)
+                (k,) = np.flatnonzero(folds.corner)
+                moves = folds.gradient()
+                check(of, "corner", moves, (folds.Omega[k], folds.A[k], at), k)
+                assert moves["A", "delta_h"][k] == of.detachment().gradient()["u_cr", "delta_h"]
+                tried += 1
+    assert tried == 4
+
+
+# ---- by what scaling says
+
+
+def scaled(moves, powers):
+    """sum of n p dx/dp over the parameters p with powers n, less n x, for each number x; over its condition."""
+    rows = []
+    for x, value in zip(moves.of, moves._values, strict=True):
+        terms = [powers.get(p, 0) * at * moves[x, p] for p, at in zip(moves.by, moves._at, strict=True)]
+        size = sum(map(abs, terms)) + abs(np.asarray(value))
+        rows.append((sum(terms) - powers.get(x, 0) * np.asarray(value)) / size)
+    return np.array(rows)
+
+
+#: powers of the unit of length, and of the unit of frequency, in each number
+LENGTH = {"beta": -2, "mu": 1, "F_0": 1, "A": 1, "F_SN": 1}
+FREQUENCY = {"alpha": 2, "beta": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F_SN": 2}
+
+
+def test_gradients_hold_what_other_units_of_length_and_time_say():
+    """Euler's theorem: a Duffing oscillator in other units is a Duffing oscillator."""
+    random = np.random.default_rng(7)
+    tried = 0
+    for _ in range(60):
+        alpha, beta = random.uniform(0.1, 2), 10 ** random.uniform(-1, 1)
+        of = Duffing(alpha, beta, 10 ** random.uniform(-6, -4), 10 ** random.uniform(-2.5, -1))
+        onset = of.saddle_node_onset()
+        answers = [onset]
+        for forcing in onset.F_SN * np.array([0.7, 1.1, 3]):
+            answers += [of.saddle_nodes(forcing), of.peak(forcing)]
+            answers.append(of.amplitudes(Omega=[0.5, 1.0, 2.0], F_0=forcing))
+        for answer in answers:
+            moves = answer.gradient()
+            assert moves.message == ""
+            for powers in (LENGTH, FREQUENCY):
+                found = scaled(moves, powers)
+                assert np.all(np.abs(found) < 1e-11)
+                tried += found.size
+    assert tried > 4000
+
+
+def test_springs_that_share_their_stiffness_move_an_answer_by_its_product():
+    """The force holds lam r alone."""
+    for of in random_oscillators(2):
+        if isinstance(of, Isolator):
+            for answer in (of.saddle_nodes(F_0), of.saddle_node_onset(), of.detachment(), of.peak(F_0)):
+                moves = answer.gradient()
+                for x in moves.of:
+                    np.testing.assert_allclose(of.lam * moves[x, "lam"], of.r * moves[x, "r"], rtol=1e-13, atol=1e-15)
+
+
+# ---- both paths, many designs
+
+
+def test_numpy_and_compiled_code_give_the_same(monkeypatch):
+    if backend.SOLVER is None:
+        pytest.skip("both paths are there only with the compiled solvers")
+    answers = []
+    for of in [*random_oscillators(2), *(oscillator(case) for case in CASES[:20])]:
+        at = 1.5 * (of.saddle_node_onset().F_SN or F_0)
+        answers += [of.saddle_nodes(at), of.saddle_node_onset(), of.detachment(), of.peak(at)]
+        answers += [of.frequency_response(at, samples=50), of.peak(1e-9)]
+    mine = [answer.gradient() for answer in answers]
+    monkeypatch.setattr(backend, "SOLVER", None)
+    for one, answer in zip(mine, answers, strict=True):
+        other = answer.gradient()
+        np.testing.assert_array_equal(one.status, other.status)
+        size = np.abs(one.slopes).max(initial=1e-300, where=~np.isnan(one.slopes))
+        np.testing.assert_allclose(one.slopes, other.slopes, rtol=1e-9, atol=1e-12 * size)
+
+
+@pytest.mark.parametrize("force", ["truncated", "untruncated"])
+def test_a_batch_has_the_gradients_of_its_designs(force):
+    r, mu = np.array([[1.0], [1.7], [2.9]]), np.array([0.0, 0.004, 0.02, -1.0])
+    designs = Isolator.many(lam=3, r=r, delta_h=0.1, mu=mu, zeta=0.02, force=force)
+    for question, at in (("saddle_node_onset", ()), ("detachment", ()), ("peak", (F_0,)), ("saddle_nodes", (F_0,))):
+        moves = getattr(designs, question)(*at).gradient()
+        for k, j in np.ndindex(3, 3):
+            one = Isolator(lam=3, r=r[k, 0], delta_h=0.1, mu=mu[j], zeta=0.02, force=force)
+            alone = getattr(one, question)(*at).gradient()
+            mine = moves.slopes[k, j, : len(alone.slopes)] if question == "saddle_nodes" else moves.slopes[k, j]
+            np.testing.assert_array_equal(mine, alone.slopes)
+        assert np.all(moves.status[:, 3] == MovesStatus.NOTHING)
+        assert np.isnan(moves.slopes[:, 3]).all()
+
+
+# ---- where there is none
+
+
+def test_what_meets_another_answer_has_no_gradient_and_says_so():
+    iso = example.isolator()
+    onset, curve = iso.saddle_node_onset(), iso.frequency_response(F_0)
+    folds = iso.saddle_nodes(onset.F_SN * (1 + 4e-16)).gradient()
+    assert len(folds.status) == 2
+    assert np.all(folds.status == MovesStatus.MEETS)
+    assert np.isnan(folds.slopes).all()
+    assert "meets another answer" in folds.message
+    moves = curve.gradient()
+    at_folds = np.isin(curve.A, iso.saddle_nodes(F_0).A)
+    assert at_folds.sum() == 2
+    assert np.all(moves.status[at_folds] == MovesStatus.MEETS)
+
+
+def test_what_comes_to_a_breakpoint_turns_there_where_the_force_jumps():
+    """Only then: h_A of the untruncated force goes on."""
+    for force, status in (("truncated", MovesStatus.TURNS), ("untruncated", MovesStatus.OK)):
+        iso = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02, force=force)
+        curve = iso.frequency_response(F_0)
+        on_break = curve.A == iso.u_cr if force == "truncated" else curve.A == iso.breakpoints[0]
+        assert on_break.sum() == 2
+        assert np.all(curve.gradient().status[on_break] == status)
+
+
+def test_no_answer_has_no_gradient_and_says_so():
+    moves = Isolator(lam=3, r=2, delta_h=0.1, mu=0.012, zeta=0.02).peak(0.001).gradient()
+    assert moves.status == MovesStatus.NOTHING
+    assert "no answer" in moves.message
+    assert np.isnan(moves["A", "zeta"])
+
+
+def test_at_the_end_of_a_domain_a_number_that_is_not_finite_is_said():
+    """u_cr grows like the root of the preload."""
+    moves = Isolator.many(lam=3, r=[2.0], delta_h=0.0, mu=0.012, zeta=0.02).peak(F_0).gradient()
+    assert moves.status == [MovesStatus.BOUNDLESS]
+
+
+def test_answers_of_another_approximation_have_no_gradient_of_averaging():
+    iso = example.isolator()
+    with pytest.raises(ValueError, match="averaged answers"):
+        iso.second_approximation.peak(F_0).gradient()
+    many = Isolator.many(lam=3, r=[2.0], delta_h=0.1, mu=0.012, zeta=0.02).second_approximation
+    with pytest.raises(ValueError, match="averaged answers"):
+        many.peak(F_0).gradient()
+
+
+def test_a_gradient_is_an_answer_like_others():
+    moves = example.isolator().saddle_nodes(F_0).gradient()
+    assert pickle.loads(pickle.dumps(moves)) == moves
+    assert moves.by == ("lam", "r", "delta_h", "mu", "zeta", "F_0")
+    np.testing.assert_array_equal(moves["A"][:, 2], moves["A", "delta_h"])
+    with pytest.raises(ValueError, match="read-only"):
+        moves.slopes[0] = 0
+    with pytest.raises(KeyError, match="the numbers are Omega, A"):
+        moves["phi"]
