@@ -59,22 +59,20 @@ typedef struct {
 
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST. most: of SF_CUSP, where only the lowest minimum of
  * the level is wanted, a forcing above which cusps may be left out: each minimum found lowers it; NULL for all cusps.
- * highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted. channels: of
- * SF_CUSP and SF_PEAK at a sample, those that are wanted, 1 and 2 */
+ * highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted */
 typedef struct {
     sf_question question;
     const sf_model *model;
     double F_0;
     double least;
     double *most;
-    int highest, channels;
+    int highest;
     sf_terms terms; /* the same as m, zeta, F_0 and least */
 } sf_asked;
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
     asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL, asked.highest = 0;
-    asked.channels = 3;
     asked.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
@@ -154,7 +152,7 @@ static inline double sf_quadratic_root(double a, double b, double root, int larg
 }
 
 /* Channel 0 is the larger root Omega^2 of F_AA. */
-static inline void sf_ask_cusp(const sf_model *model, int channels, const sf_sample *at, sf_answer *out) {
+static inline void sf_ask_cusp(const sf_model *model, int open, const sf_sample *at, sf_answer *out) {
     double q[5];
     int i;
     slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->k, q);
@@ -163,7 +161,7 @@ static inline void sf_ask_cusp(const sf_model *model, int channels, const sf_sam
         const double T = sf_quadratic_root(q[0], q[1], root, i == 0);
         double R[2], cusp[4];
         int by_F_AA;
-        if (!(X > 0 && channels & 1 << i))
+        if (!(X > 0 && open & 1 << i))
             continue;
         slow_flow_cusp_R(at->A, model->zeta, at->h_AA, at->k, X, T, R);
         by_F_AA = fabs(R[0]) < SF_CANCELLED * fabs(at->k); /* k + A T has lost digits */
@@ -205,7 +203,7 @@ static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_an
 }
 
 /* Channel 1 is the minimum over Omega; without friction it is the only one. */
-static inline void sf_ask_peak(const sf_model *model, double F_0, int channels, const sf_sample *at, sf_answer *out) {
+static inline void sf_ask_peak(const sf_model *model, double F_0, int open, const sf_sample *at, sf_answer *out) {
     sf_quartic cubic;
     double w[2];
     int i, n;
@@ -215,7 +213,7 @@ static inline void sf_ask_peak(const sf_model *model, double F_0, int channels, 
     for (i = 0; i < n; i++) {
         const int channel = i + 2 - n;
         double peak[2];
-        if (!(channels & 1 << channel))
+        if (!(open & 1 << channel))
             continue;
         w[i] = sf_polish_cubic(&cubic, w[i]);
         slow_flow_peak(w[i], at->A, F_0, model->m, model->zeta, at->h_A, peak);
@@ -249,7 +247,8 @@ static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sampl
     out->dy[0] = out->dy[1] = halves[2];
 }
 
-static inline void sf_ask(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
+/* open: which channels are wanted, 1 and 2; of SF_CUSP and SF_PEAK others are not asked */
+static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, sf_answer *out) {
     const sf_model *model = asked->model;
     memset(out, 0, sizeof *out);
     switch (asked->question) {
@@ -263,7 +262,7 @@ static inline void sf_ask(const sf_asked *asked, const sf_sample *at, sf_answer 
         sf_ask_isola(model, at, out);
         break;
     case SF_CUSP:
-        sf_ask_cusp(model, asked->channels, at, out);
+        sf_ask_cusp(model, open, at, out);
         break;
     case SF_TURN:
         sf_ask_turn(model, at, out);
@@ -272,7 +271,7 @@ static inline void sf_ask(const sf_asked *asked, const sf_sample *at, sf_answer 
         sf_ask_undamped(at, out);
         break;
     case SF_PEAK:
-        sf_ask_peak(model, asked->F_0, asked->channels, at, out);
+        sf_ask_peak(model, asked->F_0, open, at, out);
         break;
     case SF_REST:
         sf_ask_rest(model, asked->F_0, at, out);
@@ -288,7 +287,8 @@ static inline int sf_is_minimum(const sf_model *model, sf_question question, con
     return slow_flow_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
 }
 
-static inline int sf_channels(sf_question question) { return question == SF_ISOLA || question == SF_FOLD_AT ? 1 : 2; }
+/* The channels that a question has, 1 and 2. */
+static inline int sf_channels(sf_question question) { return question == SF_ISOLA || question == SF_FOLD_AT ? 1 : 3; }
 
 /* ==== On a cell ==================================================================================================== */
 
@@ -394,15 +394,15 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
     out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3], out->X = X;
 }
 
-static inline int sf_is_too_high(const sf_asked *asked, sf_interval level) {
-    return asked->most != NULL && level.lo > *asked->most;
-}
+/* Whether a level may lie above what is still wanted. */
+static inline int sf_is_limited(const sf_asked *asked) { return asked->most != NULL && *asked->most < HUGE_VAL; }
 
 /* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. What settles most cells comes
  * first. */
 static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_cell *cell, sf_interval rho, sf_interval kappa,
                                         int open, sf_range out[2]) {
     const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
+    const int limited = sf_is_limited(asked);
     sf_interval q[3], root;
     int i;
     slow_flow_intervals_cusps_scaled(cell->A, zeta, cell->h_A, cell->h_AA, kappa, q);
@@ -428,7 +428,7 @@ static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_cell *ce
         X.lo = sfi_most(X.lo, 0);
         y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
         if (sfi_has_sign(y) ||
-            sf_is_too_high(asked, slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t)))
+            (limited && slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *asked->most))
             continue;
         sf_range_simple(y,
                         slow_flow_intervals_cusp_scaled_slope(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t,
@@ -455,7 +455,7 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_cell *cell, int
         if (!(open & 1 << i))
             continue;
         sf_cusp_on(cell, asked->terms.m, asked->terms.zeta, i == 0, &cusp);
-        if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) && !sf_is_too_high(asked, cusp.level))
+        if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) && !(sf_is_limited(asked) && cusp.level.lo > *asked->most))
             sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
     }
 }
@@ -566,7 +566,7 @@ static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cel
     sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);
 }
 
-/* open: which channels are wanted, 1 and 2 */
+/* open: which channels are wanted */
 static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_model *model = asked->model;
     switch (asked->question) {

@@ -21,8 +21,13 @@ typedef struct {
 #define SFI_SMALL 0x1p-960 /* no product above it has lost digits to underflow */
 
 /* of a sum, a root: exact where it is subnormal, and 0 only if it is exactly 0 */
+#if defined(__FMA__) /* the same numbers, as a product with a power of two is not rounded */
+static inline double sfi_down(double x) { return fma(-SFI_ULP, fabs(x), x); }
+static inline double sfi_up(double x) { return fma(SFI_ULP, fabs(x), x); }
+#else
 static inline double sfi_down(double x) { return x - SFI_ULP * fabs(x); }
 static inline double sfi_up(double x) { return x + SFI_ULP * fabs(x); }
+#endif
 static inline double sfi_least(double a, double b) { return a < b ? a : b; }
 static inline double sfi_most(double a, double b) { return a > b ? a : b; }
 /* Of a product, which may underflow; 0 times anything is 0. */
@@ -60,8 +65,12 @@ static inline sf_interval sfi_times(double c, sf_interval a) {
     return sfi_of(sfi_product_down(c, a.lo), sfi_product_up(c, a.hi));
 }
 
-/* of a.lo >= 0 */
+/* of a.lo >= 0; most products are far from underflow, which one test tells */
 static inline sf_interval sfi_mul_positive(sf_interval a, sf_interval b) {
+    if (a.lo * b.lo > SFI_SMALL)
+        return sfi_of(sfi_down(a.lo * b.lo), sfi_up(a.hi * b.hi));
+    if (a.lo * b.hi < -SFI_SMALL)
+        return sfi_of(sfi_down(a.hi * b.lo), sfi_up(a.lo * b.hi));
     if (b.lo >= 0)
         return sfi_of(sfi_product_down(a.lo, b.lo), sfi_product_up(a.hi, b.hi));
     if (b.hi <= 0)
@@ -85,6 +94,8 @@ static inline sf_interval sfi_mul(sf_interval a, sf_interval b) {
 }
 
 static inline sf_interval sfi_square(sf_interval a) {
+    if (a.lo > 0 && a.lo * a.lo > SFI_SMALL && a.lo <= a.hi)
+        return sfi_of(sfi_down(a.lo * a.lo), sfi_up(a.hi * a.hi));
     const double lo = a.lo > 0 ? a.lo : a.hi < 0 ? -a.hi : 0, hi = sfi_most(-a.lo, a.hi);
     if (!(a.lo <= a.hi))
         return sfi_point(NAN);

@@ -319,7 +319,7 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
 static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
     const sf_asked asked = sf_asked_of(SF_FOLD_AT, model, F_0);
     sf_answer fold;
-    sf_ask(&asked, at, &fold);
+    sf_ask(&asked, 1, at, &fold);
     if (fold.exists[0] && fabs(fold.Omega[0] - w) < SF_NEAR_END * w) {
         const double R = slow_flow_R(w, at->A, at->h);
         const double F = model->zeta > 0 ? 2 * R : 1, F_A = model->zeta > 0 ? 2 * (2 * R - at->k) / at->A : 0;

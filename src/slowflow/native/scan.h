@@ -12,8 +12,15 @@
 
 #include "zeros.h"
 
-/* of a cell in which cusps are looked for: the ratio of its ends up to which it is worth a look before it is cut */
+/* of a cell in which cusps are looked for: the ratio of its ends up to which it is worth a look before it is cut, and up
+ * to which one with a cusp in it is */
 #define SF_WIDEST_CELL 4
+#define SF_WIDEST_WITH_CUSP 2
+
+/* Where a function passes through zero in a cell, and its values at the ends differ by more than this factor, this share of
+ * the cell is cut off at the end with the smaller one, next to which the function is more likely to turn. */
+#define SF_UNLIKE 4
+#define SF_LESSER_SHARE 0.25
 
 typedef struct {
     sf_asked asked;
@@ -28,9 +35,9 @@ typedef struct {
     sf_answer answer;
 } sf_probe;
 
-static void sf_probe_at(const sf_search *search, double A, sf_probe *probe) {
+static void sf_probe_at(const sf_search *search, int open, double A, sf_probe *probe) {
     sf_sample_at(search->asked.model, A, &probe->at);
-    sf_ask(&search->asked, &probe->at, &probe->answer);
+    sf_ask(&search->asked, open, &probe->at, &probe->answer);
 }
 
 /* What a force, or its average, may be as large as at a sample; a stiffness of 1 is that of the vertical spring. */
@@ -76,10 +83,8 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     const int rising = sf_is_negative(a, c, edge);
     sf_probe lo = *a, hi = *b, probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? *a : *b;
     double last = b->at.A - a->at.A;
-    sf_search one = *search;
     sf_zero zero;
     int i;
-    one.asked.channels = 1 << c;
     if (!probe.answer.exists[c])
         probe = a->answer.exists[c] ? *a : *b;
     for (i = 0; i < 400; i++) {
@@ -94,7 +99,7 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
                 break;
         }
         last = moved;
-        sf_probe_at(&one, next, &probe);
+        sf_probe_at(search, 1 << c, next, &probe);
         if (sf_is_negative(&probe, c, edge) == rising)
             lo = probe;
         else
@@ -140,13 +145,40 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
     return last;
 }
 
+/* A channel that is open and has values on either side of zero at the ends of a cell; -1 where there is none. */
+static int sf_passing(const sf_probe *a, const sf_probe *b, int open) {
+    int c;
+    for (c = 0; c < 2; c++)
+        if ((open & 1 << c) && a->answer.exists[c] && b->answer.exists[c] &&
+            sf_opposite(a->answer.y[c], b->answer.y[c]))
+            return c;
+    return -1;
+}
+
 /* Whether a cell is cut without a look: all of a piece, and orders of magnitude, are seldom settled where cusps are. */
-static int sf_is_too_wide(const sf_search *search, double low, double high) {
-    return search->asked.question == SF_CUSP && high > SF_WIDEST_CELL * low && (low > 0 || high == search->end);
+static int sf_is_too_wide(const sf_search *search, double low, double high, int passing) {
+    return search->asked.question == SF_CUSP && high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low &&
+           (low > 0 || high == search->end);
+}
+
+/* Where a cell is cut: well inside, but where cusps are, away from a corner, nearer to the end at which the passing channel
+ * may turn. */
+static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe *b, int passing) {
+    if (search->asked.question == SF_CUSP && passing >= 0 && a->at.A > search->base &&
+        b->at.A <= SF_WIDEST_CELL * a->at.A) {
+        const double y_a = fabs(a->answer.y[passing]), y_b = fabs(b->answer.y[passing]);
+        const double less = SF_LESSER_SHARE * (b->at.A - a->at.A);
+        if (SF_UNLIKE * y_a < y_b)
+            return a->at.A + less;
+        if (SF_UNLIKE * y_b < y_a)
+            return b->at.A - less;
+    }
+    return sf_amid(search->base, a->at.A, b->at.A);
 }
 
 static void sf_search_between(const sf_search *search, const sf_probe *a, const sf_probe *b, int open) {
-    const double A = sf_amid(search->base, a->at.A, b->at.A);
+    const int passing = sf_passing(a, b, open);
+    const double A = sf_cut(search, a, b, passing);
     const int last = !(A > a->at.A && A < b->at.A) || b->at.A - a->at.A <= SF_NARROW * b->at.A;
     sf_probe middle;
     sf_range range[2];
@@ -156,7 +188,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
         search->found->status = SF_UNRESOLVED;
     if (search->found->status != SF_OK)
         return;
-    if (last || !sf_is_too_wide(search, a->at.A, b->at.A)) {
+    if (last || !sf_is_too_wide(search, a->at.A, b->at.A, passing)) {
         sf_make_cell(&a->at, &b->at, &a->known, &b->known, &cell);
         sf_find_range(&search->asked, &cell, open, range);
         for (c = 0; c < 2; c++)
@@ -165,7 +197,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
         if (open == 0)
             return;
     }
-    sf_probe_at(search, A, &middle);
+    sf_probe_at(search, open, A, &middle);
     search->found->close |= sf_is_close(search, &middle);
     sf_know(&middle.at, &middle.known);
     if (search->asked.highest) {
@@ -182,16 +214,17 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
  * does not. */
 static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zeros *found) {
     const sf_search search = {*asked, piece->first.A, piece->last.A, found};
+    const int open = sf_channels(asked->question);
     sf_probe low, high;
     low.at = piece->first, high.at = piece->last;
-    sf_ask(asked, &low.at, &low.answer);
-    sf_ask(asked, &high.at, &high.answer);
+    sf_ask(asked, open, &low.at, &low.answer);
+    sf_ask(asked, open, &high.at, &high.answer);
     if (low.at.A == 0 && ((low.answer.exists[0] && low.answer.y[0] == 0) || (low.answer.exists[1] && low.answer.y[1] == 0)))
-        sf_probe_at(&search, SF_FIRST, &low);
+        sf_probe_at(&search, open, SF_FIRST, &low);
     found->close |= sf_is_close(&search, &low) | sf_is_close(&search, &high);
     sf_know(&low.at, &low.known);
     sf_know(&high.at, &high.known);
-    sf_search_between(&search, &low, &high, sf_channels(asked->question) == 2 ? 3 : 1);
+    sf_search_between(&search, &low, &high, open);
 }
 
 #endif
