@@ -81,37 +81,42 @@ static double sf_Omega_at_zero(const sf_probe *probe, int channel) {
 /* The zero between two probes with values on either side of it: Newton's steps, kept in the bracket. */
 static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_probe *b, int c, int edge) {
     const int rising = sf_is_negative(a, c, edge);
-    sf_probe lo = *a, hi = *b, probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? *a : *b;
+    const sf_probe *lo = a, *hi = b, *probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? a : b;
     double last = b->at.A - a->at.A;
+    sf_probe place[3]; /* two of them are lo and hi */
     sf_zero zero;
     int i;
-    if (!probe.answer.exists[c])
-        probe = a->answer.exists[c] ? *a : *b;
+    if (!probe->answer.exists[c])
+        probe = a->answer.exists[c] ? a : b;
     for (i = 0; i < 400; i++) {
-        double next = probe.answer.exists[c] ? probe.at.A - probe.answer.y[c] / probe.answer.dy[c] : NAN;
-        double moved = fabs(next - probe.at.A);
-        if (i > 0 && moved <= 0x1p-52 * probe.at.A)
+        double next = probe->answer.exists[c] ? probe->at.A - probe->answer.y[c] / probe->answer.dy[c] : NAN;
+        double moved = fabs(next - probe->at.A);
+        sf_probe *spare = &place[0];
+        if (i > 0 && moved <= 0x1p-52 * probe->at.A)
             break;
-        if (!(next > lo.at.A && next < hi.at.A) || moved > 0.6 * last) {
-            next = sf_amid(search->base, lo.at.A, hi.at.A);
-            moved = fabs(next - probe.at.A);
-            if (!(next > lo.at.A && next < hi.at.A))
+        if (!(next > lo->at.A && next < hi->at.A) || moved > 0.6 * last) {
+            next = sf_amid(search->base, lo->at.A, hi->at.A);
+            moved = fabs(next - probe->at.A);
+            if (!(next > lo->at.A && next < hi->at.A))
                 break;
         }
         last = moved;
-        sf_probe_at(search, 1 << c, next, &probe);
-        if (sf_is_negative(&probe, c, edge) == rising)
+        while (spare == lo || spare == hi)
+            spare++;
+        sf_probe_at(search, 1 << c, next, spare);
+        probe = spare;
+        if (sf_is_negative(probe, c, edge) == rising)
             lo = probe;
         else
             hi = probe;
     }
-    if (!probe.answer.exists[c])
-        probe = lo.answer.exists[c] ? lo : hi;
-    zero.A = probe.at.A, zero.Omega = sf_Omega_at_zero(&probe, c), zero.low = lo.at.A, zero.high = hi.at.A;
+    if (!probe->answer.exists[c])
+        probe = lo->answer.exists[c] ? lo : hi;
+    zero.A = probe->at.A, zero.Omega = sf_Omega_at_zero(probe, c), zero.low = lo->at.A, zero.high = hi->at.A;
     zero.question = search->asked.question, zero.channel = c, zero.rising = rising;
     sf_add_zero(search->found, zero);
-    if (search->asked.most != NULL && sf_is_minimum(search->asked.model, zero.question, &probe.at, zero.Omega))
-        *search->asked.most = fmin(*search->asked.most, probe.answer.level[c]);
+    if (search->asked.most != NULL && sf_is_minimum(search->asked.model, zero.question, &probe->at, zero.Omega))
+        *search->asked.most = fmin(*search->asked.most, probe->answer.level[c]);
 }
 
 /* Whether a channel is settled on an interval, its zero being found if it has one; `last`: settled anyway. */
