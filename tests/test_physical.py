@@ -283,11 +283,9 @@ def words_of(mount):
         yield mount.amplitudes(f=[0.01, 2.2], F=F).message
         yield mount.spectrum(f=[0.01, 2.2], F=F).message
         yield mount.frequency_response(F, f=(3.0, 4.0)).message
-    for question, given in (
-        *dict.fromkeys(("saddle_node_onset", "detachment"), {}).items(),
-        *dict.fromkeys(("cusps", "isola_points", "fold_locus"), {"A_max": 0.08}).items(),
-    ):
-        yield getattr(mount, question)(**given).message
+    for question in ("saddle_node_onset", "detachment", "cusps", "isola_points", "fold_locus"):
+        up_to = {} if question in ("saddle_node_onset", "detachment") else {"A_max": 0.08}
+        yield getattr(mount, question)(**up_to).message
         yield str(mount.explain(question))
 
 

@@ -105,7 +105,8 @@ def test_explain_tells_what_runs_what_is_skipped_and_its_time(scene, capsys):
     path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
     code, out, _ = run("explain", path, capsys=capsys)
     assert code == 0 and "saddle_nodes at F = 0.3\n  force         skipped  sticks" in out and " ms\n" in out
-    left = "margins, hysteresis, isolation, spectrum, tolerances, exact_response, fold_locus, cusps, isola_points"
+    left = "margins, hysteresis, isolation, spectrum, tolerances, transient, shock_spectrum, exact_response, "
+    left += "fold_locus, cusps, isola_points"
     assert out.endswith(f"not asked for, and not computed: {left}\n")
 
 
@@ -146,7 +147,7 @@ WRONG = {
         '"saddle_node"',
         "17: questions = 'saddle_node' is not allowed: it must be one of at_rest, saddle_node_onset, detachment, "
         "saddle_nodes, peak, margins, hysteresis, isolation, amplitudes, frequency_response, spectrum, tolerances, "
-        "exact_response, fold_locus, cusps, isola_points. Did you mean 'saddle_nodes'?",
+        "transient, shock_spectrum, exact_response, fold_locus, cusps, isola_points. Did you mean 'saddle_nodes'?",
     ),
     "a decimal comma": (
         "L = 0.080",
@@ -166,8 +167,8 @@ WRONG = {
     "a misspelt table": (
         "[ask]",
         "[aks]",
-        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances. "
-        "Did you mean 'ask'?",
+        "13: [aks] is no table of a scene: it must be one of mount, isolator, duffing, ask, spectrum, tolerances, "
+        "shock. Did you mean 'ask'?",
     ),
     "a force that is not positive": (
         "F = [3.0, 5.0]",
@@ -262,6 +263,32 @@ def test_tolerances_are_a_table_of_shares(scene, tmp_path, capsys):
         ("kh = 0.05", "20: kh is no key of [tolerances]: it must be one of m,"),
     ):
         code, _, err = run("run", scene(text.replace("k_h = 0.05", wrong)), capsys=capsys)
+        assert code == 2 and said in err
+
+
+def test_a_shock_is_every_pair_of_peaks_and_durations_or_a_record(scene, tmp_path, capsys):
+    head = MOUNT.partition("[ask]")[0] + '[ask]\nquestions = ["transient", "shock_spectrum"]\n\n[shock]\n'
+    path = scene(head + "acceleration = [10.0, 30]\nduration = [0.011, 0.05, 0.1]\n")
+    assert run("run", path, "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")
+    rows = {name: list(rows_of(tmp_path / "out" / f"{name}.csv")) for name in ("transient", "shock_spectrum")}
+    mount = scenes.read(path).oscillator
+    for one, row in zip(*rows.values(), strict=True):
+        given = {name: float(one[name]) for name in ("acceleration", "duration")}
+        found = mount.transient(**given)
+        assert float(one["A/mm"]) == 1e3 * found.A == float(row["A/mm"]), given
+        assert float(row["duration/ms"]) == pytest.approx(1e3 * given["duration"], rel=1e-15)
+    _, out, _ = run("explain", path, capsys=capsys)
+    assert "averaging     skipped  not needed: a shock is no steady state" in out
+    record = head.replace(', "shock_spectrum"', "") + "acceleration = [0, 20.0, -5.0, 0]\nt = [0, 0.01, 0.02, 0.03]\n"
+    assert run("run", scene(record), "-o", tmp_path / "two", "--quiet", capsys=capsys) == (0, "", "")
+    (row,) = rows_of(tmp_path / "two" / "transient.csv")
+    assert float(row["A/mm"]) == 1e3 * mount.transient(acceleration=[0, 20.0, -5.0, 0], t=[0, 0.01, 0.02, 0.03]).A
+    for text, said in (
+        (record.replace("0, 0.01, ", "0.01, "), "must be a time for each sample of acceleration"),
+        (head, "acceleration is missing: [shock] needs acceleration, duration"),
+        (head.partition("[shock]")[0], "[shock] a table is missing"),
+    ):
+        code, _, err = run("run", scene(text), capsys=capsys)
         assert code == 2 and said in err
 
 

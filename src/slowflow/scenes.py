@@ -16,6 +16,10 @@
     [tolerances]                # for the question "tolerances": shares of the numbers above
     k_h = 0.05
 
+    [shock]                     # for "transient" and "shock_spectrum": half sines of the base, every pair of these
+    acceleration = [20.0]       # m/s^2
+    duration = [0.011, 0.02]    # s; or, of one record, its times t (tau without dimensions)
+
 Only what is asked for is computed. A scene names no code and no expression: numbers, words, lists of these. What is
 wrong in it raises `SceneError`, which says where, what is allowed, and which known word is nearest.
 """
@@ -25,6 +29,7 @@ from __future__ import annotations
 import difflib
 import hashlib
 import inspect
+import itertools
 import re
 import tomllib
 import warnings
@@ -89,6 +94,7 @@ class Question:
     window, samples -- whether it takes these
     spectrum -- whether it is asked at the pairs of [spectrum]
     within  -- whether it is asked of the tolerances in [tolerances]
+    shock   -- whether it is asked of the pulses in [shock]
     mount   -- whether only a mount knows an answer
     """
 
@@ -98,6 +104,7 @@ class Question:
     samples: bool = False
     spectrum: bool = False
     within: bool = False
+    shock: bool = False
     mount: bool = False
 
 
@@ -114,6 +121,8 @@ QUESTIONS: Mapping[str, Question] = {
     "frequency_response": Question(window=True, samples=True),
     "spectrum": Question(forced=False, spectrum=True),
     "tolerances": Question(within=True),
+    "transient": Question(forced=False, shock=True),
+    "shock_spectrum": Question(forced=False, shock=True),
     "exact_response": Question(window=True),
     "fold_locus": Question(forced=False, samples=True),
     "cusps": Question(forced=False),
@@ -128,6 +137,7 @@ class Kind:
     make               -- of its keys
     needed, more       -- keys that it needs, and others that it may have
     forcing, frequency -- names of the keys in [ask], and of the methods' arguments
+    time               -- that of the times of a record
     """
 
     make: Callable[..., Any]
@@ -135,6 +145,11 @@ class Kind:
     more: tuple[str, ...]
     forcing: str
     frequency: str
+    time: str
+
+
+#: names of forcing, frequency and time without dimensions
+PLAIN = ("F_0", "Omega", "tau")
 
 
 def _kinds() -> dict[str, Kind]:
@@ -147,9 +162,12 @@ def _kinds() -> dict[str, Kind]:
             tuple(name for name, one in given.items() if one.default is not inspect.Parameter.empty),
             "F",
             "f",
+            "t",
         ),
-        "isolator": Kind(Isolator, tuple(one.name for one in ROD_SPRING.design), (*damping, "force"), "F_0", "Omega"),
-        "duffing": Kind(Duffing, tuple(one.name for one in DUFFING.design), damping, "F_0", "Omega"),
+        "isolator": Kind(
+            Isolator, tuple(one.name for one in ROD_SPRING.design), (*damping, "force"), "F_0", "Omega", "tau"
+        ),
+        "duffing": Kind(Duffing, tuple(one.name for one in DUFFING.design), damping, "F_0", "Omega", "tau"),
     }
 
 
@@ -165,8 +183,13 @@ class Asked:
     question: str
     arguments: Mapping[str, Any]
 
+    @property
+    def forcing(self) -> float | None:
+        """The forcing, if it is asked at one."""
+        return self.arguments.get("F", self.arguments.get("F_0")) if QUESTIONS[self.question].forced else None
+
     def numbers(self) -> dict[str, float]:
-        """The arguments that are a single number: the forcing."""
+        """The arguments that are a single number: the forcing, or a pulse."""
         return {name: value for name, value in self.arguments.items() if isinstance(value, float)}
 
     def __str__(self) -> str:
@@ -203,15 +226,14 @@ class Scene:
 
     def explain(self, asked: Asked) -> Plan | None:
         """What runs for it and what is skipped; None where there is nothing to choose."""
-        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL):
+        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED):
             return None
-        forcing = [value for value in asked.numbers().values()][:1]
-        found: Plan = self.oscillator.explain(asked.question, *forcing)
+        found: Plan = self.oscillator.explain(asked.question, asked.forcing)
         return found
 
     def forcings(self) -> list[float]:
         """The forcings of its questions, each once, in their order."""
-        return list(dict.fromkeys(value for asked in self.asked for value in asked.numbers().values()))
+        return list(dict.fromkeys(asked.forcing for asked in self.asked if asked.forcing is not None))
 
     def not_asked(self) -> list[str]:
         """Questions that the scene does not ask."""
@@ -240,7 +262,7 @@ class _Reader:
     content: dict[str, Any]
 
     def scene(self) -> Scene:
-        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances"))
+        self._known("", self.content, (*KINDS, "ask", "spectrum", "tolerances", "shock"))
         stated = [name for name in KINDS if name in self.content]
         if len(stated) != 1:
             raise self._error(
@@ -286,6 +308,9 @@ class _Reader:
                 arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
             if question.samples and "samples" in ask:
                 arguments["samples"] = ask["samples"]
+            if question.shock:
+                yield from self._shocks(name, kind)
+                continue
             for forcing in self._positive(kind.forcing) if question.forced else [None]:
                 yield Asked(name, arguments if forcing is None else {kind.forcing: forcing, **arguments})
 
@@ -301,6 +326,26 @@ class _Reader:
             said = f"has {lengths[1]} numbers, and {names[0]} has {lengths[0]}: they are pairs"
             raise self._error("spectrum", names[1], said)
         return pairs
+
+    def _shocks(self, name: str, kind: Kind) -> Iterator[Asked]:
+        """The pulses of a shock: every pair of a peak and a duration, or a record."""
+        table = self._table("shock")
+        self._known("shock", table, ("acceleration", "duration", kind.time))
+        if kind.time in table and name == "transient":
+            self._complete("shock", table, ("acceleration", kind.time))
+            samples = {key: self._list("shock", key, (int, float)) for key in ("acceleration", kind.time)}
+            if "duration" in table or len(samples["acceleration"]) != len(samples[kind.time]):
+                said = "must be a time for each sample of acceleration, and there is no duration then"
+                raise self._error("shock", kind.time, said)
+            yield Asked(name, samples)
+            return
+        self._complete("shock", table, ("acceleration", "duration"))
+        peaks, durations = (self._positive(key, "shock") for key in ("acceleration", "duration"))
+        if name == "shock_spectrum":
+            yield Asked(name, {"acceleration": [[peak] for peak in peaks], "duration": durations})
+            return
+        for peak, duration in itertools.product(peaks, durations):
+            yield Asked(name, {"acceleration": peak, "duration": duration})
 
     def _within(self, kind: Kind) -> dict[str, float]:
         """Shares of its numbers by which these may be off."""
