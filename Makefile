@@ -11,6 +11,7 @@
 # make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, some
 #                 ten minutes
 # make explorer   docs/explorer.html, the compiled solvers in a browser; same bytes whenever it is made
+# make docs       the site, output/docs: warnings are errors
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -21,7 +22,7 @@ DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress explorer clean
+.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress explorer docs clean
 .DELETE_ON_ERROR:
 
 paper: derive
@@ -69,6 +70,10 @@ stress: $(DEVELOPED)
 explorer: $(INSTALLED)
 	$(PIP) "slowflow[explorer]"
 	$(BIN)/python -m explorer
+
+docs: $(INSTALLED)
+	$(PIP) "slowflow[docs]"
+	$(BIN)/python -m sphinx --builder html --fail-on-warning --keep-going --jobs auto docs output/docs
 
 bench-peers: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.peers

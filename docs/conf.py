@@ -1,0 +1,44 @@
+"""Sphinx: in goes docs/, out comes the site; `make docs`. Pages that are derived are written first, into docs/_made."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+DOCS = Path(__file__).parent
+sys.path.insert(0, str(DOCS.parent))
+
+from docs.site import docstrings, mathml, pages  # noqa: E402
+from slowflow.version import __version__  # noqa: E402
+
+project = "slowflow"
+author = "The slowflow authors"
+copyright = "the slowflow authors"
+version = release = __version__
+extensions = ["myst_parser", "sphinx.ext.autodoc"]
+myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "attrs_inline"]
+myst_heading_anchors = 3
+exclude_patterns = ["site", "decisions/_*"]
+html_theme = "furo"
+html_title = "slowflow"
+html_static_path = ["site/static"]
+html_css_files = ["site.css"]
+html_extra_path = ["explorer.html"]
+html_copy_source = False
+html_show_sphinx = False
+html_math_renderer = "mathml"
+pygments_style = "friendly"
+pygments_dark_style = "monokai"
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+autodoc_default_options = {"members": True, "undoc-members": False, "show-inheritance": False}
+
+
+def setup(app: Any) -> dict[str, Any]:
+    """What is done before pages are read, and what becomes of equations and docstrings."""
+    pages.write(DOCS)
+    mathml.register(app)
+    app.connect("source-read", pages.inside)
+    app.connect("autodoc-process-docstring", docstrings.as_rst)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

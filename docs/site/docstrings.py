@@ -1,0 +1,53 @@
+"""Docstrings as they stand in the code: in go their lines, out come lines of reStructuredText that read the same.
+
+A line `name -- what it is` becomes a field; text that is set in is shown as it is; nothing else has a meaning.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+FIELD = re.compile(r"^(\s*)([\w., *]+?)\s+-- (.*)$")
+
+
+def escaped(text: str) -> str:
+    """Without what reStructuredText would take for markup; names between backticks stay code."""
+    parts = re.split(r"(`[^`]+`)", text)
+    return "".join(
+        f"``{part[1:-1]}``"
+        if part.startswith("`") and len(part) > 2
+        else re.sub(r"([\\*|`])|(?<=\w)(_)(?!\w)", r"\\\g<0>", part)
+        for part in parts
+    )
+
+
+def paragraph(lines: list[str]) -> Iterator[str]:
+    """Fields, a block that is set in, or text."""
+    if FIELD.match(lines[0]):
+        fields: list[tuple[str, str]] = []
+        for line in lines:
+            found = FIELD.match(line)
+            if found:
+                fields.append((found[2], found[3]))
+            else:
+                fields[-1] = (fields[-1][0], f"{fields[-1][1]} {line.strip()}")
+        for name, text in fields:
+            yield f":{escaped(name)}: {escaped(text)}"
+    elif lines[0].startswith(" "):
+        yield "::"
+        yield ""
+        yield from (f"    {line}" for line in lines)
+    else:
+        yield from (escaped(line.strip()) for line in lines)
+    yield ""
+
+
+def as_rst(app: Any, what: str, name: str, of: Any, options: Any, lines: list[str]) -> None:
+    """Sphinx's hook: changes the lines in place."""
+    found: list[str] = []
+    for part in re.split(r"\n\s*\n", "\n".join(lines).strip("\n")):
+        if part.strip():
+            found += paragraph(part.split("\n"))
+    lines[:] = found

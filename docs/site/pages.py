@@ -1,0 +1,133 @@
+"""Pages that follow from the project, and links that lead out of the site: in goes the project, out comes docs/_made.
+
+The derivation runs, `derivations.document` tells each mechanism's; beside its equations stand the ledger's verdicts.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from docs.api import MODULES
+
+ROOT = Path(__file__).parents[2]
+#: files outside docs that are pages of the site
+ELSEWHERE = {
+    "README.md": "index.md",
+    "CONTRIBUTING.md": "_made/contributing.md",
+    "generated/LEDGER.md": "_made/ledger.md",
+    "CHANGELOG.md": "_made/changelog.md",
+}
+LINK = re.compile(r"(?<!!)\[([^\]\n]+)\]\((?!https?:|#|mailto:)([^)#\s]+)(#[^)\s]*)?\)")
+
+
+def write(docs: Path) -> None:
+    """All of them."""
+    made = docs / "_made"
+    shutil.rmtree(made, ignore_errors=True)
+    (made / "derivation").mkdir(parents=True)
+    (made / "reference").mkdir()
+    for source, page in ELSEWHERE.items():
+        if page.startswith("_made"):
+            (docs / page).write_text(moved(ROOT / source, docs / page), encoding="utf-8")
+    derivation(made / "derivation")
+    reference(made / "reference")
+
+
+def moved(source: Path, page: Path) -> str:
+    """A file's text with its relative links as they are from the page."""
+
+    def link(match: re.Match[str]) -> str:
+        target = os.path.relpath(source.parent / match[2], page.parent)
+        return f"[{match[1]}]({target}{match[3] or ''})"
+
+    return LINK.sub(link, source.read_text(encoding="utf-8"))
+
+
+def inside(app: Any, name: str, source: list[str]) -> None:
+    """Sphinx's hook: links to pages of the site are kept, others become the name of the file."""
+    here = Path(app.srcdir, name).parent
+
+    def link(match: re.Match[str]) -> str:
+        target = (here / match[2]).resolve()
+        if not target.is_relative_to(ROOT):
+            return match[0]
+        path = target.relative_to(ROOT).as_posix()
+        if path in ELSEWHERE:
+            return f"[{match[1]}]({os.path.relpath(Path(app.srcdir, ELSEWHERE[path]), here)})"
+        if target.is_relative_to(app.srcdir) and target.is_file():
+            return match[0]
+        if not target.exists():
+            raise ValueError(f"{name}: there is no {path}")
+        return match[1] if match[1].strip("`") == path else f"{match[1]} (`{path}`)"
+
+    if name == "decisions/README":
+        source[0] += "\n```{toctree}\n:hidden:\n:glob:\n\n*\n```\n"
+    # indented lines are code
+    source[0] = "\n".join(line if line.startswith("    ") else LINK.sub(link, line) for line in source[0].split("\n"))
+
+
+def derivation(folder: Path) -> None:
+    """A page for each mechanism, with the paper's verdicts on the paper's own."""
+    from derivations.averaging import averaged
+    from derivations.document import document
+    from derivations.mechanisms import all_mechanisms
+    from derivations.results import of_mechanism
+    from derivations.slow_flow import slow_flow
+
+    equations = averaged()
+    flow = slow_flow(equations)
+    names = []
+    rows = json.loads((ROOT / "generated/slowflow_kernels/ledger.json").read_text(encoding="utf-8"))["rows"]
+    for mechanism in all_mechanisms():
+        text = document(of_mechanism(mechanism), equations, flow)
+        (folder / f"{mechanism.name}.md").write_text(judged(text, rows), encoding="utf-8")
+        names.append(mechanism.name)
+    (folder / "index.md").write_text(
+        (Path(__file__).parent / "derivation.txt").read_text(encoding="utf-8")
+        + "\n```{toctree}\n:maxdepth: 1\n\n"
+        + "\n".join(names)
+        + "\n```\n",
+        encoding="utf-8",
+    )
+
+
+def judged(text: str, rows: list[dict[str, str]]) -> str:
+    """After each numbered equation what the ledger has of the paper's equation with that number."""
+
+    def beside(match: re.Match[str]) -> str:
+        numbers = {f"({number.strip()})" for number in match[1].split(",")}
+        found = [row for row in rows if row["kind"] == "formula" and row["where"] in numbers]
+        lines = [
+            f"- {row['where']}, {row['quantity'].replace('_', chr(92) + '_')}: **{row['verdict']}**" for row in found
+        ]
+        body = "\n".join(lines)
+        return (
+            f"{match[0]}\n:::{{admonition}} The paper's, in the [ledger](../ledger.md)\n{body}\n:::\n"
+            if lines
+            else match[0]
+        )
+
+    # SymPy knows no Greek letter by that name
+    text = re.sub(r"(?<![A-Za-z\\])lam(?![A-Za-z])", r"\\lambda", text)
+    return re.sub(r"\$\$\n(?:(?!\$\$).)*?\\tag\{([^}]*)\}\n\$\$\n", beside, text, flags=re.DOTALL)
+
+
+def reference(folder: Path) -> None:
+    """A page for each public module, from its docstrings."""
+    for module in MODULES:
+        name = module.replace(".", "_")
+        # a function that has the name of a module beside it would be listed twice
+        children = [other.rpartition(".")[2] for other in MODULES if other.rpartition(".")[0] == module]
+        twice = any(callable(getattr(import_module(module), child, None)) for child in children)
+        options = ["   :no-index:"] if twice else []
+        lines = [f"# {module}", "", "```{eval-rst}", f".. automodule:: {module}", *options, "```", ""]
+        (folder / f"{name}.md").write_text("\n".join(lines), encoding="utf-8")
+    text = (Path(__file__).parent / "reference.txt").read_text(encoding="utf-8")
+    entries = "\n".join(module.replace(".", "_") for module in MODULES)
+    (folder / "index.md").write_text(f"{text}\n```{{toctree}}\n:maxdepth: 1\n\n{entries}\n```\n", encoding="utf-8")

@@ -1,0 +1,79 @@
+"""The site's code runs: tutorial, how-to pages, gallery; kernels give the same digits in every language there is here."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from docs.site import docstrings
+from slowflow.paper import example
+from slowflow_kernels import rod_spring
+
+DOCS = Path(__file__).parents[1] / "docs"
+PAGES = [DOCS / "index.md", DOCS / "tutorial.md", DOCS / "gallery.md", *sorted((DOCS / "howto").glob("*.md"))]
+LANGUAGES = (DOCS / "howto" / "languages.md").read_text(encoding="utf-8").split("\n## ")[1:]
+#: what a language's lines need besides a C compiler: programs, and packages of Python
+NEEDED = {
+    "C": ((), ()),
+    "C++": (("c++",), ()),
+    "Fortran": (("gfortran",), ()),
+    "numba": ((), ("numba",)),
+    "cffi": ((), ("cffi",)),
+    "JavaScript": (("node",), ("ziglang",)),
+}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_the_code_of_a_page_runs(page: Path) -> None:
+    blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    if page.stem == "gallery":
+        pytest.importorskip("matplotlib").use("Agg")
+    if page.stem == "own_mechanism":
+        pytest.importorskip("flint", reason="what derives is not installed")
+    exec("\n".join(blocks), {"__name__": page.stem})
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("section", LANGUAGES, ids=lambda text: text.split("\n")[0])
+def test_another_language_computes_the_same(section: str, tmp_path: Path) -> None:
+    language = section.split("\n")[0]
+    programs, packages = NEEDED[language]
+    missing = [name for name in ("cc", *programs) if shutil.which(name) is None]
+    missing += [name for name in packages if importlib.util.find_spec(name) is None]
+    if missing:
+        pytest.skip(f"{language} is not tried: there is no {', '.join(missing)} here")
+    for name, text in re.findall(r"`([\w.]+)`:\n\n```\w+\n(.*?)```", section, re.DOTALL):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (commands,) = re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
+    # what this process imports is what the lines import
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    environment = {**os.environ, "PATH": path, "PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run(["sh", "-ec", commands], cwd=tmp_path, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    found = np.array(done.stdout.split(), float)
+    h, h_A, _, _ = rod_spring.averaged(0.5, *rod_spring.coefficients(*example.DESIGN))
+    # the same operations in the same order; NumPy's arctangent may differ in the last place
+    np.testing.assert_array_max_ulp(found, np.array([h, h_A], float), maxulp=4)
+
+
+def test_a_docstring_is_shown_as_it_stands() -> None:
+    lines = [
+        "What (1) gives: u*v, `A` of h_A.",
+        "",
+        "F_0 -- the force,",
+        "       in k_v L",
+        "A, B -- two",
+        "",
+        "    code(*x)",
+    ]
+    docstrings.as_rst(None, "class", "x", None, None, lines)
+    shown = ["What (1) gives: u\\*v, ``A`` of h_A.", "", ":F_0: the force, in k_v L", ":A, B: two", "", "::", ""]
+    assert lines == [*shown, "        code(*x)", ""]
