@@ -1,4 +1,4 @@
-"""The site's code runs: tutorial, how-to pages, gallery; kernels give the same digits in every language there is here."""
+"""The code of the site runs: tutorial, how-to pages, gallery; kernels give the same digits in every language."""
 
 from __future__ import annotations
 
