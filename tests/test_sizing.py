@@ -12,6 +12,8 @@ from scipy.stats import norm
 from slowflow import Duffing, Isolator, progress
 from slowflow.paper.example import isolator
 from slowflow.sizing import fit, front, meet, sobol, tolerances
+from slowflow.sizing.slopes import slopes
+from slowflow.sizing.subject import Subject
 
 MOUNT = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
 #: of a mount, by single questions
@@ -130,9 +132,45 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
 
 def test_the_nearest_design_with_one_free_number_is_a_root():
     found = meet(MOUNT, {"zeta": (0.005, 0.1)}, at_least={"F_SN": 4.0})
-    root = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.1)
-    assert found.feasible and found.numbers["zeta"] == pytest.approx(root, rel=1e-5)
+    root = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.1, xtol=1e-14)
+    assert found.feasible and found.numbers["zeta"] == pytest.approx(root, rel=1e-10)
     assert found.design == MOUNT.replace(**found.numbers) and found.message == found.binding == ""
+
+
+def test_of_two_free_numbers_the_nearest_design_lies_where_the_answer_moves_as_the_distance_does():
+    """A condition of the least distance along the edge of what is allowed, by differences of single answers."""
+    free, start = {"k_h": (500.0, 2500.0), "zeta": (0.005, 0.1)}, {"k_h": 1700.0, "zeta": 0.02}
+    found = meet(MOUNT, free, at_least={"F_SN": 4.0})
+    assert found.reached["F_SN"] == pytest.approx(4.0, rel=1e-13)
+    ratio = {}
+    for name, (low, high) in free.items():
+        step = 1e-4 * found.numbers[name]
+        ends = [
+            MOUNT.replace(**{**found.numbers, name: found.numbers[name] + s * step}).saddle_node_onset().F_SN
+            for s in (-1, 1)
+        ]
+        away = (found.numbers[name] - start[name]) / (high - low) ** 2
+        ratio[name] = (ends[1] - ends[0]) / (2 * step) / away
+    assert ratio["k_h"] == pytest.approx(ratio["zeta"], rel=1e-6)
+
+
+@pytest.mark.parametrize("of", [MOUNT, isolator()], ids=("in_units", "without"))
+def test_slopes_of_answers_are_those_of_their_differences(of):
+    subject = Subject(of)
+    load = subject.load(5.0 if subject.mount else None, None if subject.mount else 0.04, None)
+    known = 0
+    for answer in subject.answered(None, load):
+        found = slopes(subject, {}, answer, load)
+        if found is None:
+            continue
+        known += 1
+        assert found.keys() == subject.nominal.keys()
+        for name, at in subject.nominal.items():
+            far = at * (1 + 1e-4 * np.array([-2, -1, 1, 2]))
+            ends = subject.ask({name: far}, [answer], load)[answer]
+            difference = ends @ np.array([1, -8, 8, -1]) / (12e-4 * at)
+            assert found[name] == pytest.approx(difference, rel=1e-7, abs=1e-9 * abs(ends[0] / at))
+    assert known == 7
 
 
 def test_a_design_that_meets_all_already_is_left_as_it_is():

@@ -1,7 +1,8 @@
 """Inverse design: in go a design, free numbers and what is required, out comes the nearest design that has it.
 
 Where two answers pull apart: the designs of which none is better in one without being worse in the other. By SciPy's
-differential evolution over the batch questions, from a seed: each generation is one batch.
+differential evolution over the batch questions, from a seed: each generation is one batch. The nearest design that it
+finds is finished by sequential quadratic programming where all answers that are asked for have gradients.
 """
 
 from __future__ import annotations
@@ -12,11 +13,12 @@ from functools import partial
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
-from scipy.optimize import differential_evolution
+from scipy.optimize import differential_evolution, minimize
 
 from slowflow import progress, validate
 from slowflow.answer import Answer, Table, head
 from slowflow.mechanism import Floats
+from slowflow.sizing.slopes import slopes
 from slowflow.sizing.subject import Load, Subject
 
 #: what a violation counts, in distances from the design as it is
@@ -28,6 +30,8 @@ MEMBERS, GENERATIONS = 15, 300
 INFEASIBLE = "infeasible: the binding requirement is {}; as near as all of them can be had it is {:.4g}"
 #: points of a front, and by how much an end may miss the best that there is
 POINTS, SLACK = 9, 1e-4
+#: by how much farther off than the search's design its finish begins: on the edge itself no step seems to help
+BACK = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,6 +158,52 @@ class _Search:
         )
         return np.asarray(found.x)
 
+    def nearest(self) -> Floats:
+        """The free numbers nearest to the start that meet all: the search's, finished by gradients if there are any."""
+        span = self.high - self.low
+
+        def away(values: Floats) -> Floats:
+            return np.asarray((((values.T - self.start) / span) ** 2).sum(axis=-1))
+
+        x = self.least(away)
+        if self.short(x.reshape(-1, 1)).max() > MET:
+            return x
+
+        def margins(y: Floats) -> Floats:
+            found = self.answers((self.low + span * y).reshape(-1, 1), self.names)
+            shares = np.array([min(float(found[name][0]) / limit, 1e6) for name, limit, _ in self.wanted])
+            signs = np.array([sign for _, _, sign in self.wanted])
+            return np.where(np.isnan(shares), -1.0, signs * (shares - 1))
+
+        def by_numbers(y: Floats) -> Floats:
+            numbers = dict(zip(self.free, (self.low + span * y).tolist(), strict=True))
+            rows = []
+            for name, limit, sign in self.wanted:
+                found = slopes(self.subject, numbers, name, self.load)
+                if found is None:
+                    raise LookupError(name)
+                rows.append(
+                    [sign / limit * found[number] * width for number, width in zip(self.free, span, strict=True)]
+                )
+            return np.array(rows)
+
+        try:
+            found = minimize(
+                lambda y: away(self.low + span * y),
+                np.clip((x - self.low + BACK * (x - self.start)) / span, 0.0, 1.0),
+                jac=lambda y: 2 * (y - (self.start - self.low) / span),
+                bounds=[(0.0, 1.0)] * len(x),
+                constraints={"type": "ineq", "fun": margins, "jac": by_numbers},
+                method="SLSQP",
+                options={"ftol": 1e-16},
+            )
+        except (LookupError, ValueError, ArithmeticError):  # an answer without a gradient, or a design that is none
+            return x
+        finished = np.clip(self.low + span * found.x, self.low, self.high)
+        meets = self.short(finished.reshape(-1, 1)).max() <= MET
+        # the search's may be nearer by what it leaves unmet
+        return finished if meets and away(finished) <= away(x) * (1 + SLACK) else x
+
     def binding(self, x: Floats) -> tuple[str, str]:
         """The requirement that a design misses most, and what to say of it; empty where it meets all."""
         if not self.wanted:
@@ -194,7 +244,7 @@ def meet(
     search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, shock), seed)
     if not search.wanted or not free:
         raise ValueError("meet needs at least one requirement and one free number")
-    x = search.least(lambda values: (((values.T - search.start) / (search.high - search.low)) ** 2).sum(axis=1))
+    x = search.nearest()
     numbers = dict(zip(free, x.tolist(), strict=True))
     reached = {name: float(values[0]) for name, values in search.answers(x.reshape(-1, 1), search.names).items()}
     binding, message = search.binding(x)
