@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import base64
+import itertools
 import re
+import shutil
+import subprocess
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -72,9 +75,16 @@ def test_headings_pictures_and_tables_can_be_read_aloud(page):
     assert levels[0] == 1 and levels.count(1) == 1 and set(levels) == {1, 2}
     assert page.every("html") == [{"lang": "en"}] and len(page.every("title")) >= 1 and len(page.every("main")) == 1
     drawings = page.every("svg")
-    assert len(drawings) == 3 and all(one["role"] == "img" and len(one["aria-label"]) > 30 for one in drawings)
+    assert len(drawings) == 6 and all(one["role"] == "img" and len(one["aria-label"]) > 30 for one in drawings)
     assert len(page.every("caption")) == len(page.every("table"))
-    assert all(one == {"scope": "col"} for one in page.every("th"))
+    assert all(one["scope"] == "col" for one in page.every("th"))
+    # what is scrolled can be reached by keys, and says what it is
+    regions = [one for one in page.every("div") if one.get("class") == "wide"]
+    assert len(regions) == len(page.every("table"))
+    assert all(one["role"] == "region" and one["tabindex"] == "0" and one["aria-label"] for one in regions)
+    headings = {one["id"] for one in page.every("h2")}
+    assert {one["aria-labelledby"] for one in page.every("section")} == headings
+    assert {one["href"].removeprefix("#") for one in page.every("a") if one["href"].startswith("#")} == headings
     names = [attributes["id"] for _, attributes in page.tags if "id" in attributes]
     assert len(names) == len(set(names))
 
@@ -110,18 +120,47 @@ def test_numbers_are_those_of_the_questions(page):
 
 
 def test_data_on_the_page_is_what_run_writes(page, tmp_path):
-    links = {one["download"]: one["href"] for one in page.every("a")}
+    links = {one["download"]: one["href"] for one in page.every("a") if "download" in one}
     assert cli.main(["run", str(MOUNT), "-o", str(tmp_path), "--quiet"]) == 0
     told = base64.b64decode(links["saddle_nodes.csv"].partition("base64,")[2]).decode()
     assert told == (tmp_path / "saddle_nodes.csv").read_text()
     assert base64.b64decode(links["mount.toml"].partition("base64,")[2]).decode() == MOUNT.read_text()
 
 
+def test_the_page_says_in_short_what_happens_at_each_force(text):
+    items = re.findall(r"<li>(At .*?)</li>", text)
+    assert items == [
+        "At 3 N it jumps up at 2.12 Hz, jumps down at 2.128 Hz; its springs stay up to 4.071 N. "
+        "Its highest motion is 26.97 mm, at 2.121 Hz. From 2.852 Hz on it transmits less than the force.",
+        "At 5 N it jumps up at 2.181 Hz, jumps down at 2.274 Hz; its springs leave. "
+        "Its highest motion is 45.55 mm, at 2.264 Hz. From 2.853 Hz on it transmits less than the force.",
+    ]
+
+
+@pytest.mark.slow
+def test_axe_finds_nothing_on_the_page_light_and_dark_on_a_desk_and_on_a_phone(text, tmp_path):
+    """Deque's checker in a headless browser; both are found where a developer has them: `npm install axe-core`."""
+    axe, browser = ROOT / "node_modules" / "axe-core" / "axe.min.js", shutil.which("chromium") or shutil.which("chrome")
+    if not axe.exists() or browser is None:
+        pytest.skip("axe-core in node_modules, or chromium, is not there")
+    asked = "addEventListener('load', () => axe.run().then(found => { document.title = 'axe:' + JSON.stringify("
+    asked += "found.violations.map(one => [one.id, one.nodes[0].html])) + ':' + found.passes.length }))"
+    scripts = f"<script>{axe.read_text().replace('</script>', '')}</script><script>{asked}</script>"
+    page = tmp_path / "page.html"
+    page.write_text(text.replace("</body>", scripts + "</body>"))
+    for scheme, width in itertools.product((0, 1), (1100, 390)):
+        options = ["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=60000", "--dump-dom"]
+        options += [f"--blink-settings=preferredColorScheme={scheme}", f"--window-size={width},900"]
+        done = subprocess.run([browser, *options, page.as_uri()], capture_output=True, text=True, check=True)
+        ((found, passed),) = re.findall(r"<title>axe:(.*?):(\d+)</title>", done.stdout)
+        assert found == "[]" and int(passed) > 30
+
+
 def test_the_same_scene_gives_the_same_page(text):
     assert report.html(scenes.read(MOUNT)) == text
 
 
-@pytest.mark.parametrize("name", ["table_1", "frictionless", "quasi_zero"])
+@pytest.mark.parametrize("name", ["table_1", "frictionless", "quasi_zero", "coulomb", "shock"])
 def test_other_scenes_have_a_report_too(name, tmp_path, capsys):
     out = tmp_path / "page.html"
     assert cli.main(["report", str(ROOT / "scenes" / f"{name}.toml"), "-o", str(out)]) == 0

@@ -85,6 +85,7 @@ PHRASES = (
 CALLS = ((r"\bOmega=", "f=", "frequency"), (r"\bF_0=", "F=", "force"), (r"\bA=", "A=", "length"))
 #: and letters that stand alone
 LETTERS = (
+    (r"\bmu/\(A Omega\^2\)", "friction/(m A omega^2)"),
     (r"\bF_0\b", "F"),
     (r"\bmu\b", "friction"),
     (r"\bOmega\b", "f"),

@@ -8,7 +8,7 @@ are drawn.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -59,6 +59,16 @@ LABELS = {
     "ratio": "largest acceleration over the pulse's",
     "Omega_cr": r"$\Omega_{cr}$",
 }
+#: where a legend stands: off the curves, but for "in"
+PLACES: Any = {
+    "beside": {"loc": "center left", "bbox_to_anchor": (1.06, 0.5)},
+    "below": {"loc": "upper center", "bbox_to_anchor": (0.5, -0.14)},
+    "in": {"loc": "best"},
+}
+#: letters of a name in a legend of three columns
+SHORT = 16
+#: bands beyond this many times the nominal value run out of the picture
+WIDEST = 2.0
 #: points of a motion over time
 HISTORY = 2000
 #: a fold locus is shown up to this many times its least forcing
@@ -141,15 +151,17 @@ def stopping(ax: Any, mu: float) -> None:
         ax.set(xlim=(low, high), ylim=(bottom, top))
 
 
-def legend(ax: Any, title: str = "", *, beside: bool = True) -> None:
-    """What was named, and what the styles, signs and tints mean that were used; beside the axes, off the curves."""
+def legend(ax: Any, title: str = "", *, place: str = "beside") -> None:
+    """What was named, and what styles, signs and tints mean that were used; "beside" or "below" the axes, or "in"."""
     handles, labels = ax.get_legend_handles_labels()
     for handle, text in _signs(ax):
         handles.append(handle)
         labels.append(text)
     if handles:
-        place = {"loc": "center left", "bbox_to_anchor": (1.06, 0.5)} if beside else {"loc": "best"}
-        ax.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **place)
+        where = PLACES[place]
+        if place == "below":
+            where = {**where, "ncols": 3 if max(map(len, labels)) <= SHORT else 2}
+        ax.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **where)
 
 
 def responses(
@@ -237,12 +249,12 @@ def motions(ax: Any, found: Any) -> Any:
     return ax
 
 
-def history(ax: Any, found: Any) -> Any:
+def history(ax: Any, found: Any, place: str = "beside") -> Any:
     """The motion in a shock over time; tinted where the springs have left, on either side."""
     ax = axes(ax)
     line = found.series(HISTORY) if hasattr(found, "series") else found
-    time, place = _has(line, "tau", "t"), _has(line, "u", "x")
-    ax.plot(getattr(line, time), getattr(line, place), color=COLOURS[0], linewidth=1.6)
+    time, spot = _has(line, "tau", "t"), _has(line, "u", "x")
+    ax.plot(getattr(line, time), getattr(line, spot), color=COLOURS[0], linewidth=1.6)
     low, high = ax.get_ylim()
     stroke = getattr(found, _has(found, "u_cr", "x_cr"))
     for sign, end in ((1.0, high), (-1.0, low)) if stroke is not None else ():
@@ -251,12 +263,12 @@ def history(ax: Any, found: Any) -> Any:
             ax.axhspan(sign * stroke, end, color=DETACHED, zorder=-3, linewidth=0, label=name)
     ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
     shown = getattr(line, time)
-    ax.set(xlabel=axis(found, time), ylabel=axis(found, place), xlim=(shown[0], shown[-1]), ylim=(low, high))
-    legend(ax)
+    ax.set(xlabel=axis(found, time), ylabel=axis(found, spot), xlim=(shown[0], shown[-1]), ylim=(low, high))
+    legend(ax, place=place)
     return ax
 
 
-def shocks(ax: Any, found: Any) -> Any:
+def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
     """Shock spectra: the share of a pulse's acceleration that the mass sees, over its duration, for each peak."""
     ax = axes(ax)
     values = np.unique(found.acceleration)
@@ -269,7 +281,34 @@ def shocks(ax: Any, found: Any) -> Any:
         ax.plot(found.duration[off], found.ratio[off], linestyle="none", color=colour, **some)
     ax.set(xscale="log", xlabel=axis(found, "duration"), ylabel=axis(found, "ratio"))
     ax.set_ylim(bottom=0.0)
-    legend(ax, axis(found, "acceleration"))
+    legend(ax, axis(found, "acceleration"), place=place)
+    return ax
+
+
+def depths(ax: Any, found: Mapping[str, Any]) -> Any:
+    """One response by several depths, by their names; the last in the list lies on top."""
+    ax = axes(ax)
+    for (name, one), colour, width in zip(found.items(), COLOURS, (3.2, 2.2, 1.2), strict=False):
+        over = _has(one, "Omega", "f")
+        branch = getattr(one, "branch", None)
+        curve(ax, getattr(one, over), one.A, one.stable, branch, colour=colour, name=name, width=width)
+        ax.set(xlabel=axis(one, over), ylabel=axis(one, "A"))
+    legend(ax, place="below")
+    return ax
+
+
+def bands(ax: Any, found: Any) -> Any:
+    """Bands of answers over their nominal values: a bar from low to high, a stroke at the median."""
+    ax = axes(ax)
+    rows = [row for row in found if np.isfinite([row.low, row.high, row.nominal]).all() and row.nominal > 0]
+    for place, row in enumerate(reversed(rows)):
+        ends = np.array([row.low, row.median, row.high]) / row.nominal
+        ax.plot(ends[[0, 2]], [place, place], color=COLOURS[0], linewidth=6, alpha=0.45, solid_capstyle="butt")
+        ax.plot([ends[1]], [place], "|", color=COLOURS[0], markersize=11, markeredgewidth=2)
+    ax.axvline(1.0, color="0.4", linewidth=0.8, zorder=-2)
+    ax.set_yticks(range(len(rows)), [row.answer for row in reversed(rows)])
+    low, high = ax.get_xlim()
+    ax.set(xlabel="over the nominal value", xlim=(max(low, 0.0), min(high, WIDEST)))
     return ax
 
 

@@ -10,11 +10,12 @@ import base64
 import hashlib
 import io
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from html import escape
 from typing import Any
 
 import matplotlib as mpl
+import matplotlib.pyplot as plt
 import numpy as np
 
 import slowflow
@@ -29,65 +30,170 @@ from slowflow.sizing.subject import Load, Subject
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")
 #: designs of the map along each of two numbers, and how far these reach from the design at hand
 MAPPED, REACH = 60, 0.5
+#: questions about shocks
+SHOCKS = ("transient", "shock_spectrum")
+#: what a cell of words begins with until it is written, and how much of a formula is shown
+WORDS, LONGEST = "\0", 160
 #: numbers of the map, of a mount and of an isolator without dimensions
 OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
+
+#: what the numbers of a mount are measured in, and what a data sheet's mean
+GIVEN = {"m": "kg", "k_v": "N/m", "k_h": "N/m", "L": "m", "preload": "m", "friction": "N", "c": "N s/m", "load": "kg"}
+MEANING = {
+    "f_n": "natural frequency of the mass on the vertical spring alone",
+    "f_0": "natural frequency of small motions about the centre",
+    "x_cr": "stroke, at which the horizontal springs leave",
+    "break_loose": "constant force that friction holds",
+    "sticking": "force amplitude up to which the mass does not move",
+    "rests_within": "how far from the centre friction holds the mass at rest",
+    "k_0": "stiffness at the centre",
+    "preset": "compression of the vertical spring that holds the mass at the centre",
+    "lightest": "mass that would rest at the upper end of the stroke",
+    "heaviest": "mass that would rest at its lower end",
+}
+#: around the frequency of the peak, in its multiples, where the three depths are drawn
+BESIDE = (0.8, 1.2)
 
 STYLE = """
 :root { color-scheme: light dark; --text: #1a1a1a; --ground: #ffffff; --line: #767676; --head: #eef2f6; }
 @media (prefers-color-scheme: dark) { :root { --text: #ececec; --ground: #16191d; --line: #8f8f8f; --head: #262c33; } }
 body { color: var(--text); background: var(--ground); font: 16px/1.5 system-ui, sans-serif; margin: 0 auto;
-       max-width: 60rem; padding: 1rem; }
-table { border-collapse: collapse; }
-.wide { overflow-x: auto; }
-th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; }
-th { background: var(--head); } td:first-child, th:first-child { text-align: left; }
-caption { text-align: left; font-weight: 600; padding: .5rem 0; }
-figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; max-width: 100%; }
+       max-width: 60rem; padding: 1rem; overflow-wrap: anywhere; }
+h2 { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1rem; }
+nav ul { display: flex; flex-wrap: wrap; gap: .25rem 1.25rem; list-style: none; padding: 0; }
+table { border-collapse: collapse; overflow-wrap: normal; }
+.wide { overflow-x: auto; margin: 1rem 0; }
+th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
+th { background: var(--head); } td:first-child, th:first-child, .words { text-align: left; }
+.words { white-space: normal; min-width: 9rem; }
+caption { text-align: left; font-weight: 600; padding: .5rem 0; width: max-content; max-width: 90vw; }
+figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
 a { color: inherit; }
-@media print { body { max-width: none; } figure, table { break-inside: avoid; } }
+@media print { body { max-width: none; } nav { display: none; } figure, table { break-inside: avoid; }
+               h2, caption { break-after: avoid; } .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
+               figure svg { max-width: 30rem; } body { font-size: 11pt; } }
 """
 
 
 def html(scene: Scene) -> str:
-    """The page. Raises ValueError where the scene has no forcing, or its oscillator is no isolator."""
+    """The page. Raises ValueError where the scene has no forcing and no shock, or its oscillator is no isolator."""
     forcings = scene.forcings()
-    if not forcings:
-        raise ValueError(f"{scene.path}: a report needs forcings in [ask]")
+    shocks = any(one.question in SHOCKS for one in scene.asked)
+    if not forcings and not shocks:
+        raise ValueError(f"{scene.path}: a report needs forcings in [ask], or a shock")
     of = scene.oscillator
     subject = Subject(of)
     title = f"Vibration isolator: {scene.path.stem}"
-    parts = [
-        *_design(of, scene),
-        *_answers(of, forcings),
-        *_curves(of, forcings),
-        *_tolerances(scene),
-        *_map(subject),
-        *_trust(of, forcings),
-        *_equations(),
-        *_data(of, forcings, scene),
-    ]
-    body = "\n".join(parts)
+    sections = {
+        "In short": _summary(of, forcings),
+        "The design": _design(of, scene),
+        "What it does": _answers(of, forcings),
+        "Curves": _curves(of, forcings),
+        "Load spectrum": _spectrum(scene),
+        "Shocks": _shocks(scene),
+        "Tolerances": _tolerances(scene),
+        "Designs beside it": _map(subject),
+        "How far to trust it": _trust(of, forcings),
+        "Equations": _equations(),
+        "Data": _data(of, forcings, scene),
+    }
+    told = {name: parts for name, section in sections.items() if (parts := list(section))}
+    links = "".join(f'<li><a href="#{_anchor(name)}">{escape(name)}</a></li>' for name in told)
+    body = "\n".join(
+        line
+        for name, parts in told.items()
+        for line in (f'<section aria-labelledby="{_anchor(name)}">', _heading(name), *parts, "</section>")
+    )
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<style>{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{escape(title)}</h1>\n{body}\n</main>\n</body>\n</html>\n"
+        f"<style>{STYLE}</style>\n</head>\n<body>\n<header><h1>{escape(title)}</h1>\n"
+        f'<nav aria-label="Contents"><ul>{links}</ul></nav></header>\n'
+        f"<main>\n{body}\n</main>\n</body>\n</html>\n"
     )
+
+
+def _anchor(name: str) -> str:
+    return name.lower().replace(" ", "-")
+
+
+def _heading(name: str) -> str:
+    return f'<h2 id="{_anchor(name)}">{escape(name)}</h2>'
 
 
 # ---- sections
 
 
+def _summary(of: Any, forcings: Sequence[float]) -> Iterator[str]:
+    """A sentence or two for each force."""
+    lines = [f"<li>{escape(' '.join(_in_short(of, F)))}</li>" for F in forcings]
+    if lines:
+        yield f"<ul>{''.join(lines)}</ul>"
+
+
+def _in_short(of: Any, F: float) -> Iterator[str]:
+    margins, folds = _shown(of.margins(F)), _shown(of.saddle_nodes(F))
+    peak, isolation = _shown(of.peak(F)), _shown(of.isolation(F))
+    yield f"At {_one(margins, 'F', 'F_0')}"
+    if margins.sticks:
+        yield "friction holds the mass: it does not move."
+        return
+    if len(folds):
+        at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, 'f', 'Omega')}" for kind, x in _jumps(folds))
+        yield f"it {at};"
+    elif margins.F_SN is None:
+        yield "it does not jump, nor at any other force;"
+    else:
+        yield f"it does not jump: it would from {_one(margins, 'F_SN')} on;"
+    if margins.detaches:
+        yield "its springs leave."
+    else:
+        yield "its springs stay" + (f" up to {_one(margins, 'F_cr')}." if margins.F_cr is not None else ".")
+    if peak.A is not None:
+        yield f"Its highest motion is {_one(peak, 'A')}, at {_one(peak, 'f', 'Omega')}."
+    if (begin := _one(isolation, "f", "Omega")) is not None:
+        yield f"From {begin} on it transmits less than the force."
+
+
+def _jumps(folds: Any) -> Iterator[tuple[str, float]]:
+    for fold in folds:
+        yield fold.kind, fold.f if hasattr(fold, "f") else fold.Omega
+
+
+def _one(answer: Any, *names: str) -> str | None:
+    """A number of an answer, the first of these that it has, with its unit; None where there is none."""
+    name = next(name for name in names if hasattr(answer, name))
+    value = getattr(answer, name)
+    return None if value is None else _number(answer, value, name)
+
+
+def _number(answer: Any, value: float, *names: str) -> str:
+    """A number with the unit that the first of these names has in the answer; without dimensions with its name."""
+    units = answer.units_of_columns()
+    name = next(name for name in names if hasattr(answer, name))
+    return f"{value:.4g} {units[name]}" if name in units else f"{name} = {value:.4g}"
+
+
 def _design(of: Any, scene: Scene) -> Iterator[str]:
-    yield "<h2>The design</h2>"
-    yield f"<p><code>{escape(repr(of))}</code></p>"
+    mount = isinstance(of, Physical)
+    given = {name: value for name, value in of.given.items() if value is not None}
+    rows = [(escape(name), _text(value), GIVEN.get(name, "") if mount else "") for name, value in given.items()]
+    yield _rows("As it was given", ("number", "value", "unit"), rows)
     for text in scene.warnings:
         yield f"<p>Note: {escape(text)}</p>"
-    if isinstance(of, Physical):
-        yield _table("At rest", of.at_rest().in_units())
+    if mount:
+        shown = of.at_rest().in_units()
+        units = shown.units_of_columns()
+        found = {name: column[0] for name, column in shown.columns().items()}
+        at_rest = [
+            (escape(name), _text(value), escape(units.get(name, "")), _words(MEANING[name]))
+            for name, value in found.items()
+            if not np.isnan(value)
+        ]
+        yield _rows("At rest", ("number", "value", "unit", "what it is"), at_rest)
 
 
 def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
-    yield "<h2>What it does</h2>"
     yield _table("It jumps from this force on", _shown(of.saddle_node_onset()))
     yield _table("Its springs leave from this force on", _shown(of.detachment()))
     for caption, question in (
@@ -97,29 +203,63 @@ def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         ("Where a sweep jumps", "saddle_nodes"),
         ("Bands with several stable motions", "hysteresis"),
     ):
-        yield _table(caption, *(_shown(getattr(of, question)(F)) for F in forcings))
+        if forcings:
+            yield _table(caption, *(_shown(getattr(of, question)(F)) for F in forcings))
 
 
 def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
-    yield "<h2>Curves</h2>"
+    if not forcings:
+        return
     curves = [_shown(of.frequency_response(F)) for F in forcings]
     folds = [_shown(of.saddle_nodes(F)) for F in forcings]
     force = "F" if isinstance(of, Physical) else "F_0"
+    oscillator = of.oscillator if isinstance(of, Physical) else of
+    letter, length = ("x", 1e3 * of.scales.sizes["length"]) if isinstance(of, Physical) else ("u", 1.0)
     for y, said in (("A", "Amplitude"), ("transmissibility_dB", "Transmissibility in decibels")):
-        ax = pictures.responses(None, list(zip(curves, folds, strict=True)), y)
-        pictures.legend(ax, pictures.axis(curves[0], force))
+        ax = pictures.responses(_axes(), list(zip(curves, folds, strict=True)), y)
+        if y == "A":
+            pictures.breakpoints(ax, [length * end for end in oscillator.breakpoints], letter)
+        pictures.legend(ax, pictures.axis(curves[0], force), place="below")
         yield _figure(ax, f"{said} over frequency, a curve for each force; unstable motions dashed.")
+
+
+def _spectrum(scene: Scene) -> Iterator[str]:
+    for one in (one for one in scene.asked if one.question == "spectrum"):
+        yield _table("Each tone by itself, in the order of the table", scene.answer(one))
+
+
+def _shocks(scene: Scene) -> Iterator[str]:
+    """What the scene asks of shocks, by the equation of motion."""
+    asked = [one for one in scene.asked if one.question == "transient"]
+    found = [scene.answer(one) for one in asked]
+    if found:
+        units = {"acceleration": "m/s^2", "duration": "s"} if isinstance(scene.oscillator, Physical) else {}
+        pulses = [{head(name, units): value for name, value in one.numbers().items()} for one in asked]
+        yield _table("Shocks of the base, by the equation of motion", *found, beside=pulses)
+        worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
+        ax = pictures.history(_axes(), found[worst], "below")
+        yield _figure(
+            ax, f"The motion of the mass, seen from its base, in the shock that deflects it most: {asked[worst]}."
+        )
+    for one in (one for one in scene.asked if one.question == "shock_spectrum"):
+        answer: Any = scene.answer(one)
+        if not found:
+            yield _table("Shocks of the base, by the equation of motion", answer)
+        ax = pictures.shocks(_axes(), answer, "below")
+        yield _figure(ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse.")
 
 
 def _tolerances(scene: Scene) -> Iterator[str]:
     """What the scene asks of tolerances."""
     asked = [one for one in scene.asked if one.question == "tolerances"]
     if asked:
-        yield "<h2>Tolerances</h2>"
         within = ", ".join(f"{name} within {100 * share:g} %" for name, share in asked[0].arguments["within"].items())
         yield f"<p>{escape(within)}; 95 of 100 lie between low and high.</p>"
     for one in asked:
-        yield _table(str(one), scene.answer(one))
+        found: Any = scene.answer(one)
+        yield _table(str(one), found)
+        ax = pictures.bands(_axes(), found)
+        yield _figure(ax, f"Where 95 of 100 designs lie, over the nominal value: {one}.")
 
 
 def _map(subject: Subject) -> Iterator[str]:
@@ -129,22 +269,22 @@ def _map(subject: Subject) -> Iterator[str]:
     share = np.linspace(1 - REACH, 1 + REACH, MAPPED)
     columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
     values = subject.ask({x: columns[None, :], y: rows[:, None]}, ["F_SN"], Load(None, None))["F_SN"]
-    unit = {"F_SN": subject.unit("F_SN")} if subject.mount else {}
-    scale, of_y = (1e3, f"{y}/mm") if subject.mount else (1.0, y)
-    ax = pictures.design_map(
-        None,
-        (f"{x}/(N/m)" if subject.mount else x, columns),
-        (of_y, scale * rows),
-        (head("F_SN", unit), np.where(np.isfinite(values), values, np.nan)),
+    scale = 1e3 if subject.mount else 1.0
+    units = ("(N/m)", "mm", "N") if subject.mount else ("", "", "")
+    of_x, of_y, of_value = (
+        f"{pictures.label(name)} / {unit}" if unit else pictures.label(name)
+        for name, unit in zip((x, y, "F_SN"), units, strict=True)
     )
+    found = (of_value, np.where(np.isfinite(values), values, np.nan))
+    ax = pictures.design_map(_axes(), (of_x, columns), (of_y, scale * rows), found)
     ax.plot(subject.nominal[x], scale * subject.nominal[y], "o", color="white", markeredgecolor="black")
-    yield "<h2>Designs beside it</h2>"
     yield _figure(ax, f"The force from which on it jumps, over {x} and {y}; the circle is the design at hand.")
 
 
 def _trust(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     """Jumps by averaging, the second approximation and the equation of motion."""
-    yield "<h2>How far to trust it</h2>"
+    if not forcings:
+        return
     name = "f" if isinstance(of, Physical) else "Omega"
     rows = []
     for F in forcings:
@@ -160,34 +300,85 @@ def _trust(of: Any, forcings: Sequence[float]) -> Iterator[str]:
             Omega, error, reason = exact[k]
             last = (f"{Omega:.5g}", f"{100 * error:+.2g} %") if not reason else (escape(reason), "")
             rows.append((f"{F:.4g}", fold.kind, f"{getattr(fold, name):.5g}", second, *last))
-    if not rows:
+    if rows:
+        of_f = f"{name}/Hz" if isinstance(of, Physical) else name
+        force = "F/N" if isinstance(of, Physical) else "F_0"
+        heads = (force, "kind", f"{of_f}, averaged", "second approximation", "equation of motion", "error of averaging")
+        yield _rows("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
+    else:
         yield "<p>There is no jump at these forces.</p>"
+    yield from _expected(of, forcings)
+    yield from _depths(of, max(forcings))
+
+
+def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
+    """What measurements say of the error of the highest motion, and of the curve's other points."""
+    rows, remarks = [], []
+    force, unit = ("F/N", " N") if isinstance(of, Physical) else ("F_0", "")
+    for F in forcings:
+        found = of.frequency_response(F)
+        curve = found.answer if isinstance(found, Quantities) else found
+        stable = np.flatnonzero(curve.stable)
+        if stable.size:
+            top, known = stable[curve.A[stable].argmax()], curve.validity
+            shares = ("" if np.isnan(one[top]) else f"{100 * one[top]:.2g} %" for one in (known.typical, known.error))
+            rows.append((f"{F:.4g}", f"{known.ratio[top]:.3g}", *shares))
+            said = of.scales.worded(known.message) if isinstance(of, Physical) else known.message
+            remarks += [f"<p>At {F:.4g}{unit} elsewhere on the curve: {escape(said)}.</p>"] if said else []
+    if rows:
+        heads = (force, "friction over force", "half of them within", "95 of 100 within")
+        yield _rows("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
+    yield from remarks
+
+
+def _depths(of: Any, F: float) -> Iterator[str]:
+    """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
+    name = "f" if isinstance(of, Physical) else "Omega"
+    at = getattr(of.peak(F), name)
+    if not at:
         return
-    of_f = f"{name}/Hz" if isinstance(of, Physical) else name
-    force = "F/N" if isinstance(of, Physical) else "F_0"
-    heads = (force, "kind", f"{of_f}, averaged", "second approximation", "equation of motion", "error of averaging")
-    yield _rows("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
+    window = {name: (BESIDE[0] * at, BESIDE[1] * at)}
+    curves: dict[str, Callable[[], Any]] = {"averaging": lambda: of.frequency_response(F, **window)}
+    curves["second approximation"] = lambda: of.second_approximation.frequency_response(F, **window)
+    curves["equation of motion"] = lambda: of.exact_response(F, **window)
+    found, missing = {}, []
+    for depth, ask in curves.items():
+        try:
+            found[depth] = _shown(ask())
+        except (ValueError, ArithmeticError) as error:
+            missing.append(f"<p>No {depth} here: {escape(str(error))}</p>")
+    ax = pictures.depths(_axes(), found)
+    unit = f"{F:g} N" if isinstance(of, Physical) else f"F_0 = {F:g}"
+    yield _figure(ax, f"The response at {unit} about its peak, by three depths: they lie the closer the better.")
+    yield from missing
 
 
 def _equations() -> Iterator[str]:
-    yield "<h2>Equations</h2>"
     ledger = read_ledger()
     rows = [
-        (row["where"], row["quantity"], row["verdict"])
+        (row["where"], _words(row["quantity"]), _formula(row["published"]), escape(row["verdict"]))
         for row in ledger["rows"]
         if row["kind"] == "formula" and row["where"] in EQUATIONS
     ]
     yield f"<p>Equations of {escape(ledger['paper'])}, each held against the derivation:</p>"
-    yield _rows("Verdicts", ("equation", "what", "verdict"), rows)
+    yield _rows("Verdicts", ("equation", "what", "as published; what vanishes, or the value", "verdict"), rows)
+
+
+def _formula(text: str) -> str:
+    shown = text if len(text) <= LONGEST else f"{text[:LONGEST]} ..."
+    return f"{WORDS}<code>{escape(shown)}</code>"
 
 
 def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    yield "<h2>Data</h2>"
     force = "F" if isinstance(of, Physical) else "F_0"
     yield "<ul>"
-    for question in ("saddle_nodes", "frequency_response"):
+    for question in ("saddle_nodes", "frequency_response") if forcings else ():
         text = files.in_csv([({force: F}, _shown(getattr(of, question)(F))) for F in forcings])
         yield f"<li>{_download(f'{question}.csv', 'text/csv', text)}</li>"
+    for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
+        alike = [(one.numbers(), scene.answer(one)) for one in scene.asked if one.question == question]
+        if alike:
+            yield f"<li>{_download(f'{question}.csv', 'text/csv', files.in_csv(alike))}</li>"
     yield f"<li>{_download(scene.path.name, 'application/toml', scene.text)}</li>"
     yield "</ul>"
     yield f"<p>slowflow {slowflow.__version__}; scene {escape(scene.path.name)}, sha256 {scene.sha256}</p>"
@@ -196,20 +387,28 @@ def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 # ---- pieces
 
 
-def _shown(answer: Answer) -> Answer:
+def _shown(answer: Any) -> Any:
     return answer.in_units() if isinstance(answer, Quantities) else answer
 
 
-def _table(caption: str, *answers: Answer) -> str:
-    """Columns of answers to one question, one below the other, and what is said beside them."""
+def _axes() -> Any:
+    """Of a picture that is read on a phone too."""
+    return plt.subplots(figsize=(5.4, 4.4), layout="constrained")[1]
+
+
+def _table(caption: str, *answers: Answer, beside: Sequence[Mapping[str, Any]] = ()) -> str:
+    """Columns of answers to one question, one below the other, and what is said beside them.
+
+    beside -- numbers to put before the rows of each, by default its forcing
+    """
     columns = [answer.columns() for answer in answers]
     units = answers[0].units_of_columns()
     kept = [name for name in columns[0] if name not in ("message", "remarks")]
-    beside = [_beside(answer, kept) for answer in answers]
-    heads = [head(name, units) for name in (*beside[0], *kept)]
+    before = beside or [_beside(answer, kept) for answer in answers]
+    heads = [head(name, units) for name in (*before[0], *kept)]
     rows = [
         (*map(_text, asked.values()), *(_text(value) for value in row))
-        for found, asked in zip(columns, beside, strict=True)
+        for found, asked in zip(columns, before, strict=True)
         for row in zip(*(found[name].tolist() for name in kept), strict=True)
     ]
     said = dict.fromkeys(str(answer.to_dict().get("message") or "") for answer in answers)
@@ -229,22 +428,32 @@ def _text(value: Any) -> str:
     return escape({True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value))
 
 
+def _words(text: str) -> str:
+    """A cell of words, which may break over lines."""
+    return f"{WORDS}{escape(text)}"
+
+
 def _rows(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table; its cells are HTML already, its heads are not."""
-    lines = [f'<div class="wide"><table>\n<caption>{escape(caption)}</caption>']
-    lines.append("<tr>" + "".join(f'<th scope="col">{escape(one)}</th>' for one in heads) + "</tr>")
-    lines += ["<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows]
+    """A table; its cells are HTML already, its heads are not. What is too wide is scrolled, by keys too."""
+    said = escape(caption, quote=True)
+    lines = [f'<div class="wide" role="region" tabindex="0" aria-label="{said}"><table>\n<caption>{said}</caption>']
+    listed = [list(row) for row in rows]
+    words = [any(row[k].startswith(WORDS) for row in listed) for k in range(len(heads))]
+    kinds = [' class="words"' if one else "" for one in words]
+    told = (f'<th scope="col"{kind}>{escape(one)}</th>' for one, kind in zip(heads, kinds, strict=True))
+    lines.append("<tr>" + "".join(told) + "</tr>")
+    for row in listed:
+        cells = (f"<td{kind}>{cell.removeprefix(WORDS)}</td>" for cell, kind in zip(row, kinds, strict=True))
+        lines.append("<tr>" + "".join(cells) + "</tr>")
     return "\n".join([*lines, "</table></div>"])
 
 
 def _figure(ax: Any, said: str) -> str:
     """Axes as SVG within the page, with a text for who does not see it; the figure is closed."""
-    from matplotlib import pyplot
-
     text = io.StringIO()
     with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "slowflow"}):
         ax.figure.savefig(text, format="svg", metadata={"Date": None})
-    pyplot.close(ax.figure)
+    plt.close(ax.figure)
     drawn = text.getvalue()
     drawn = drawn[drawn.index("<svg") :]
     # each drawing numbers its parts from 1: on one page they need names of their own

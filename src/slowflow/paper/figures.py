@@ -298,4 +298,4 @@ def _critical(ax: Any, delta_h: Any, values: Any, marked: float | None, name: st
     ax.plot(delta_h, values, color="black", linewidth=2.4)
     ax.plot([TABLE_1["delta_h"]], [marked], "o", color="#C00000", markersize=8, label=f"Table 1: {marked:.4f}")
     ax.set(xlim=(0.0, delta_h[-1]), ylim=(0.0, top), xlabel=label("delta_h"), ylabel=name)
-    pictures.legend(ax, beside=False)
+    pictures.legend(ax, place="in")
