@@ -14,7 +14,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 NATIVE = ROOT / "src" / "slowflow" / "native"
-FLAGS = ["-std=c11", "-O1", "-g", "-fno-omit-frame-pointer", "-ffp-contract=off", "-fPIC", "-shared"]
+FLAGS = ["-std=c11", "-O1", "-g1", "-fno-omit-frame-pointer", "-ffp-contract=off", "-fPIC", "-shared"]
 SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 INCLUDES = [
     NATIVE,

@@ -71,7 +71,7 @@ def main():
     for alpha, beta, mu, zeta in itertools.product((-0.5, 0.0, 1.0), (-0.3, 0.0, 2.0, 1e200), (0.0, 0.02), (0.0, 0.05)):
         for question in asked(Duffing(alpha, beta, mu, zeta)):
             tried(question)
-    designs = [np.array([*NUMBERS, math.nan, math.inf, -1.0])[rng.integers(0, 14, 4000)] for _ in range(6)]
+    designs = [np.array([*NUMBERS, math.nan, math.inf, -1.0])[rng.integers(0, 14, 1000)] for _ in range(6)]
     for force in ("truncated", "untruncated"):
         many = Isolator.many(**dict(zip(("lam", "r", "delta_h", "mu", "zeta"), designs, strict=False)), force=force)
         many.detachment(), many.saddle_node_onset(), many.peak(designs[5]), many.saddle_nodes(designs[5], places=1)
