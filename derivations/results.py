@@ -19,6 +19,7 @@ from .den_hartog import DenHartog, den_hartog
 from .frequencies import Frequencies, frequencies
 from .gradients import Gradients, gradients
 from .harmonics import Harmonics, of_polynomials, of_untruncated
+from .inertia import Inertia, inertia
 from .mechanisms import Mechanism, all_mechanisms
 from .monotone import prove_monotone
 from .motion import Motion, Smoothed, motion, smoothed
@@ -71,6 +72,7 @@ class Results:
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
     frequencies -- the quartics whose roots are the frequencies at an amplitude
+    inertia    -- what an excitation by inertia has in place of a force
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
@@ -86,6 +88,7 @@ class Results:
     averaged: Averaged
     flows: dict[str, SlowFlow]
     frequencies: Frequencies
+    inertia: Inertia
     along: dict[str, Along]
     slopes: Slopes
     bounds: Bounds
@@ -127,6 +130,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         equations,
         flows,
         frequencies(flows[""]),
+        inertia(flows[""]),
         {scene: along(flow) for scene, flow in flows.items()},
         slopes(flows[""]),
         bounds(flows[""]),

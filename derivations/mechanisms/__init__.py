@@ -2,7 +2,8 @@
 
 In:  the files of this folder.
 Out: `Mechanism`, the form in which a restoring force is stated, `Parameter`, the form of a number that a user gives,
-     `DAMPING` and `FORCING`, those that every oscillator has, and `all_mechanisms()`, every one in this folder.
+     `DAMPING` and `FORCING`, those that every oscillator has, `EXCITATIONS`, what else the latter may be of, and
+     `all_mechanisms()`, every one in this folder.
 """
 
 from __future__ import annotations
@@ -46,8 +47,13 @@ DAMPING = (
     Parameter(mu, "dry friction", "k_v L", least=0),
     Parameter(zeta, "viscous damping ratio", "2 sqrt(k_v m)", least=0),
 )
-#: its excitation (4)
+#: its excitation (4), and what else the amplitude may be of: `inertia` derives their forces
 FORCING = Parameter(F_0, "forcing amplitude", "k_v L", above=0)
+EXCITATIONS = {
+    "force": FORCING,
+    "base": Parameter(F_0, "amplitude of the base's displacement, under a mass seen from the base", "L", above=0),
+    "unbalance": Parameter(F_0, "a turning mass times its radius, on the mass that moves", "m L", above=0),
+}
 
 
 @dataclass(frozen=True)

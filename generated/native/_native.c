@@ -17,6 +17,7 @@ extern const sf_module sf_module_slow_flow;
 extern const sf_module sf_module_slow_flow_mu0;
 extern const sf_module sf_module_slow_flow_zeta0;
 extern const sf_module sf_module_slow_flow_mu0_zeta0;
+extern const sf_module sf_module_inertia;
 extern const sf_module sf_module_second_approximation;
 extern const sf_module sf_module_den_hartog;
 extern const sf_module sf_module_duffing;
@@ -73,6 +74,12 @@ static PyObject *load_slow_flow_mu0_zeta0(PyObject *self, PyObject *none)
     return ufuncs_of(&sf_module_slow_flow_mu0_zeta0);
 }
 
+static PyObject *load_inertia(PyObject *self, PyObject *none)
+{
+    (void)self, (void)none;
+    return ufuncs_of(&sf_module_inertia);
+}
+
 static PyObject *load_second_approximation(PyObject *self, PyObject *none)
 {
     (void)self, (void)none;
@@ -108,6 +115,7 @@ static PyMethodDef methods[] = {
     {"slow_flow_mu0", load_slow_flow_mu0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_mu0."},
     {"slow_flow_zeta0", load_slow_flow_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_zeta0."},
     {"slow_flow_mu0_zeta0", load_slow_flow_mu0_zeta0, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow_mu0_zeta0."},
+    {"inertia", load_inertia, METH_NOARGS, "The compiled kernels of slowflow_kernels.inertia."},
     {"second_approximation", load_second_approximation, METH_NOARGS, "The compiled kernels of slowflow_kernels.second_approximation."},
     {"den_hartog", load_den_hartog, METH_NOARGS, "The compiled kernels of slowflow_kernels.den_hartog."},
     {"duffing", load_duffing, METH_NOARGS, "The compiled kernels of slowflow_kernels.duffing."},

@@ -13,6 +13,7 @@ MODULES = (
     "slow_flow_zeta0",
     "slow_flow_mu0_zeta0",
     "frequencies",
+    "inertia",
     "motion",
     "second_approximation",
     "den_hartog",

@@ -11,5 +11,10 @@ DAMPING = (
     Parameter("mu", "dry friction", "k_v L", least=0.0),
     Parameter("zeta", "viscous damping ratio", "2 sqrt(k_v m)", least=0.0),
 )
-# excitation (4)
-FORCING = Parameter("F_0", "forcing amplitude", "k_v L", above=0.0)
+# what the amplitude F_0 of an excitation is of (4); that of a force, and those of inertia, whose force is F_0 Omega^2
+EXCITATIONS = {
+    "force": Parameter("F_0", "forcing amplitude", "k_v L", above=0.0),
+    "base": Parameter("F_0", "amplitude of the base's displacement, under a mass seen from the base", "L", above=0.0),
+    "unbalance": Parameter("F_0", "a turning mass times its radius, on the mass that moves", "m L", above=0.0),
+}
+FORCING = EXCITATIONS["force"]

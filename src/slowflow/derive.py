@@ -64,13 +64,13 @@ class Derived:
         """Whether the compiled solvers have its record."""
         return backend.record_of(self.record) is not None
 
-    def __call__(self, *, mu: float = 0.0, zeta: float = 0.0, **design: float) -> Oscillator:
+    def __call__(self, *, mu: float = 0.0, zeta: float = 0.0, excitation: str = "force", **design: float) -> Oscillator:
         """An oscillator with these numbers: `Oscillator(record, ...)`, whose errors are raised."""
-        return Oscillator(self.record, mu=mu, zeta=zeta, **design)
+        return Oscillator(self.record, mu=mu, zeta=zeta, excitation=excitation, **design)
 
-    def many(self, *, mu: Any = 0.0, zeta: Any = 0.0, **design: Any) -> Designs | Grid:
+    def many(self, *, mu: Any = 0.0, zeta: Any = 0.0, excitation: str = "force", **design: Any) -> Designs | Grid:
         """Many designs at once: `Oscillator.many(record, ...)`."""
-        return Oscillator.many(self.record, mu=mu, zeta=zeta, **design)
+        return Oscillator.many(self.record, mu=mu, zeta=zeta, excitation=excitation, **design)
 
     def document(self) -> str:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""

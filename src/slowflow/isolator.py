@@ -36,6 +36,7 @@ class Isolator(Oscillator):
 {told((*ROD_SPRING.design, *DAMPING))}
     force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
         the force as the geometry gives it (5)
+    excitation -- "force", "base" or "unbalance", as in `Oscillator`
 
     delta_h > 1/(lam r) is a negative stiffness at rest, which works with a warning. Raises ValueError for a number
     outside its domain, or another word for the force.
@@ -50,11 +51,19 @@ class Isolator(Oscillator):
     u_cr: float
 
     def __init__(
-        self, *, lam: float, r: float, delta_h: float, mu: float = 0.0, zeta: float = 0.0, force: str = "truncated"
+        self,
+        *,
+        lam: float,
+        r: float,
+        delta_h: float,
+        mu: float = 0.0,
+        zeta: float = 0.0,
+        force: str = "truncated",
+        excitation: str = "force",
     ) -> None:
-        super().__init__(_averaged(force), lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
+        super().__init__(_averaged(force), lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, excitation=excitation)
         if self.delta_h == 0:  # the springs never touch the rod, which has no end then
-            self.__dict__["model"] = Model(DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR)
+            self.__dict__["model"] = Model(DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR, excitation=excitation)
         if not self.model.mechanism.truncated:
             coefficients = zip(ROD_SPRING.parameters, ROD_SPRING.coefficients(*self.design), strict=True)
             self.__dict__.update({name.name: float(value) for name, value in coefficients})
@@ -68,8 +77,7 @@ class Isolator(Oscillator):
             )
 
     def __repr__(self) -> str:
-        told = {name: value for name, value in self.given.items() if (name, value) != ("force", "truncated")}
-        return f"Isolator({', '.join(f'{name}={value!r}' for name, value in told.items())})"
+        return f"Isolator({', '.join(self._told())})"
 
     def restoring_force(self, which: str | None = None) -> Force:
         """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).
@@ -140,7 +148,15 @@ class Isolator(Oscillator):
 
     @classmethod
     def many(  # type: ignore[override]
-        cls, *, lam: Any, r: Any, delta_h: Any, mu: Any = 0.0, zeta: Any = 0.0, force: str = "truncated"
+        cls,
+        *,
+        lam: Any,
+        r: Any,
+        delta_h: Any,
+        mu: Any = 0.0,
+        zeta: Any = 0.0,
+        force: str = "truncated",
+        excitation: str = "force",
     ) -> Designs | Grid:
         """Many isolators at once, from arrays that broadcast; see `slowflow.averaged.many`.
 
@@ -151,28 +167,33 @@ class Isolator(Oscillator):
         design: each answer has a status.
         """
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return designs_of(_averaged(force), values)
+        return designs_of(_averaged(force), values, excitation)
 
 
 class Duffing(Oscillator):
     __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau), one piece for all u.
 
 {told((*DUFFING.design, *DAMPING))}
+    excitation -- "force", "base" or "unbalance", as in `Oscillator`
 
-    Raises ValueError for a number outside its domain.
+    Raises ValueError for a number outside its domain, or another word for the excitation.
     """
 
     alpha: float
     beta: float
 
-    def __init__(self, alpha: float, beta: float, mu: float = 0.0, zeta: float = 0.0) -> None:
-        super().__init__(DUFFING, alpha=alpha, beta=beta, mu=mu, zeta=zeta)
+    def __init__(
+        self, alpha: float, beta: float, mu: float = 0.0, zeta: float = 0.0, *, excitation: str = "force"
+    ) -> None:
+        super().__init__(DUFFING, alpha=alpha, beta=beta, mu=mu, zeta=zeta, excitation=excitation)
         del self.given["mechanism"]
 
     def __repr__(self) -> str:
-        return f"Duffing({', '.join(f'{name}={value!r}' for name, value in self.given.items())})"
+        return f"Duffing({', '.join(self._told())})"
 
     @classmethod
-    def many(cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0) -> Designs | Grid:  # type: ignore[override]
+    def many(  # type: ignore[override]
+        cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0, *, excitation: str = "force"
+    ) -> Designs | Grid:
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        return designs_of(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta})
+        return designs_of(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}, excitation)

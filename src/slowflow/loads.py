@@ -185,9 +185,12 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
     """See `Oscillator.isolation`.
 
     A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: as much as F_0 where R = -h, which is at
-    sqrt(2) times the frequency of the backbone, as for a linear spring. That is explicit in A.
+    sqrt(2) times the frequency of the backbone, as for a linear spring. That is explicit in A. Of an excitation by
+    inertia F_0 Omega^2 takes the place of F_0 in this.
     """
     F_0 = validate.number("F_0", F_0, above=0.0)
+    if oscillator.model.inertial and not oscillator.closes(F_0):
+        return Isolation(None, None, False, F_0, NEVER)
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
     if not len(curve):
         return Isolation(None, None, False, F_0, curve.message)
@@ -218,9 +221,8 @@ def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
     model = oscillator.model
 
     def excess(A: float) -> float:
-        h = model.averaged(A)[0]
         (Omega,) = _of_full(oscillator, np.array([A]))
-        return float(model.flow.level(Omega, A, model.m, model.zeta, h)) - F_0
+        return float(model.level(Omega, A)) - F_0
 
     if excess(A) * excess(other) > 0:  # the curve meets that frequency at the very point
         return A
@@ -230,6 +232,8 @@ def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
 def _highest(oscillator: Averaged, F_0: float) -> float:
     """A frequency beyond which every motion transmits less than the force."""
     peak = oscillator.peak(F_0).A
+    if oscillator.model.inertial:  # without a peak no amplitude exceeds F_0
+        peak = F_0 if peak is None else peak
     A_max = peak if peak is not None else oscillator.model.reach
     if not math.isfinite(A_max):
         A_max = words.cut(oscillator.model, F_0)[0]
@@ -267,7 +271,7 @@ def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[f
         counts = {len(oscillator.amplitudes(Omega=x, F_0=y)) for x, y in way if y > oscillator.sticking_forcing}
         crosses = len(counts | {len(states)} - {0}) > 1
     stable = np.flatnonzero(states.stable)
-    sticks = F_0 <= oscillator.sticking_forcing
+    sticks = oscillator.model.force(F_0, Omega) <= oscillator.model.m
     if not stable.size:
         none = Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
         return none, states.message if sticks else joined(states.message, NONE_STABLE.format(Omega, F_0))

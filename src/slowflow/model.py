@@ -16,6 +16,7 @@ import numpy as np
 
 from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism
+from slowflow_kernels import inertia
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scenes import flow_of
@@ -24,6 +25,8 @@ __all__ = ["Floats", "Model", "check_names"]
 
 #: of a force's parameters: beyond it a force of ordinary amplitudes is beyond the range of doubles
 LARGEST = 1e300
+
+WITHOUT_DAMPING = "the response to an excitation by inertia is derived with viscous damping only"
 
 
 def check_names(mechanism: Mechanism, values: Mapping[str, Any]) -> list[str]:
@@ -44,6 +47,7 @@ class Model:
     parameters -- the force's parameters, in the order of `mechanism.parameters`
     mu, zeta   -- dry friction and viscous damping ratio
     design     -- the numbers that the parameters follow from, as they were given; () where these are not known
+    excitation -- what the amplitude F_0 is of, a key of `EXCITATIONS`
     m          -- 4 mu/pi, friction's share of I (23)
     flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
@@ -55,6 +59,7 @@ class Model:
     mu: float
     zeta: float
     design: tuple[float, ...] = ()
+    excitation: str = "force"
     m: float = field(init=False)
     flow: ModuleType = field(init=False, compare=False, repr=False)
     breakpoints: tuple[float, ...] = field(init=False)
@@ -62,6 +67,8 @@ class Model:
     native: Any = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        if self.inertial and self.zeta == 0:
+            raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
         ends = map(float, self.mechanism.breakpoints(*self.parameters))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
@@ -71,14 +78,16 @@ class Model:
             m=float(general_flow.friction(self.mu)),
             breakpoints=tuple(end for end, _ in kept),
             jumps=tuple(jump for _, jump in kept),
-            native=backend.compiled_model(self.mechanism, self.parameters, (self.mu, self.zeta), self.design),
+            native=None
+            if self.inertial
+            else backend.compiled_model(self.mechanism, self.parameters, (self.mu, self.zeta), self.design),
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.design)
+        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.design, self.excitation)
 
     @classmethod
-    def of(cls, mechanism: Mechanism, values: Mapping[str, Any]) -> Model:
+    def of(cls, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force") -> Model:
         """The slow flow of a design, its numbers and mu and zeta given by name.
 
         Raises ValueError for a number outside its domain, TypeError for a name that is missing or unknown.
@@ -88,7 +97,7 @@ class Model:
         *design, mu, zeta = (validate.within(domain, values[domain.name]) for domain in domains)
         with np.errstate(all="ignore"):
             parameters = tuple(float(value) for value in mechanism.coefficients(*design))
-            model = cls(mechanism, parameters, mu, zeta, design=tuple(design))
+            model = cls(mechanism, parameters, mu, zeta, design=tuple(design), excitation=excitation)
         numbers = (*model.parameters, model.m)
         if not sum(map(abs, numbers)) <= LARGEST and not all(abs(value) <= LARGEST for value in numbers):
             named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
@@ -116,16 +125,35 @@ class Model:
         return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
 
     @property
+    def inertial(self) -> bool:
+        """Whether the force is the amplitude of the excitation times Omega^2."""
+        return self.excitation != "force"
+
+    def force(self, F_0: Any, Omega: Any) -> Any:
+        """Amplitude of the force at an amplitude F_0 of the excitation; shapes that broadcast."""
+        return inertia.force(Omega, F_0) if self.inertial else F_0
+
+    def level(self, Omega: Any, A: Any) -> Floats:
+        """The amplitude F_0 of the excitation for which (Omega, A), shapes that broadcast, is a steady state (24)."""
+        kernels: Any = inertia if self.inertial else self.flow
+        return np.asarray(kernels.level(Omega, A, self.m, self.zeta, self.averaged(A)[0]))
+
+    def sticks(self, F_0: float) -> bool:
+        """Whether the excitation leaves the mass at rest at every frequency (27)."""
+        return not self.inertial and F_0 <= self.m
+
+    @property
     def reach(self) -> float:
         """Largest |u| of the mechanism, inf if it has none."""
         return self.mechanism.reach
 
     def given(self) -> dict[str, Any]:
-        """Name of the mechanism, and the numbers that make the oscillator: its design, else the force's parameters."""
+        """Names of mechanism and excitation, and the numbers that make the oscillator, its design if that is known."""
         of_force = zip((one.name for one in self.mechanism.parameters), self.parameters, strict=True)
         of_design = zip((one.name for one in self.mechanism.design), self.design, strict=False)
         numbers = dict(of_design) or dict(of_force)
-        return {"mechanism": self.mechanism.name, **numbers, "mu": self.mu, "zeta": self.zeta}
+        damping = {"mu": self.mu, "zeta": self.zeta}
+        return {"mechanism": self.mechanism.name, **numbers, **damping, "excitation": self.excitation}
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""

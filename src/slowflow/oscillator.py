@@ -24,6 +24,7 @@ from slowflow.results import (
     SteadyStates,
     joined,
 )
+from slowflow_kernels.domains import EXCITATIONS
 
 if TYPE_CHECKING:
     from slowflow import exact, loads
@@ -39,6 +40,9 @@ EXACT_WINDOW = (0.5, 1.5)
 #: the force of the equation of motion: (6), or (5)
 FORCES = ("truncated", "untruncated")
 
+#: what need not be said of an oscillator
+DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
+
 
 class Oscillator(Averaged):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), dimensionless.
@@ -46,6 +50,10 @@ class Oscillator(Averaged):
     mechanism -- the record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`
     mu, zeta  -- dry friction and viscous damping ratio, >= 0
     design    -- the numbers that `mechanism.design` names, each within its domain
+    excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
+        "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
+        leave to a force what they have no answer to: proofs, the second approximation, exact response curves.
+        A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
     makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
@@ -55,15 +63,22 @@ class Oscillator(Averaged):
     given: dict[str, Any]
     design: tuple[float, ...]
 
-    def __init__(self, mechanism: Mechanism, *, mu: float = 0.0, zeta: float = 0.0, **design: float) -> None:
+    def __init__(
+        self, mechanism: Mechanism, *, mu: float = 0.0, zeta: float = 0.0, excitation: str = "force", **design: float
+    ) -> None:
         values = {**design, "mu": mu, "zeta": zeta}
-        super().__init__(Model.of(mechanism, values))
+        super().__init__(Model.of(mechanism, values, validate.choice("excitation", excitation, tuple(EXCITATIONS))))
         given = {name: float(value) for name, value in values.items()}
         own = tuple(given[domain.name] for domain in mechanism.design)
         known = {name.name: value for name, value in zip(mechanism.parameters, self.model.parameters, strict=True)}
         # not by attribute: these cannot be set
         self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
-        self.__dict__.update(design=own, given={"mechanism": mechanism, **given})
+        self.__dict__.update(design=own, given={"mechanism": mechanism, **given, "excitation": excitation})
+
+    @property
+    def excitation(self) -> str:
+        """What F_0 is the amplitude of: "force", "base" or "unbalance"."""
+        return self.model.excitation
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{name} cannot be set, an oscillator does not change: replace({name}=...) makes another")
@@ -85,8 +100,12 @@ class Oscillator(Averaged):
         return _remade, (type(self), self.given)
 
     def __repr__(self) -> str:
-        told = {**self.given, "mechanism": self.model.mechanism.name}
-        return f"Oscillator({', '.join(f'{name}={value!r}' for name, value in told.items())})"
+        return f"Oscillator({', '.join(self._told(mechanism=self.model.mechanism.name))})"
+
+    def _told(self, **changed: Any) -> list[str]:
+        """What it was made from, without what is the default."""
+        told = {**self.given, **changed}.items()
+        return [f"{name}={value!r}" for name, value in told if (name, value) not in DEFAULTS]
 
     def force(self, u: Any) -> Floats:
         """The whole restoring force f(u) that is averaged, at displacements of any shape, both dimensionless (3)."""
@@ -106,7 +125,8 @@ class Oscillator(Averaged):
         if load is None or not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
             return found
         values = dict(zip((domain.name for domain in self.model.mechanism.design), self.design, strict=True))
-        other = Averaged(Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta})).saddle_node_onset()
+        model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation)
+        other = Averaged(model).saddle_node_onset()
         if other.F_SN is None:
             beside = f"without truncation: {other.message}"
         else:
@@ -147,6 +167,7 @@ class Oscillator(Averaged):
                  the averaged state nearest to A settles to. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
 
+        `.F_0` of the answer is the force on the mass: F_0 Omega^2 for an excitation by inertia.
         Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError if nothing periodic is found.
         """
         from slowflow.exact import questions
@@ -168,8 +189,10 @@ class Oscillator(Averaged):
         isolated curve needs its own, `start=steady_state(Omega=..., F_0=..., A=...)`, and where averaging knows of one
         that this is not, `.message` gives these numbers. `step` is the largest distance of neighbouring points, `force`
         as in `steady_state`. `.peak` is the highest motion of the curve.
-        Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError where it cannot be followed.
+        Raises ValueError for parameters out of range, as F_0 <= mu, and for an excitation by inertia, ArithmeticError
+        where it cannot be followed.
         """
+        self.only_for_a_force("exact_response")
         from slowflow.exact import questions
 
         return questions.exact_response(self, self.equation_of_motion(force), F_0, Omega, start, step)
@@ -179,11 +202,12 @@ class Oscillator(Averaged):
 
         The motion is followed at each frequency until it is shown to tend to a stable periodic one, whose amplitude is
         given, and goes on from there; where it does not within 2000 turns of the forcing, `.settled` says so. `force`
-        as in `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError where the
-        motion escapes a softening spring.
+        as in `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu, and for an excitation by
+        inertia, ArithmeticError where the motion escapes a softening spring.
         """
         from slowflow.exact import questions
 
+        self.only_for_a_force("sweep")
         return questions.sweep(self.equation_of_motion(force), Omega, F_0)
 
     def transient(
@@ -246,7 +270,8 @@ class Oscillator(Averaged):
         """The frequency from which on every stable motion at F_0 transmits less than F_0, .Omega, and .A there.
 
         Of the transmitted force the fundamental harmonic counts. For a linear spring it is sqrt(2) times the natural
-        frequency. Raises ValueError for F_0 <= 0.
+        frequency. On a base that shakes it is that from which on the mass moves less than the base.
+        Raises ValueError for F_0 <= 0.
         """
         from slowflow import loads
 
@@ -279,27 +304,33 @@ class Oscillator(Averaged):
         """See `slowflow.results.SaddleNodes.measure`."""
         from slowflow.exact import measure
 
+        self.only_for_a_force("measure")
         return measure.folds(self, self.equation_of_motion(force), found)
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:
         """The same questions with the higher harmonics of force and friction: closer to the equation of motion.
 
-        Raises ValueError where these harmonics are not derived: for force="untruncated" with u_cr > 3/4.
+        Raises ValueError where these harmonics are not derived: for force="untruncated" with u_cr > 3/4, and for an
+        excitation by inertia.
         """
         from slowflow.second import SecondApproximation
+
+        self.only_for_a_force("second_approximation")
 
         return SecondApproximation(self)
 
     @classmethod
-    def many(cls, mechanism: Mechanism, *, mu: Any = 0.0, zeta: Any = 0.0, **design: Any) -> Designs | Grid:
+    def many(
+        cls, mechanism: Mechanism, *, mu: Any = 0.0, zeta: Any = 0.0, excitation: str = "force", **design: Any
+    ) -> Designs | Grid:
         """Many designs of one mechanism at once, from arrays that broadcast; see `slowflow.averaged.many`.
 
         Arrays of xarray or dask make a map over named axes; see `slowflow.grid.designs`.
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
-        return designs_of(mechanism, {**design, "mu": mu, "zeta": zeta})
+        return designs_of(mechanism, {**design, "mu": mu, "zeta": zeta}, excitation)
 
 
 class Designs(many.Designs):
@@ -310,24 +341,28 @@ class Designs(many.Designs):
         """The same questions with the higher harmonics of force and friction."""
         from slowflow.second.many import SecondDesigns
 
+        self.only_for_a_force("second_approximation")
         return SecondDesigns(self)
 
     def margins(self, F_0: Any, *, workers: int = 1) -> ManyMargins:
         """How far F_0, which broadcasts with the designs, is from F_SN and F_cr of each; see `Oscillator.margins`."""
         from slowflow import loads_many
 
+        self.only_for_a_force("margins")
         return loads_many.margins(self, F_0, workers)
 
     def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> ManyBands:
         """Bands with several stable motions at F_0, of each design; `Status.TOO_MANY` where they exceed `places`."""
         from slowflow import loads_many
 
+        self.only_for_a_force("hysteresis")
         return loads_many.hysteresis(self, F_0, places, workers)
 
     def isolation(self, F_0: Any, *, workers: int = 1) -> ManyIsolations:
         """The frequency from which on less than F_0 is transmitted, of each design; see `Oscillator.isolation`."""
         from slowflow import loads_many
 
+        self.only_for_a_force("isolation")
         return loads_many.isolation(self, F_0, workers)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Shocks:
@@ -341,13 +376,15 @@ class Designs(many.Designs):
         return of_designs(self, acceleration, duration)
 
 
-def designs_of(mechanism: Mechanism, values: dict[str, Any]) -> Designs | Grid:
+def designs_of(mechanism: Mechanism, values: dict[str, Any], excitation: str) -> Designs | Grid:
     """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled."""
+    validate.choice("excitation", excitation, tuple(EXCITATIONS))
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid
 
+        validate.is_force("a map over named axes", excitation)
         return Grid(mechanism, values)
-    return Designs(mechanism, values)
+    return Designs(mechanism, values, excitation)
 
 
 def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:

@@ -225,6 +225,7 @@ def _given(model: Model | None) -> moves.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.design:
         raise ValueError(NOT_AVERAGED)
+    validate.is_force("gradient", model.excitation)
     return moves.Given(model.mechanism, (*model.design, model.mu, model.zeta))
 
 
@@ -259,12 +260,21 @@ class SteadyStates(Table):
         phase = self._model.flow.phase(self.Omega, self.A, self._model.m, self._model.zeta, h)
         return frozen(np.asarray(phase) + 0 * self.A)
 
+    @property
+    def force(self) -> float | Floats:
+        """Amplitude of the force on the mass in each state: F_0, or F_0 Omega^2 for an excitation by inertia."""
+        force: float | Floats = self._model.force(self.F_0, self.Omega)
+        return force
+
     @cached_property
     def transmissibility(self) -> Floats:
-        """Fundamental harmonic of the force on the base, from spring, damper and friction, over F_0, of each state."""
+        """Fundamental harmonic of what spring, damper and friction pass on, over `.force`, of each state.
+
+        On a base that shakes it is as well the absolute displacement of the mass over that of the base.
+        """
         h = self._model.averaged(self.A)[0]
         m, zeta = self._model.m, self._model.zeta
-        return frozen(slow_flow.transmissibility(self.Omega, self.A, self.F_0, m, zeta, h))
+        return frozen(slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h))
 
     @property
     def transmissibility_dB(self) -> Floats:

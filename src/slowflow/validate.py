@@ -99,6 +99,12 @@ def workers(value: Any) -> int:
     return os.cpu_count() or 1 if value == -1 else count("workers", value, least=1)
 
 
+def is_force(question: str, excitation: str) -> None:
+    """ValueError where a question is asked of another excitation than a force, and has no answer to that."""
+    if excitation != "force":
+        raise ValueError(f"{question} is not available with excitation = {excitation!r}, only with 'force'")
+
+
 def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
     """One of the words allowed."""
     if not isinstance(value, str) or value not in allowed:

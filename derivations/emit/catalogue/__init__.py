@@ -11,6 +11,7 @@ from ..form import Module
 from .beyond import den_hartog_module, second_approximation_module
 from .flow import slow_flow_modules
 from .frequencies import frequencies_module
+from .inertia import inertia_module
 from .mechanism import mechanism_module
 from .motion import motion_module
 
@@ -21,6 +22,7 @@ def all_modules(results: Results) -> list[Module]:
     return [
         *flows,
         frequencies_module(results),
+        inertia_module(results),
         motion_module(results),
         second_approximation_module(results),
         den_hartog_module(results),

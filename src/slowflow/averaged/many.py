@@ -27,6 +27,7 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
 from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak
 from slowflow.results import NOT_AVERAGED, Remark
+from slowflow_kernels import inertia
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 Codes = npt.NDArray[np.int8]
@@ -64,6 +65,7 @@ class Batch(Answer):
         """Whose answers these are. Raises ValueError for those of another approximation."""
         if not self._averaged:
             raise ValueError(NOT_AVERAGED)
+        self._designs.only_for_a_force("gradient")
         numbers = (np.asarray(value, dtype=float) for value in self._designs.values.values())
         return Given(self._designs.mechanism, tuple(numbers))
 
@@ -252,13 +254,14 @@ class Designs:
 
     mechanism -- record of the mechanism
     values    -- the numbers of its design by name, mu and zeta last; real arrays that broadcast
+    excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
 
     Raises TypeError for a name that is missing or unknown.
     """
 
-    def __init__(self, mechanism: Mechanism, values: dict[str, Any]) -> None:
+    def __init__(self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force") -> None:
         names = check_names(mechanism, values)
-        self.mechanism = mechanism
+        self.mechanism, self.excitation = mechanism, excitation
         self.values = {name: validate.real_array(name, values[name]) for name in names}
         self.shape = validate.common_shape(self.values)
 
@@ -266,10 +269,15 @@ class Designs:
         if not isinstance(other, Designs) or (self.mechanism, *self.values) != (other.mechanism, *other.values):
             return NotImplemented if not isinstance(other, Designs) else False
         pairs = zip(self.values.values(), other.values.values(), strict=True)
-        return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
+        same = self.excitation == other.excitation
+        return same and all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
 
     def __hash__(self) -> int:
         return hash((self.mechanism, *(value.tobytes() for value in self.values.values())))
+
+    def only_for_a_force(self, question: str) -> None:
+        """Raises ValueError where the question is asked of another excitation, for which it has no answer yet."""
+        validate.is_force(question, self.excitation)
 
     def detachment(self, *, workers: int = 1) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; `Status.NONE` for a mechanism without breakpoints."""
@@ -290,6 +298,7 @@ class Designs:
 
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Proofs:
         """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs."""
+        self.only_for_a_force("certify")
         if Omega is None:
             return Proofs(*self.ask(PROVED_FOLDS, workers, F_0), _designs=self, _F_0=F_0)
         return Proofs(*self.ask(PROVED_STATES, workers, F_0, Omega=Omega), _designs=self, _F_0=F_0)
@@ -300,7 +309,7 @@ class Designs:
         load = self.mechanism.load_untruncated
         if load is not None and wanted.any():
             chosen = {name: np.broadcast_to(value, self.shape)[wanted] for name, value in self.values.items()}
-            F_SN[wanted] = Designs(load(), chosen).saddle_node_onset().F_SN
+            F_SN[wanted] = Designs(load(), chosen, self.excitation).saddle_node_onset().F_SN
         return F_SN
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
@@ -308,7 +317,10 @@ class Designs:
         *design, mu, _ = (np.asarray(value, dtype=float) for value in self.values.values())
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*design))
-            return remarks.of_designs(self.mechanism, parameters, mu, F_0, Omega, A, corner)
+            force = np.asarray(F_0)[..., np.newaxis]
+            if self.excitation != "force":
+                force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
+            return remarks.of_designs(self.mechanism, parameters, mu, force, Omega, A, corner)
 
     def spanned(
         self, x: str, y: str, of: str, values: Floats, F_0: Any
@@ -347,7 +359,7 @@ class Designs:
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
-        record = backend.record_of(self.mechanism)
+        record = backend.record_of(self.mechanism) if self.excitation == "force" else None
         if backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             # what the solvers do not take as it is, long doubles
@@ -382,7 +394,8 @@ class Designs:
         asked = () if F_0 is None else (F_0,)
         blank = one(None, *asked, places)[:-1]
         try:
-            oscillator = Averaged(Model.of(self.mechanism, dict(zip(self.values, given, strict=True))))
+            model = Model.of(self.mechanism, dict(zip(self.values, given, strict=True)), self.excitation)
+            oscillator = Averaged(model)
             if F_0 is not None and not (validate.number("F_0", F_0, above=0.0) > oscillator.sticking_forcing):
                 return (*blank, Status.STICKS)
             return one(oscillator, *asked, places)

@@ -77,7 +77,7 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     whole -- the oscillator
     onset -- the onset of folds, if it has been asked for already
     """
-    if F_0 <= whole.m:
+    if whole.sticks(F_0):
         return Plan(
             question,
             F_0,

@@ -42,6 +42,9 @@ class Averaged:
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), averaged.
 
     model -- its slow flow
+
+    F_0 is the amplitude of its excitation. Of one by inertia, a base that shakes or an unbalance, it is not the force,
+    which is F_0 Omega^2; u is the displacement from the base then.
     """
 
     model: Model
@@ -62,8 +65,15 @@ class Averaged:
 
     @property
     def sticking_forcing(self) -> float:
-        """4 mu/pi: a forcing that does not exceed it leaves the mass at rest (27)."""
-        return self.model.m
+        """4 mu/pi: a forcing that does not exceed it leaves the mass at rest (27).
+
+        0 for an excitation by inertia: however small, it moves the mass from Omega = sqrt(4 mu/(pi F_0)) on.
+        """
+        return 0.0 if self.model.inertial else self.model.m
+
+    def only_for_a_force(self, question: str) -> None:
+        """Raises ValueError where the question is asked of another excitation, for which it has no answer yet."""
+        validate.is_force(question, self.model.excitation)
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
@@ -147,6 +157,8 @@ class Averaged:
         With `certify`, `.proof` holds an enclosure of each and whether there are proved to be no others; a proof that
         finds another number of folds than the answer has says so in its message.
         """
+        if certify:
+            self.only_for_a_force("certify")
         found = self._remarked(self.folds(F_0), F_0)
         if certify:  # an answer does not change; this one has not been given yet
             found.__dict__["proof"] = self._proved_folds(found)
@@ -156,8 +168,9 @@ class Averaged:
         """What is proved at F_0, in interval arithmetic: all folds, F_SN, F_cr, and all states at a frequency `Omega`.
 
         Each has enclosures and says whether it is proved, of the oscillator whose numbers are exactly the given
-        doubles. Raises ValueError for F_0 <= 0 and for Omega <= 0 or > 1e40.
+        doubles. Raises ValueError for F_0 <= 0, for Omega <= 0 or > 1e40, and for an excitation by inertia.
         """
+        self.only_for_a_force("certify")
         found = self.saddle_nodes(F_0)
         states = None
         if Omega is not None:
@@ -195,13 +208,24 @@ class Averaged:
     def peak(self, F_0: float) -> Peak:
         """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
 
-        Where the amplitude only falls with Omega it is the static one, with Omega = 0.
+        Where the amplitude only falls with Omega it is the static one, with Omega = 0. There is none, and `.message`
+        says why, without viscous damping, and where an excitation by inertia has a response that does not close, or
+        whose amplitude only rises, towards F_0.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("peak", F_0)
         if planned.model is None:
             return Peak(None, None, F_0, words.sticks(self.model, F_0), _model=self.model)
         return self._remarked(solvers.peak(planned.model, F_0), F_0)
+
+    def closes(self, F_0: float) -> bool:
+        """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.
+
+        Without viscous damping it has none, nor on a base that shakes by so much that a hardening spring does not
+        end the resonance.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        return self.model.zeta > 0 and (not self.model.inertial or solvers.closes(self.model, F_0))
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
         """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
@@ -232,10 +256,11 @@ class Averaged:
         """A_L at (Omega, F_0), broadcast (27), which no response exceeds; inf for zeta = 0, 0 where it sticks."""
         Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
         shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
+        force = self.model.force(F_0, Omega)
         bounded = np.inf
         if self.zeta != 0:
-            bounded = self.model.flow.limit_envelope(Omega, F_0, self.model.m, self.zeta)
-        return np.broadcast_to(np.where(F_0 <= self.model.m, 0.0, bounded), shape).copy()
+            bounded = self.model.flow.limit_envelope(Omega, force, self.model.m, self.zeta)
+        return np.broadcast_to(np.where(force <= self.model.m, 0.0, bounded), shape).copy()
 
     @np.errstate(all="ignore")
     def equivalent_damping(self, *, Omega: Any, A: Any) -> Floats:
@@ -333,7 +358,7 @@ class Averaged:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""
         if isinstance(found, (SaddleNodeOnset, Detachment, Peak)):
             found.__dict__["_model"] = self.model
-        if F_0 <= self.model.m:
+        if self.model.sticks(F_0):
             return found
         beside = remarks.of_one(self.model, F_0, *_states(found))
         if not (beside or found.remarks):

@@ -22,6 +22,8 @@ Flags = npt.NDArray[np.bool_]
 
 NOTHING = Remark(0)
 
+NEAR_STICKING_BELOW = "at low frequencies mu/(F_0 Omega^2) is near pi/4, where averaging fails"
+
 WORDS = {
     Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
@@ -46,12 +48,13 @@ def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, 
 
 
 def of_designs(
-    mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, F_0: Any, Omega: Any, A: Any, corner: Any
+    mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, force: Any, Omega: Any, A: Any, corner: Any
 ) -> Codes:
     """What `Remark` has for states (Omega, A), and on which of them there is a `corner`; NaN is no state.
 
     Omega, A, corner    -- of each design, along one more, last axis
-    parameters, mu, F_0 -- of the designs, shapes that broadcast; F_0 is NaN where the question has none
+    parameters, mu      -- of the designs, shapes that broadcast
+    force               -- on each state, of a shape that broadcasts with Omega; NaN where the question has none
     """
     A = np.asarray(A, dtype=float)
     there = A > 0
@@ -60,7 +63,7 @@ def of_designs(
     # at rest h_A is the stiffness with its sign turned
     at_rest = np.asarray(mechanism.averaged(0.0, *parameters)[1])
     codes = {
-        Remark.NEAR_STICKING: validity.is_near_sticking(mu, F_0),
+        Remark.NEAR_STICKING: validity.is_near_sticking(np.asarray(mu)[..., np.newaxis], force).any(axis=-1),
         Remark.BEYOND_REACH: (there & (mechanism.reach < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: at_rest > 0,
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
@@ -76,7 +79,8 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) ->
     said = []  # few have any, and to add up flags takes longer than to look for them
     if model.negative_stiffness:
         said.append(Remark.NEGATIVE_STIFFNESS)
-    if validity.is_near_sticking(model.mu, F_0):
+    forces = model.force(F_0, Omega)
+    if np.any(validity.is_near_sticking(model.mu, forces)):
         said.append(Remark.NEAR_STICKING)
     if highest > model.reach:
         said.append(Remark.BEYOND_REACH)
@@ -98,6 +102,9 @@ def stays_centred(model: Model) -> bool:
 
 def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     """Each remark as a sentence or less."""
-    near = [validity.near_sticking(model, F_0)] if Remark.NEAR_STICKING in remarks else []
+    if Remark.NEAR_STICKING not in remarks:
+        near = []
+    else:
+        near = [NEAR_STICKING_BELOW] if model.inertial else [validity.near_sticking(model, F_0)]
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason}
     return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near

@@ -32,6 +32,14 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question]) -> Question
     return cast(Question, ask)
 
 
+def closes(model: Model, F_0: float) -> bool:
+    """Whether a response to an excitation by inertia is known to have a highest amplitude."""
+    from slowflow.averaged.reference import bounds
+
+    with np.errstate(all="ignore"):
+        return not bounds.amplitude_bound(model, F_0)[1]
+
+
 amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes)
 detachment = _either(compiled.detachment, lambda: _reference().detachment)
 extrema = _either(compiled.extrema, lambda: _reference().extrema)

@@ -31,6 +31,17 @@ AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
 NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
 NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
+NO_TOP = "no peak: the amplitude tends to F_0 = {:g} from below as Omega tends to inf"
+NOT_REACHED = (
+    "the amplitude u_cr = {0:g} is tended to as Omega tends to inf, at F_0 = {0:g}, and not reached below that"
+)
+NOT_CLOSED = "the response does not close: it has states of any amplitude; cut at A = {:g}"
+OPEN = "no lowest amplitude of the excitation is attained: folds of ever larger amplitude come with ever lower ones"
+
+
+def does_not_close(A_max: float) -> tuple[float, str]:
+    """Where a response is cut that has no end, though there is viscous damping, and a remark."""
+    return A_max, NOT_CLOSED.format(A_max)
 
 
 def sticks(model: Model, F_0: float) -> str:
@@ -70,6 +81,13 @@ def without_a_state(Omega: Floats, found: Floats) -> str:
     """At which of the frequencies asked for there is no state among those found."""
     missing = np.setdiff1d(Omega, found)
     return "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
+
+
+def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
+    """That the force of an excitation by inertia does not move the mass at the lower ones of the frequencies."""
+    if not model.inertial or not np.any(model.force(F_0, Omega) <= model.m):
+        return ""
+    return f"sticks up to Omega = {math.sqrt(model.m / F_0):g}: the force F_0 Omega^2 does not exceed 4 mu/pi there"
 
 
 def at_several(messages: Iterable[str]) -> str:

@@ -16,7 +16,7 @@ import numpy as np
 
 from slowflow.exact import continuation, shooting
 from slowflow.exact.integrate import limited
-from slowflow.mechanism import EquationOfMotion
+from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.results import Measured, MeasuredFolds, SaddleNodes, SteadyStates
 
 if TYPE_CHECKING:
@@ -45,10 +45,10 @@ TAKEN_FOLD = "it leads to the fold of another one"
 
 
 def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
-    """The motion that each averaged state leads to. Raises ValueError for F_0 <= mu."""
+    """The motion that each averaged state leads to. Raises ValueError for a force <= mu."""
     motions: list[shooting.SteadyState | None] = []
     reasons = [""] * found.A.size
-    forcing = np.broadcast_to(found.F_0, found.Omega.shape)
+    forcing = np.broadcast_to(found.force, found.Omega.shape)
     columns = (column.tolist() for column in (found.Omega, found.A, found.phi, forcing))
     for i, (Omega, A, phi, F_0) in enumerate(zip(*columns, strict=True)):
         motion = None
@@ -59,7 +59,7 @@ def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
         motions.append(motion)
         if motion is None:
             reasons[i] = NO_MOTION if Omega > 0.0 else AT_REST
-    _one_each(found, motions, reasons)
+    _one_each(found, forcing, motions, reasons)
     return Measured(
         Omega=found.Omega.copy(),
         A=np.array([np.nan if motion is None else motion.A for motion in motions]),
@@ -72,7 +72,9 @@ def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
     )
 
 
-def _one_each(found: SteadyStates, motions: list[shooting.SteadyState | None], reasons: list[str]) -> None:
+def _one_each(
+    found: SteadyStates, forcing: Floats, motions: list[shooting.SteadyState | None], reasons: list[str]
+) -> None:
     """Leaves a motion to one of the states at its frequency that lead to it: as stable as it is, else the nearest."""
 
     def distance(i: int) -> tuple[bool, float]:
@@ -80,7 +82,6 @@ def _one_each(found: SteadyStates, motions: list[shooting.SteadyState | None], r
         assert motion is not None
         return bool(found.stable[i]) != motion.stable, abs(float(found.A[i]) - motion.A)
 
-    forcing = np.broadcast_to(found.F_0, found.Omega.shape)
     for i, motion in enumerate(motions):
         for j in range(i - 1, -1, -1):
             other = motions[j]

@@ -45,12 +45,15 @@ def steady_state(
     wanted = None if A is None else validate.number("A", A, above=0.0)
     if wanted is None:
         return _from_rest(averaged, system, Omega, F_0)
-    shooting.check_forcing(system, Omega, F_0)
+    force = averaged.model.force(F_0, Omega)
+    shooting.check_forcing(system, Omega, force)
     guesses = _guesses(averaged, Omega, F_0, wanted)
-    found = [motion for motion in (shooting.near(system, Omega, F_0, guess) for guess in guesses) if motion is not None]
+    found = [
+        motion for motion in (shooting.near(system, Omega, force, guess) for guess in guesses) if motion is not None
+    ]
     if found:
         return min(found, key=lambda motion: abs(motion.A - wanted))
-    return shooting.steady_state(system, Omega, F_0, guesses[0])
+    return shooting.steady_state(system, Omega, force, guesses[0])
 
 
 def exact_response(
@@ -136,12 +139,13 @@ def shocks(system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockS
 
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:
     """What a mass at rest comes to, followed; where that takes too many turns, the only one that averaging knows of."""
+    force = averaged.model.force(F_0, Omega)
     try:
-        return shooting.steady_state(system, Omega, F_0)
+        return shooting.steady_state(system, Omega, force)
     except shooting.NotSettled:
         states = averaged.states(Omega=Omega, F_0=F_0)
         if states.A.size == 1:
-            found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])))
+            found = shooting.near(system, Omega, force, (float(states.A[0]), float(states.phi[0])))
             if found is not None and found.stable:
                 return found
         raise

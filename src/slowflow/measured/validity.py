@@ -20,7 +20,7 @@ WORTH = 0.02
 WORTH_TRUNCATION = 0.005
 
 NOT_MEASURED = (
-    "not measured: how far averaging is off is known of the paper's isolator only (docs/validity.md); "
+    "not measured: how far averaging is off is known of the paper's isolator under a force only (docs/validity.md); "
     ".measure() measures it here and now"
 )
 NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
@@ -69,7 +69,7 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     F_0 = model.flow.level(Omega, A, model.m, model.zeta, h)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
         ratio, rest = model.mu / F_0, np.where(model.mu > 0, model.mu / (A * Omega**2), 0.0)
-    if not _is_measured(model):
+    if not _is_measured(model) or model.inertial:
         unknown = np.full(np.shape(A), np.nan)
         truncation = unknown if model.mechanism.truncated else np.zeros_like(unknown)
         return Validity(ratio, rest, unknown, unknown, truncation, NOT_MEASURED)

@@ -13,7 +13,7 @@ import jinja2
 import sympy as sp
 
 from ....conventions import CONVENTIONS
-from ....mechanisms import DAMPING, FORCING, Parameter
+from ....mechanisms import DAMPING, EXCITATIONS, Parameter
 from ....scaling import Scale, of_every_oscillator
 from ....slow_flow import SCENES
 from ...form import AVERAGED, GENERAL, Module, suffix
@@ -42,7 +42,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = _environment()
     result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
-        damping=DAMPING, forcing=FORCING
+        damping=DAMPING, excitations=EXCITATIONS
     )
     result["slowflow_kernels/scaling.py"] = environment.get_template("scaling.py.jinja").render(
         scales={number.name: scale for number, scale in of_every_oscillator().items()}

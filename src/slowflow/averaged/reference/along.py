@@ -11,6 +11,7 @@ Turn       F_A = F_AOmega = 0  F_A at its two critical points in Omega
 Undamped   cusps for zeta = 0  h_AA = 0, or the locus touches the backbone R = 0
 Peak       F = F_Omega = 0     F at its two critical points in Omega
 Rest       F = Omega = 0       h^2 + m^2 = F_0^2
+Inertia    peaks and isolas    of an excitation by inertia: where an amplitude's level is least, in closed form
 =========  ==================  ======================================================================================
 
 As in native/along.h. The functions are generated, for numbers and for intervals (derivations/along.py).
@@ -28,7 +29,14 @@ from slowflow.averaged.reference.doubt import is_fold_close
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.averaged.reference.roots import Quartics, critical_points, peak_roots
 from slowflow.model import Floats, Model
-from slowflow_kernels import slow_flow, slow_flow_intervals, slow_flow_mu0_intervals, slow_flow_zeta0_intervals
+from slowflow_kernels import (
+    inertia,
+    inertia_intervals,
+    slow_flow,
+    slow_flow_intervals,
+    slow_flow_mu0_intervals,
+    slow_flow_zeta0_intervals,
+)
 from slowflow_kernels.conventions import BESIDE, CANCELLED, DOUBT, SOFT
 
 #: where a channel is defined on a cell
@@ -404,3 +412,57 @@ class Rest(Asked):
             around = Interval(around.ends.reshape(2, 1))
             ranges.append(_range(cells, THROUGHOUT, cells.h + around, cells.h_A))
         return ranges
+
+
+class _Inertia(Asked):
+    """Of an excitation by inertia: at x = 1/Omega where the level of an amplitude is least, if there is one.
+
+    Next to A = 0, below the least amplitude that is looked at, the force is its slope: there nothing vanishes.
+    """
+
+    channels = 1
+
+    def _exists(self, at: Samples) -> tuple[Bools, Floats]:
+        fall, linear, rest = inertia.terms(at.A, self.model.m, self.model.zeta, at.h)
+        exists = (at.A > 0) & (fall > 0)
+        return exists, np.where(exists, inertia.least(np.where(exists, fall, 1.0), linear, rest), 1.0)
+
+    def _where(self, cells: Cells) -> tuple[np.ndarray[Any, np.dtype[np.int_]], Interval]:
+        """x rises with fall and falls with the others, so the corners hold it."""
+        fall, linear, rest = inertia_intervals.terms(cells.A, self.m, self.zeta, cells.h)
+        where = np.where(cells.A.lo > 0, _where_positive(fall), NOWHERE)
+        lo = np.where(fall.lo > 0, inertia.least(fall.lo, linear.hi, rest.hi), 0.0)
+        return where, Interval.of(lo * (1 - DOUBT), inertia.least(fall.hi, linear.lo, rest.lo) * (1 + DOUBT))
+
+
+class InertiaPeak(_Inertia):
+    """At an amplitude of the excitation: the least level of A less that."""
+
+    def __init__(self, model: Model, F_0: float) -> None:
+        super().__init__(model)
+        self.F_0 = F_0
+
+    def ask(self, at: Samples) -> list[Channel]:
+        exists, x = self._exists(at)
+        y, dy = inertia.peak(x, at.A, self.F_0, self.model.m, self.model.zeta, at.h, at.h_A)
+        return [_channel(at, exists, y, dy, 1 / x)]
+
+    def range(self, cells: Cells) -> list[Range]:
+        where, x = self._where(cells)
+        F_0 = Interval.point(self.F_0)
+        y, dy = inertia_intervals.peak(x, cells.A, F_0, self.m, self.zeta, cells.h, cells.h_A)
+        return [_range(cells, where, y, dy)]
+
+
+class InertiaIsola(_Inertia):
+    """A function with the sign of F_A."""
+
+    def ask(self, at: Samples) -> list[Channel]:
+        exists, x = self._exists(at)
+        y, dy = inertia.isola(x, at.A, self.model.m, self.model.zeta, at.h, at.h_A, at.h_AA)
+        return [_channel(at, exists, y, dy, 1 / x)]
+
+    def range(self, cells: Cells) -> list[Range]:
+        where, x = self._where(cells)
+        y, dy = inertia_intervals.isola(x, cells.A, self.m, self.zeta, cells.h, cells.h_A, cells.h_AA)
+        return [_range(cells, where, y, dy)]

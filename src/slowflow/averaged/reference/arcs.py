@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,7 @@ class Kind(Enum):
     PAIR_LOW = "the two lowest of the richer side meet"
     PAIR_HIGH = "the two highest meet"
     TO_ZERO = "the lowest of the richer side ends at Omega = 0"
+    TO_INFINITY = "the highest of the richer side ends at Omega = inf"
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,28 @@ class Tour:
 
     steps: list[tuple[int, bool]]
     closed: bool
+
+
+class Along(Protocol):
+    """The frequencies of one curve along the amplitude; F_0 is negative of the fold locus."""
+
+    @property
+    def model(self) -> Model: ...
+
+    @property
+    def F_0(self) -> float: ...
+
+    def count(self, A: Floats) -> Ints:
+        """How many there are at each amplitude."""
+        ...
+
+    def at(self, A: Floats, count: Ints, index: Ints) -> Floats:
+        """Number `index` of `count` at each amplitude."""
+        ...
+
+    def lower_pair(self, event: Event) -> tuple[bool, float]:
+        """Whether the lower pair of roots meets at an event, and where."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -127,7 +151,7 @@ class Graph:
     Raises ArithmeticError where the numbers of roots contradict each other.
     """
 
-    def __init__(self, roots: Roots, events: list[Event]) -> None:
+    def __init__(self, roots: Along, events: list[Event]) -> None:
         self.roots, self.events = roots, events
         with np.errstate(all="ignore"):
             self.counts = self._counted()
@@ -138,9 +162,9 @@ class Graph:
                 self._link(k)
             if events[0].A > 0 or roots.F_0 < 0:
                 self._end_all(0, 0, 0)
-            else:  # the response comes from A = 0, Omega = inf
+            else:  # the response comes from A = 0, at one frequency
                 for i in range(self.counts[0]):
-                    self._end(i, 0, 0.0, np.inf)
+                    self._end(i, 0, 0.0, events[0].Omega)
             self._end_all(len(events) - 1, len(events) - 2, 1)
 
     def _counted(self) -> list[int]:
@@ -169,7 +193,8 @@ class Graph:
         for k, event in enumerate(self.events):
             sides = [self.counts[side] for side in (k - 1, k) if 0 <= side < last]
             both = event.kind == Kind.CUT or len(sides) == 1
-            asked += [(k, n) for n in sorted(set(sides if both else [min(sides)])) if n > 0 and event.Omega < np.inf]
+            known = k == 0 and event.A == 0 and self.roots.F_0 > 0  # where the response comes from
+            asked += [(k, n) for n in sorted(set(sides if both else [min(sides)])) if n > 0 and not known]
         A, count, index = (
             np.array([value for k, n in asked for value in values(k, n)])
             for values in (lambda k, n: [self.events[k].A] * n, lambda _, n: [n] * n, lambda _, n: range(n))
@@ -202,7 +227,10 @@ class Graph:
         more, fewer = self.counts[rich], self.counts[poor]
         lost, gone = more - fewer, 0  # gone: index of the first arc of the richer side that does not go on
         first_rich, first_poor = self._first[rich], self._first[poor]
-        if lost % 2 == 1:
+        if event.kind == Kind.TO_INFINITY and lost == 1:
+            gone = fewer
+            self._end(first_rich + gone, rich_end, event.A, np.inf)
+        elif lost % 2 == 1:
             self._end(first_rich, rich_end, event.A, 0.0)
         if lost >= 2:
             lower, Omega = self.roots.lower_pair(event)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from slowflow.averaged import words
+from slowflow.averaged.reference import inertia
 from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.roots import peak_roots
 from slowflow.model import Floats, Model
@@ -45,6 +46,9 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     if model.zeta == 0:
         return words.cut(model, F_0)
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
+    if model.inertial:
+        closed = inertia.bound(model, F_0, rungs)
+        return (closed, "") if closed is not None else words.does_not_close(inertia.cut(model, F_0, rungs))
     at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
     slope = cells_of(at, far).h_A
     rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)

@@ -5,11 +5,13 @@ As in native/decide.h, but nothing decides instead: an answer that is in doubt s
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from slowflow.averaged.reference.cells import Samples
+from slowflow.averaged.reference.excited import frequencies_at, stationary_at
 from slowflow.averaged.reference.intervals import Bools
-from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE
@@ -40,8 +42,9 @@ def is_fold_close(model: Model, F_0: float, least: float, at: Samples, y: Floats
     return np.asarray(np.isfinite(at.h_A) & (np.abs(y) <= CLOSE * size))
 
 
-def is_F_close(model: Model, F_0: float, Omega: Floats, A: Floats) -> Bools:
+def is_F_close(model: Model, F_0: Any, Omega: Floats, A: Floats) -> Bools:
     """Whether F = R^2 + I^2 - F_0^2 is as near to 0 as rounding may bring it."""
+    F_0 = model.force(F_0, Omega)
     h, h_A = model.averaged(A)[:2]
     R, sine = slow_flow.R(Omega, A, h), slow_flow.I(Omega, A, model.m, model.zeta)
     of_R = CLOSE * (np.abs(h) + A * (1 + np.abs(h_A)) + A * Omega**2)
@@ -59,17 +62,17 @@ def are_corners_close(model: Model, F_0: float, A_max: float) -> bool:
     )
 
 
-def _is_corner_close(model: Model, F_0: float, b: float, jump: float) -> bool:
+def _is_corner_close(model: Model, F_0: Any, b: float, jump: float) -> bool:
     A, m, zeta = np.array([b]), model.m, model.zeta
     h, h_A = model.averaged(A)[:2]
     if abs(jump) <= CLOSE * b * (1 + abs(h_A[0])):
         return True
-    stationary, n = peak_roots(A, h, m, zeta)
-    at = np.append(stationary[0, : n[0]], 0.0)
+    at = np.append(stationary_at(model, b), 0.0)
     if is_F_close(model, F_0, at, np.full(at.size, b)).any():
         return True
-    roots, n = response_roots(A, h, m, zeta, F_0)
-    Omega = roots[0, : n[0]]
+    Omega = frequencies_at(model, b, F_0)
+    Omega = Omega[np.isfinite(Omega)]
+    F_0 = model.force(F_0, Omega)
     R, slope = np.abs(slow_flow.R(Omega, b, h)), b * np.abs(slow_flow.F_A(Omega, b, m, zeta, h, h_A)) / 2
     size = F_0 + abs(h) + b * (1 + abs(h_A))
     return bool(((R <= CLOSE * size) | (slope <= CLOSE * size**2) | (R * abs(jump) * STEEP <= slope)).any())
@@ -77,7 +80,7 @@ def _is_corner_close(model: Model, F_0: float, b: float, jump: float) -> bool:
 
 def nearly_sticks(model: Model, F_0: float) -> bool:
     """Whether F_0 exceeds the forcing that leaves the mass at rest by no more than rounding may make of it."""
-    return bool(F_0 <= model.m * (1 + CLOSE))
+    return not model.inertial and bool(F_0 <= model.m * (1 + CLOSE))
 
 
 def is_at_fold(model: Model, F_0: float, Omega: Floats, at: Floats, A: Floats) -> Bools:

@@ -1,39 +1,43 @@
 """Saddle-node bifurcations at a forcing: in goes a model, out come its folds.
 
-Folds at F_0 are zeros of a function that is explicit in A (see along), and corners: at a breakpoint b of a force that
-jumps there, F_A changes sign between b and the next amplitude above, without passing zero.
+Folds at F_0 are zeros of a function that is explicit in A (see along); for an excitation by inertia they lie where the
+level along the fold locus passes F_0. And corners: at a breakpoint b of a force that jumps there, F_A changes sign
+between b and the next amplitude above, without passing zero.
 """
 
 from __future__ import annotations
 
 import numpy as np
+from scipy.optimize import brentq
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import doubt
 from slowflow.averaged.reference.along import FoldAt
+from slowflow.averaged.reference.arcs import Arc, Graph, Roots
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import samples_at, stretches_up_to
+from slowflow.averaged.reference.excited import frequencies_at
 from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.locus import Stations
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import NEAR_END
+from slowflow_kernels.conventions import CLOSE, NEAR_END
 
 
 #: what is said where there is no answer
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     A_max, remark = amplitude_bound(model, F_0)
-    (found,) = find_zeros(model, [FoldAt(model, F_0)], stretches_up_to(model, A_max))
     with np.errstate(all="ignore"):
-        A, Omega = found.A, _settled(model, F_0, found.A, found.Omega)
+        A, Omega, near = _crossings(model, F_0, A_max) if model.inertial else _zeros(model, F_0, A_max)
         h, h_A, h_AA, _ = model.averaged(A)
         # Leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it in amplitude.
         up = np.asarray(model.flow.F_AA(Omega, A, model.m, model.zeta, h, h_A, h_AA)) < 0
         corner_Omega, corner_A, corner_up = _on_corners(model, F_0, A_max)
-        undecided = found.undecided or doubt.nearly_sticks(model, F_0) or doubt.are_corners_close(model, F_0, A_max)
+        undecided = near or doubt.nearly_sticks(model, F_0) or doubt.are_corners_close(model, F_0, A_max)
     Omega, A = np.concatenate((Omega, corner_Omega)), np.concatenate((A, corner_A))
     up = np.concatenate((up, corner_up))
     corner = np.arange(A.size) >= A.size - corner_A.size
@@ -42,6 +46,42 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     kind = np.where(up, "jump-up", "jump-down")[order]
     beside = Remark.UNDECIDED if undecided else Remark(0)
     return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=beside)
+
+
+def _zeros(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
+    """A and Omega of the folds inside of pieces, and whether there may be others; for a force."""
+    (found,) = find_zeros(model, [FoldAt(model, F_0)], stretches_up_to(model, A_max))
+    return found.A, _settled(model, F_0, found.A, found.Omega), found.undecided
+
+
+def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
+    """The same for an excitation by inertia: where the level along the arcs of the fold locus, monotone, passes F_0."""
+    locus, stations = Roots(model, -1.0), Stations.of(model, A_max)
+    found, near = [], stations.undecided
+
+    def at(A: float, count: int, index: int) -> float:
+        (Omega,) = locus.at(np.array([A]), np.array([count]), np.array([index]))
+        return float(Omega)
+
+    for arc in Graph(locus, stations.events()).arcs:
+        ends = [
+            float(model.level(Omega, A)) if Omega > 0 else np.inf for A, Omega in zip(arc.A, arc.Omega, strict=True)
+        ]
+        near |= any(abs(level - F_0) <= CLOSE * F_0 for level in ends)
+        if (ends[0] < F_0) == (ends[1] < F_0):
+            continue
+
+        def excess(A: float, arc: Arc = arc, ends: list[float] = ends) -> float:
+            level = ends[arc.A.index(A)] if A in arc.A else float(model.level(at(A, arc.count, arc.index), A))
+            return min(level, 2 * F_0 + 1.0) - F_0
+
+        root = float(brentq(excess, *arc.A, xtol=4e-323, rtol=4 * np.finfo(float).eps, maxiter=1000))
+        Omega = arc.Omega[arc.A.index(root)] if root in arc.A else at(root, arc.count, arc.index)
+        # from F = 0, where at a fold it does not depend on A to first order
+        of_response = frequencies_at(model, root, F_0)
+        found.append((root, min(of_response, key=lambda one: abs(one - Omega), default=Omega)))
+    As, Omegas = np.array(found).reshape(-1, 2).T
+    return As, Omegas, near
 
 
 def _settled(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
@@ -64,9 +104,8 @@ def _on_corners(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats,
     for b, jump in zip(model.breakpoints, model.jumps, strict=True):
         if jump == 0 or not b < A_max:
             continue
-        A, h = np.array([b]), model.averaged(np.array([b]))[0]
-        roots, count = response_roots(A, h, model.m, model.zeta, F_0)
-        Omega = roots[0, : count[0]]
+        h, Omega = model.averaged(np.array([b]))[0], frequencies_at(model, b, F_0)
+        Omega = Omega[np.isfinite(Omega)]
         below, above = _is_stable_below(model, F_0, b, Omega), slow_flow.R(Omega, b, h) * jump > 0
         changes = below != above
         Omegas.append(Omega[changes])
@@ -83,6 +122,8 @@ def _is_stable_below(model: Model, F_0: float, b: float, Omega: Floats) -> Bools
     state is less by F_AOmega F/F_Omega; without viscous damping F = y and F_A = 0.
     """
     m, zeta, at = model.m, model.zeta, samples_at(model, b)
+    if model.inertial:
+        return np.asarray(slow_flow.F_A(Omega, b, m, zeta, at.h[0], at.h_A[0]) > 0)
     (fold,) = FoldAt(model, F_0).ask(at)
     (h,), (h_A,), (k,) = at.h, at.h_A, at.k
     R = slow_flow.R(Omega, b, h)

@@ -11,18 +11,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference.along import Cusp, Isola, Stiffness, Turn, Undamped
+from slowflow.averaged.reference.along import Cusp, InertiaIsola, Isola, Stiffness, Turn, Undamped
 from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.cells import Stretch, stretches_up_to
 from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
 from slowflow.averaged.reference.search import Zeros, find_zeros
-from slowflow.model import Model
+from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
-from slowflow_kernels import slow_flow
 
 
 @dataclass(frozen=True)
-class _Stations:
+class Stations:
     """Zeros along the fold locus, by question; those of a question that its damping has not are None."""
 
     pieces: list[Stretch]
@@ -31,13 +30,19 @@ class _Stations:
     isolas: Zeros | None
     turns: Zeros | None
 
+    @property
+    def undecided(self) -> bool:
+        """Whether rounding may hide some at which the level turns."""
+        return self.cusps.undecided or (self.isolas is not None and self.isolas.undecided)
+
     @classmethod
-    def of(cls, model: Model, A_max: float) -> _Stations:
+    def of(cls, model: Model, A_max: float) -> Stations:
         pieces = stretches_up_to(model, A_max)
         if model.zeta == 0:
             stiffness, cusps = find_zeros(model, [Stiffness(model), Undamped(model)], pieces)
             return cls(pieces, stiffness, cusps, None, None)
-        questions = [Stiffness(model), Cusp(model), Isola(model), Turn(model)]
+        isola = InertiaIsola(model) if model.inertial else Isola(model)
+        questions = [Stiffness(model), Cusp(model), isola, Turn(model)]
         stiffness, cusps, isolas, turns = find_zeros(model, questions, pieces)
         return cls(pieces, stiffness, cusps, isolas, turns)
 
@@ -67,7 +72,7 @@ class _Stations:
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max, in order along each branch."""
     roots = Roots(model, -1.0)
-    graph = Graph(roots, _Stations.of(model, A_max).events())
+    graph = Graph(roots, Stations.of(model, A_max).events())
     arcs = graph.arcs
     if not arcs:
         none = np.empty(0)
@@ -91,21 +96,25 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
         # the Omega of the ends is known; at A = 0 there is no quartic
         inside = roots.at(np.where(A_at > 0, A_at, A_max), count, index)
         Omega_at = np.where(low, Omega[at, 0], np.where(high, Omega[at, 1], inside))
-        F_0 = model.flow.level(Omega_at, A_at, model.m, model.zeta, model.averaged(A_at)[0])
-    return FoldLocus(Omega_at, A_at, np.asarray(F_0), np.concatenate(branch), "")
+        F_0 = model.level(Omega_at, A_at)
+    return FoldLocus(Omega_at, A_at, F_0, np.concatenate(branch), "")
+
+
+def of_cusps(model: Model, cusps: Zeros) -> Floats:
+    """The level at zeros of `Cusp`, from the force there."""
+    return cusps.level / cusps.Omega**2 if model.inertial else cusps.level
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    stations = _Stations.of(model, A_max)
+    stations = Stations.of(model, A_max)
     with np.errstate(all="ignore"):
         at = stations.cusps
         Omega, A = at.Omega, at.A
-        level = slow_flow.level(Omega, A, model.m, model.zeta, model.averaged(A)[0])
-        F_0 = at.level if model.zeta > 0 else np.asarray(level)
+        F_0 = of_cusps(model, at) if model.zeta > 0 else model.level(Omega, A)
         cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else words.NO_CUSP.format(A_max))
         Omega, A = (np.empty(0),) * 2 if stations.isolas is None else (stations.isolas.Omega, stations.isolas.A)
-        F_0 = np.asarray(slow_flow.level(Omega, A, model.m, model.zeta, model.averaged(A)[0]))
+        F_0 = model.level(Omega, A)
         birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")
         kind = np.where(is_saddle(model, Omega, A), "merger", birth)
     return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else words.NO_ISOLA.format(A_max))

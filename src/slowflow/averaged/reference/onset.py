@@ -12,10 +12,12 @@ import math
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference.along import Cusp, Isola, Peak, Rest, Stiffness
+from slowflow.averaged.reference.along import Cusp, InertiaIsola, InertiaPeak, Isola, Peak, Rest, Stiffness
 from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
 from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
+from slowflow.averaged.reference.excited import stationary_at
 from slowflow.averaged.reference.folds import saddle_nodes
+from slowflow.averaged.reference.locus import of_cusps
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.averaged.reference.search import find_zeros
@@ -31,6 +33,7 @@ class _Best:
     """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at Omega = 0.
 
     undecided -- whether there may be one whose amplitude no double tells from others
+    open      -- whether the response does not close at the last level that was looked at
     """
 
     F_SN: float = math.inf
@@ -39,6 +42,7 @@ class _Best:
     kind: str = ""
     rest: float = math.inf
     undecided: bool = False
+    open: bool = False
 
     def consider(self, level: Floats, Omega: Floats, A: Floats, kind: str) -> None:
         """Points where the level may be least."""
@@ -65,6 +69,8 @@ def onset(model: Model) -> SaddleNodeOnset:
         best = _lowest(model)
     if best.undecided and _is_beside_breakpoint(model, best):
         raise ArithmeticError("the response is unresolved")
+    if best.open:
+        return SaddleNodeOnset(None, None, None, "", words.OPEN)
     if not best.kind:
         return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), best.rest)
     return words.with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
@@ -100,16 +106,18 @@ def _lowest(model: Model) -> _Best:
 
 def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
     """Where the level may be least inside of pieces: cusps, isola points, ends."""
-    zeta, m = model.zeta, model.m
-    ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
-    best.undecided |= ends.undecided or isolas.undecided or cusps.undecided
-    at_rest = slow_flow.level(0.0, ends.A, m, zeta, model.averaged(ends.A)[0])
-    best.consider_ends(model, ends.A, np.where(ends.channel == 0, m, at_rest))
+    if model.inertial:  # at Omega = 0 the level is infinite
+        isolas, cusps = find_zeros(model, [InertiaIsola(model), Cusp(model)], pieces)
+    else:
+        ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
+        best.undecided |= ends.undecided
+        best.consider_ends(model, ends.A, np.where(ends.channel == 0, model.m, model.level(0.0, ends.A)))
+    best.undecided |= isolas.undecided or cusps.undecided
     least = isola_is_minimum(model, isolas.Omega, isolas.A)
-    level = slow_flow.level(isolas.Omega, isolas.A, m, zeta, model.averaged(isolas.A)[0])
+    level = model.level(isolas.Omega, isolas.A)
     best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
     least = cusp_is_minimum(model, cusps.Omega, cusps.A)
-    best.consider(cusps.level[least], cusps.Omega[least], cusps.A[least], "cusp")
+    best.consider(of_cusps(model, cusps)[least], cusps.Omega[least], cusps.A[least], "cusp")
 
 
 def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: float, best: _Best) -> None:
@@ -125,12 +133,18 @@ def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: flo
     sign = jump if jump != 0 else math.copysign(1.0, h_AA_above)
 
     def consider(Omega: Floats) -> None:
-        best.consider(slow_flow.level(Omega, b, m, zeta, h), Omega, np.full_like(Omega, b), "corner")
+        best.consider(model.level(Omega, np.full_like(Omega, b)), Omega, np.full_like(Omega, b), "corner")
 
     if h < 0 and jump < 0:
         consider(np.array([slow_flow.backbone(b, h)]))
     roots, count = fold_roots(at.A, at.h, at.h_A, m, zeta)
     w = roots[0, : count[0]]
+    if model.inertial:  # all that may bound the level of folds on the breakpoint: none of it is lower than they are
+        consider(w)
+        if jump != 0:
+            w = stationary_at(model, b)
+            consider(w[slow_flow.F_A(w, b, m, zeta, h, h_A) * slow_flow.R(w, b, h) * jump < 0])
+        return
     turns = slow_flow.F_Omega(w, b, m, zeta, h) * slow_flow.F_AOmega(w, b, m, zeta, h, h_A)
     falls = slow_flow.level_rise(w, b, m, zeta, h, h_A, h_AA) < 0
     consider(w[falls & (turns * slow_flow.R(w, b, h) * sign < 0)])
@@ -152,7 +166,8 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
     base = float(first.A[0])
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, 1e-6)
     for _ in range(RAISES):
-        A_max, _ = amplitude_bound(model, F_0)
+        A_max, cut = amplitude_bound(model, F_0)
+        best.open = bool(cut)
         if A_max > first.A[0]:  # what lies below has been looked through
             last = samples_at(model, A_max)
             if first.A[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
@@ -168,6 +183,12 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     if not model.breakpoints:
         return Detachment(None, None, None, words.NO_DETACHMENT)
+    if model.inertial:
+        u_cr = model.breakpoints[0]
+        falls = stationary_at(model, u_cr)
+        if not falls.size:
+            return Detachment(None, None, None, words.NOT_REACHED.format(u_cr))
+        return Detachment(float(model.level(falls[0], u_cr)), float(falls[0]), u_cr, "")
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
     return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
 
@@ -179,7 +200,15 @@ def peak(model: Model, F_0: float) -> PeakFound:
     """
     if model.zeta == 0:
         return PeakFound(None, None, F_0, words.NO_PEAK)
-    A_max, _ = amplitude_bound(model, F_0)
+    A_max, cut = amplitude_bound(model, F_0)
+    if model.inertial:
+        if cut:
+            return PeakFound(None, None, F_0, cut)
+        (peaks,) = find_zeros(model, [InertiaPeak(model, F_0)], stretches_up_to(model, A_max))
+        tops = peaks.take(peaks.rising)
+        if not len(tops):
+            return PeakFound(None, None, F_0, words.NO_TOP.format(F_0))
+        return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
     peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], stretches_up_to(model, A_max))
     # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
     tops = peaks.take(peaks.rising == (peaks.channel == 1))

@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import doubt
-from slowflow.averaged.reference.along import Peak, Rest
-from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
+from slowflow.averaged.reference import doubt, inertia
+from slowflow.averaged.reference.along import InertiaPeak, Peak, Rest
+from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
 from slowflow.averaged.reference.folds import saddle_nodes
@@ -25,6 +25,7 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates, joined
 from slowflow_kernels import frequencies, slow_flow
+from slowflow_kernels import inertia as inertia_kernels
 from slowflow_kernels.conventions import LAST_STEP, SAME
 
 
@@ -56,7 +57,7 @@ class Skeleton:
     closed -- for each curve whether it is an isola
     """
 
-    roots: Roots
+    roots: Along
     folds: SaddleNodes
     curves: list[list[tuple[Segment, bool]]]
     closed: list[bool]
@@ -70,9 +71,10 @@ class Skeleton:
 def skeleton(model: Model, F_0: float) -> Skeleton:
     """Segments and how they hang together, for F_0 > m."""
     A_max, remark = amplitude_bound(model, F_0)
-    roots, folds = Roots(model, F_0), saddle_nodes(model, F_0)
+    roots: Along = inertia.Roots(model, F_0) if model.inertial else Roots(model, F_0)
+    folds = saddle_nodes(model, F_0)
     try:
-        graph = Graph(roots, _events(model, F_0, A_max))
+        graph = Graph(roots, (_events_of_inertia if model.inertial else _events)(model, F_0, A_max))
     except ArithmeticError as failure:
         raise ArithmeticError(words.unresolved(model, F_0)) from failure
     on_arc = _arcs_of_folds(roots, graph, folds)
@@ -114,7 +116,21 @@ def _events(model: Model, F_0: float, A_max: float) -> list[Event]:
     return merged([*found, Event(A_max, 0.0, Kind.CUT)])
 
 
-def _arcs_of_folds(roots: Roots, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
+def _events_of_inertia(model: Model, F_0: float, A_max: float) -> list[Event]:
+    """The same for an excitation by inertia: peaks, breakpoints, and A = F_0, where a frequency comes from inf."""
+    pieces, at = stretches_up_to(model, A_max), np.array([F_0])
+    (peaks,) = find_zeros(model, [InertiaPeak(model, F_0)], pieces)
+    falls = bool(inertia.falls_to_least(model, at, model.averaged(at)[0])[0][0])
+    inside = [Event(F_0, np.inf, Kind.TO_INFINITY, 1 if falls else -1)]
+    for A, Omega, rising in zip(peaks.A.tolist(), peaks.Omega.tolist(), peaks.rising.tolist(), strict=True):
+        inside.append(Event(A, Omega, Kind.PAIR_HIGH, -2 if rising else 2))
+    inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
+    inside.sort(key=lambda event: event.A)
+    start = inertia.Roots(model, F_0).start()
+    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)]
+
+
+def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
     """The folds (A, Omega) on each arc: of those that reach a fold's amplitude the one that is nearest."""
     pairs = [
         (f, number)
@@ -135,7 +151,7 @@ def _arcs_of_folds(roots: Roots, graph: Graph, folds: SaddleNodes) -> dict[int, 
     return found
 
 
-def _with_stability(roots: Roots, curves: list[list[tuple[Segment, bool]]]) -> list[list[tuple[Segment, bool]]]:
+def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> list[list[tuple[Segment, bool]]]:
     """The same with each segment's stability: a state is stable where F_A is positive (30)."""
     segments = [segment for curve in curves for segment, _ in curve]
     if not segments:
@@ -177,11 +193,12 @@ def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarra
     stable[:-1] &= stable[1:] | ~same
     keep = np.concatenate([[True], ~same]) if which.size else np.empty(0, dtype=bool)
     stable[1:] &= stable[:-1] | ~same
+    keep &= A > 0  # where the response begins the mass is at rest
     return Omega[which][keep], A[keep], stable[keep]
 
 
 @np.errstate(all="ignore")
-def solve_segments(roots: Roots, segments: list[Segment], Omega: Floats) -> Floats:
+def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floats:
     """The amplitude at which each segment has the given Omega, which must lie in its range: Newton, bracketed."""
     if not segments:
         return np.empty(0)
@@ -190,7 +207,8 @@ def solve_segments(roots: Roots, segments: list[Segment], Omega: Floats) -> Floa
     (low, at_low), (high, at_high) = (
         np.array([getattr(segment, side) for segment in segments]).T for side in ("low", "high")
     )
-    falls, tail = at_low > at_high, low == 0
+    falls, tail = at_low > at_high, (low == 0) & np.isinf(at_low)
+    slope: Any = inertia_kernels if model.inertial else slow_flow
     lo, hi = low.copy(), high.copy()
     lo[tail] = _tail_amplitudes(roots, high[tail], count[tail], index[tail], Omega[tail])
     A = np.where(tail, lo, lo + (hi - lo) * ((Omega - at_low) / (at_high - at_low)))
@@ -203,7 +221,7 @@ def solve_segments(roots: Roots, segments: list[Segment], Omega: Floats) -> Floa
         h, h_A = model.averaged(at)[:2]
         left = (w > Omega[active]) == falls[active]
         below, above = np.where(left, at, below), np.where(left, above, at)
-        following = at - (w - Omega[active]) / slow_flow.Omega_A(w, at, model.m, model.zeta, h, h_A)
+        following = at - (w - Omega[active]) / slope.Omega_A(w, at, model.m, model.zeta, h, h_A)
         moved = np.abs(following - at)
         x[active], lo[active], hi[active] = at, below, above
         done = (moved <= 2.0**-50 * at) | ~(below < above)
@@ -219,7 +237,7 @@ def solve_segments(roots: Roots, segments: list[Segment], Omega: Floats) -> Floa
     return np.where(at_low == Omega, low, np.where(at_high == Omega, high, x))
 
 
-def _tail_amplitudes(roots: Roots, high: Floats, count: Any, index: Any, Omega: Floats) -> Floats:
+def _tail_amplitudes(roots: Along, high: Floats, count: Any, index: Any, Omega: Floats) -> Floats:
     """An amplitude below the state of the branch that comes from A = 0, Omega = inf."""
     A = np.minimum(slow_flow.tail(Omega, roots.F_0, roots.model.m), 0.5 * high)
     for _ in range(500 if A.size else 0):
@@ -230,11 +248,11 @@ def _tail_amplitudes(roots: Roots, high: Floats, count: Any, index: Any, Omega: 
     return np.asarray(A)
 
 
-def _polished(roots: Roots, Omega: Floats, A: Floats) -> Floats:
+def _polished(roots: Along, Omega: Floats, A: Floats) -> Floats:
     """A last Newton step on F at fixed Omega, where F_A leaves one; the residual is in double-double."""
     model = roots.model
     h, h_A = model.averaged(A)[:2]
-    residual, _ = frequencies.response_fine(Omega, A, roots.F_0, model.m, model.zeta, h)[:2]
+    residual, _ = frequencies.response_fine(Omega, A, model.force(roots.F_0, Omega), model.m, model.zeta, h)[:2]
     step = residual / slow_flow.F_A(Omega, A, model.m, model.zeta, h, h_A)
     return np.asarray(np.where(np.abs(step) < LAST_STEP * A, A - step, A))
 
@@ -323,14 +341,15 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         none = np.empty(0, np.intp)
         beside = found.folds.remarks
         return FrequencyResponse(empty, empty, empty > 0, F_0, message, model, none, (), remarks=beside)
+    moves = np.concatenate(A) > 0  # where the response begins the mass is at rest
     return FrequencyResponse(
-        np.concatenate(Omega),
-        np.concatenate(A),
-        np.concatenate(stable),
+        np.concatenate(Omega)[moves],
+        np.concatenate(A)[moves],
+        np.concatenate(stable)[moves],
         F_0,
         found.message,
         model,
-        np.concatenate(branch),
+        np.concatenate(branch)[moves],
         tuple(closed for _, closed in curves),
         remarks=found.folds.remarks,
     )
@@ -367,6 +386,7 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
     undecided = Omega if found.folds.remarks else Omega[in_doubt]
     message = joined(found.message, words.without_a_state(np.setdiff1d(Omega, undecided), at))
+    message = joined(message, words.sticks_below(model, F_0, Omega))
     message = joined(message, words.undecided_at(undecided))
     beside = Remark.UNDECIDED if undecided.size else Remark(0)
     return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=beside)

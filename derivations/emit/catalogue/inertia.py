@@ -1,0 +1,116 @@
+"""The kernels of an excitation by inertia: what differs from those of a force.
+
+In:  `Results`.
+Out: `inertia_module`.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+import sympy as sp
+
+from ...inertia import fall, linear, lost, rest, x
+from ...results import Results
+from ...slow_flow import I, R, m
+from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
+from ..form import Kernel, Module, plain
+from .flow import of_R_and_I
+
+
+def inertia_module(results: Results) -> Module:
+    """The mechanism-free functions; those of `slow_flow` that know no forcing hold here too."""
+    flow, of = results.flows[""], results.inertia
+    of_flow = partial(of_R_and_I, flow)
+    damped = (m, zeta)
+    wanted = {"enclosed": True, "searched": True}
+
+    def on_locus(name: str, value: sp.Expr, doc: str) -> Kernel:
+        needs = value.subs({R: flow.R, I: flow.I}).free_symbols
+        arguments = [symbol for symbol in (Omega, A, *damped, h, h_A, h_AA, h_AAA) if symbol in needs]
+        return of_flow(name, arguments, value, doc, "from (24), (30)")
+
+    return Module(
+        name="inertia",
+        title="Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance",
+        inputs=("oscillator.py", "averaging.py", "slow_flow.py", "inertia.py"),
+        kernels=(
+            plain("force", (Omega, F_0), of.force, "Amplitude of the force on the mass.", "beside (3)", "Omega >= 0"),
+            of_flow(
+                "level",
+                (Omega, A, *damped, h),
+                of.level,
+                "The amplitude F_0 of the excitation for which (Omega, A) is a steady state.",
+                "from (24)",
+            ),
+            of_flow("F", (Omega, A, F_0, *damped, h), of.F, "Zero at a steady state.", "from (24)"),
+            of_flow(
+                "level_slope",
+                (Omega, A, *damped, h),
+                of.level_slope,
+                "Omega^5 times the derivative of level^2 by Omega.",
+                "from (24)",
+            ),
+            of_flow("Omega_A", (Omega, A, *damped, h, h_A), of.Omega_A, "dOmega/dA along the response.", "from (24)"),
+            plain(
+                "terms",
+                (A, *damped, h),
+                of.terms,
+                "What the least level of an amplitude follows from; it has one where the first, fall, is positive.",
+                "from (24)",
+                "A > 0",
+                **wanted,
+            ),
+            plain(
+                "least",
+                (fall, linear, rest),
+                of.least,
+                "x = 1/Omega where the level of an amplitude is least, by its `terms`.",
+                "from (24)",
+                "fall > 0, linear >= 0, rest > 0",
+            ),
+            plain(
+                "peak",
+                (x, A, F_0, *damped, h, h_A),
+                of.peak,
+                "The least level of an amplitude less F_0, and its slope along A.",
+                "from (24)",
+                "x of `least`, h < 0",
+                lets=of.peak_lets,
+                **wanted,
+            ),
+            plain(
+                "isola",
+                (x, A, *damped, h, h_A, h_AA),
+                of.isola,
+                "Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.",
+                "from (24), (30)",
+                "x of `least`, h < 0",
+                lets=of.isola_lets,
+                **wanted,
+            ),
+            on_locus(
+                "level_rise",
+                of.level_rise,
+                "Positive where the level rises with A along the fold locus, negative where it falls.",
+            ),
+            on_locus(
+                "cusp_bend",
+                of.cusp_bend,
+                "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
+            ),
+            on_locus(
+                "hessian",
+                of.hessian,
+                "At an isola point: negative where the level has a saddle in (A, Omega).",
+            ),
+            plain(
+                "bound",
+                (A, F_0, zeta, h, h_A, h_AA, h_AAA, lost),
+                of.bound,
+                "Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.",
+                "from (24)",
+                "A > 0, h < 0, lost <= 1/2",
+            ),
+        ),
+    )

@@ -1,0 +1,194 @@
+"""Steps 1 and 4 once more: excitation by inertia, whose amplitude F_0 stands for a force F_0 Omega^2.
+
+A base that moves by Y cos(omega t) pushes the mass, seen from the base, with m omega^2 Y cos(omega t); a mass m_u that
+turns at the radius e with m_u e omega^2 cos(omega t). With u measured from the base and made dimensionless both are
+F_0 Omega^2 cos(Omega tau), where F_0 is Y/L or m_u e/(m L).
+
+In:  the dimensionless groups (4) and `SlowFlow` with all damping; the mechanism stays an open h(A).
+Out: `Inertia`: what differs from a force. F is R^2 + I^2 - F_0^2 Omega^4, so
+
+    level        R^2 + I^2 = level^2 Omega^4; F_A does not contain it: folds and cusps lie where they lie for a force
+    level_slope  Omega^5 dlevel^2/dOmega = Omega G_Omega - 4 G, G = R^2 + I^2: a quadratic in Omega, whose only positive
+                 root is the lowest level of an amplitude. The level falls to it from inf at Omega = 0 and rises from it
+                 to A, as Omega tends to inf; where the quadratic has no such root it falls to A
+    states       so an amplitude below F_0 has one frequency, and one above it two or none
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .mechanisms import EXCITATIONS as stated
+from .oscillator import F, groups, m, omega, omega_n
+from .slow_flow import I, R, SlowFlow, slope
+from .slow_flow import m as friction
+from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+#: displacement of the base; the mass that turns and its radius; the spring and the length that u is measured in
+Y, m_u, e, k_v, L = sp.symbols("Y m_u e k_v L", positive=True)
+#: what is excited by inertia: the amplitude F_0 of each, and its force
+EXCITATIONS = {"base": (Y / L, m * omega**2 * Y), "unbalance": (m_u * e / (m * L), m_u * e * omega**2)}
+
+#: 1/Omega
+x = sp.Symbol("x", positive=True)
+#: (m + zeta A Omega)/Omega, which is I/Omega less half of its viscous part; its share of h; the root of x^2 + share^2
+drag, share, root = sp.symbols("drag share root", real=True)
+#: the quadratic 4 rest x^2 + linear x - 4 fall, which the level's slope is Omega^2 times of
+fall, linear, rest = sp.symbols("fall linear rest", real=True)
+#: what h/A may at most take from the bound of the level
+lost = sp.Symbol("lost", real=True)
+
+
+@dataclass(frozen=True)
+class Inertia:
+    """Of any mechanism; outputs beside lets are in these.
+
+    force       -- amplitude of the force
+    level       -- the F_0 for which (Omega, A) is a steady state, in R and I
+    F           -- response, in R and I
+    level_slope -- Omega^5 dlevel^2/dOmega, in R and I
+    level_bend  -- its derivative by Omega, positive where it vanishes
+    Omega_A     -- slope of the response, in R, I and F_A
+    terms, least -- fall, linear, rest; and the x at which an amplitude's level is least in these, for fall > 0
+    peak        -- level there less F_0, and its slope along A: R follows from I, and nothing cancels
+    isola       -- what that slope vanishes with, and its own slope along A
+    level_rise, cusp_bend, hessian -- along the fold locus, as in `Slopes`
+    bound       -- 4 zeta^2 A^2 (1 - lost) - F_0^2 |h|/A and three derivatives, each times powers of A: while it is
+                   positive no state above F_0 has the amplitude A if zeta^2 A is at most lost |h|
+    """
+
+    force: sp.Expr
+    level: sp.Expr
+    F: sp.Expr
+    level_slope: sp.Expr
+    level_bend: sp.Expr
+    Omega_A: sp.Expr
+    terms: tuple[sp.Expr, ...]
+    least: sp.Expr
+    peak_lets: tuple[Let, ...]
+    peak: tuple[sp.Expr, ...]
+    isola_lets: tuple[Let, ...]
+    isola: tuple[sp.Expr, ...]
+    level_rise: sp.Expr
+    cusp_bend: sp.Expr
+    hessian: sp.Expr
+    bound: tuple[sp.Expr, ...]
+
+
+def _vanishes(expression: sp.Expr, words: str) -> None:
+    if sp.cancel(sp.expand(expression)) != 0:
+        raise ArithmeticError(f"{words}: {expression} is not zero")
+
+
+def amplitude_of(name: str) -> sp.Expr:
+    """The group that F_0 is for an excitation, after a check that its force is F_0 Omega^2 in the sense of (4)."""
+    amplitude, dimensional = EXCITATIONS[name]
+    of_every = groups(k_v, L)
+    force = of_every[F_0].subs(F, dimensional)
+    _vanishes(force - amplitude * (of_every[Omega].subs(omega_n, of_every[omega_n])) ** 2, f"the force of {name}")
+    return amplitude
+
+
+def inertia(flow: SlowFlow) -> Inertia:
+    """All of it."""
+    if {"force", *EXCITATIONS} != set(stated):
+        raise ValueError(f"the excitations stated are {list(stated)}, those derived {list(EXCITATIONS)} beside a force")
+    for name in EXCITATIONS:
+        amplitude_of(name)
+    force = F_0 * Omega**2
+    whole = {R: flow.R, I: flow.I}
+    G = sp.expand((flow.F + F_0**2).subs(whole))
+    F_value = flow.F.subs(F_0, force)
+    level = sp.sqrt(R**2 + I**2) / Omega**2
+    _vanishes(F_value.subs(F_0, level), "F at the level")
+    falls = sp.expand(Omega * sp.diff(G, Omega) - 4 * G)
+    _vanishes(Omega**5 * sp.diff(G / Omega**4, Omega) - falls, "the slope of the level")
+    # without what cancels between G and the derivative
+    slope_of_level = -4 * (h * R + I * (friction + zeta * A * Omega))
+    _vanishes(slope_of_level.subs(whole) - falls, "the slope of the level in R and I")
+    bend = sp.factor_terms(sp.diff(falls, Omega))
+    quadratic = sp.Poly(falls, Omega)
+    if quadratic.degree() != 2 or sp.expand(G).coeff(Omega, 3) != 0:
+        raise ArithmeticError(f"the level's slope is no quadratic in Omega: {falls}")
+    terms, least = _least(quadratic)
+    peak_lets, peak, isola = _peak(flow, slope_of_level, falls)
+    F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
+    return Inertia(
+        force=force,
+        level=level,
+        F=F_value,
+        level_slope=slope_of_level,
+        level_bend=bend,
+        # on F = 0: dF/dOmega = G_Omega - 4 F_0^2 Omega^3 is the level's slope over Omega
+        Omega_A=-Omega * flow.F_A / slope_of_level,
+        terms=terms,
+        least=least,
+        peak_lets=peak_lets,
+        peak=peak,
+        isola_lets=((drag, friction * x + zeta * A),),
+        isola=isola,
+        # along F_A = 0: dOmega/dA = -F_AA/F_AOmega
+        level_rise=-slope_of_level * F_AA * F_AOmega,
+        cusp_bend=-slope_of_level * flow.F_AAA * F_AOmega,
+        hessian=bend / Omega * F_AA - F_AOmega**2,
+        bound=_bound(G),
+    )
+
+
+def _least(quadratic: sp.Poly) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+    """The positive root in the form in which nothing cancels."""
+    constant, first, second = (quadratic.coeff_monomial(Omega**power) for power in range(3))
+    terms = (sp.factor(second / 4), sp.expand(-first), sp.expand(-constant / 4))
+    value = 8 * fall / (linear + sp.sqrt(linear**2 + 64 * fall * rest))
+    _vanishes(4 * rest * value**2 + linear * value - 4 * fall, "where the level is least")
+    return terms, value
+
+
+def _peak(
+    flow: SlowFlow, slope_of_level: sp.Expr, falls: sp.Expr
+) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """R = -I drag/(h x) where the level is least: then level = I x root, and F_A/2 = I (2 zeta - share (...))/x."""
+    at_x = {Omega: 1 / x}
+    of_drag = {drag: friction * x + zeta * A}
+    (balanced,) = sp.solve(slope_of_level, R)
+    _vanishes((balanced.subs(at_x) + I * drag / (h * x)).subs(of_drag), "R where the level is least")
+    squared = (R**2 + I**2).subs(R, balanced).subs(at_x) * x**4
+    _vanishes(
+        squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2, "the least level"
+    )
+    half_F_A = (flow.F_A / 2).subs(R, balanced).subs(at_x)
+    rises = 2 * zeta * x**2 - share * (1 + h_A * x**2)
+    _vanishes(half_F_A * x**3 - (I * rises).subs(share, drag / h).subs(of_drag), "F_A where the level is least")
+    # dlevel/dA = F_A/(2 level Omega^4), as its derivative by Omega vanishes
+    slow = sp.expand(flow.I.subs(at_x) * x)
+    lets = ((drag, of_drag[drag]), (share, drag / h), (root, sp.sqrt(x**2 + share**2)))
+    peak = (slow * root - F_0, rises / root)
+    # -h F_A x^3/(2 I), h < 0
+    value = drag * (1 + h_A * x**2) - 2 * zeta * h * x**2
+    of_x = sp.expand(falls.subs(at_x) * x**2)
+    whole = value.subs(of_drag)
+    return lets, peak, (value, slope(whole) - sp.diff(whole, x) * slope(of_x) / sp.diff(of_x, x))
+
+
+def _bound(G: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Friction only raises the level, which without it is least at 4 zeta^2 A^3 (|h| - zeta^2 A)/h^2 = level^2."""
+    smooth = sp.expand(G.subs(friction, 0))
+    square = sp.Symbol("square", positive=True)
+    of_square = sp.expand(sp.expand(smooth / Omega**4).subs(Omega, 1 / sp.sqrt(square)))
+    (where,) = sp.solve(sp.diff(of_square, square), square)
+    least = of_square.subs(square, where)
+    _vanishes(least - 4 * zeta**2 * A**3 * (-h - zeta**2 * A) / h**2, "the least level without friction")
+    if any(term.could_extract_minus_sign() for term in sp.Add.make_args(sp.expand(G - smooth))):
+        raise ArithmeticError("friction does not raise the level everywhere")
+    # (|h| - zeta^2 A)/|h| >= 1 - lost leaves level^2 >= 4 zeta^2 (1 - lost) A^3/|h|
+    value = 4 * zeta**2 * (1 - lost) * A**3 + F_0**2 * h
+    chain = [value]
+    for _ in range(3):
+        chain.append(slope(chain[-1]))
+    if h_AAA not in chain[-1].free_symbols or h_AA in chain[-1].free_symbols:
+        raise ArithmeticError("the third derivative of the bound")
+    return tuple(chain)

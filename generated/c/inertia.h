@@ -1,0 +1,203 @@
+/* Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance.
+
+   Written by `make derive`; never edit.
+   Input: none but the equation of motion in derivations/oscillator.py, derivations/averaging.py, derivations/slow_flow.py, derivations/inertia.py
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
+   Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
+   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+
+#ifndef INERTIA_H
+#define INERTIA_H
+
+#include <math.h>
+
+/* Amplitude of the force on the mass.
+   Equation beside (3). Domain: Omega >= 0.
+   Operations: 2 structured, 2 common subexpressions, 2 power chains
+ */
+static inline double inertia_force(double Omega, double F_0)
+{
+    return F_0 * Omega * Omega;
+}
+
+/* The amplitude F_0 of the excitation for which (Omega, A) is a steady state.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 13 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double inertia_level(double Omega, double A, double m, double zeta, double h)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    return sqrt(I_ * I_ + R * R) / t0;
+}
+
+/* Zero at a steady state.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 16 structured, 13 common subexpressions, 13 power chains
+ */
+static inline double inertia_F(double Omega, double A, double F_0, double m, double zeta, double h)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    const double t1 = F_0 * t0;
+    return R * R + (I_ - t1) * (I_ + t1);
+}
+
+/* Omega^5 times the derivative of level^2 by Omega.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 15 structured, 13 common subexpressions, 13 power chains
+ */
+static inline double inertia_level_slope(double Omega, double A, double m, double zeta, double h)
+{
+    const double R = A * Omega * Omega + h;
+    const double t0 = A * Omega * zeta;
+    const double I_ = m + 2.0 * t0;
+    return -4.0 * I_ * (m + t0) - 4.0 * R * h;
+}
+
+/* dOmega/dA along the response.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 25 structured, 21 common subexpressions, 21 power chains
+ */
+static inline double inertia_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = Omega * zeta;
+    const double t2 = A * t1;
+    const double I_ = m + 2.0 * t2;
+    return -2.0 * Omega * (2.0 * I_ * t1 + R * (h_A + t0)) / (-4.0 * I_ * (m + t2) - 4.0 * R * h);
+}
+
+/* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
+   Equation from (24). Domain: A > 0.
+   Operations: 11 structured, 11 common subexpressions, 11 power chains
+ */
+static inline void inertia_terms(double A, double m, double zeta, double h, double *out)
+{
+    out[0] = -A * (2.0 * A * zeta * zeta + h);
+    out[1] = 12.0 * A * m * zeta;
+    out[2] = h * h + m * m;
+}
+
+/* x = 1/Omega where the level of an amplitude is least, by its `terms`.
+   Equation from (24). Domain: fall > 0, linear >= 0, rest > 0.
+   Operations: 8 structured, 8 common subexpressions, 8 power chains
+ */
+static inline double inertia_least(double fall, double linear, double rest)
+{
+    return 8.0 * fall / (linear + sqrt(64.0 * fall * rest + linear * linear));
+}
+
+/* The least level of an amplitude less F_0, and its slope along A.
+   Equation from (24). Domain: x of `least`, h < 0.
+   Operations: 23 structured, 19 common subexpressions, 19 power chains
+ */
+static inline void inertia_peak(double x, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
+{
+    const double t0 = A * zeta;
+    const double t1 = m * x;
+    const double drag = t0 + t1;
+    const double share = drag / h;
+    const double t2 = x * x;
+    const double root = sqrt(share * share + t2);
+    out[0] = -F_0 + root * (2.0 * t0 + t1);
+    out[1] = (-share * (h_A * t2 + 1.0) + 2.0 * t2 * zeta) / root;
+}
+
+/* Has the sign of F_A where an amplitude's level is least: zero at an isola point; its slope along A.
+   Equation from (24), (30). Domain: x of `least`, h < 0.
+   Operations: 73 structured, 50 common subexpressions, 50 power chains
+ */
+static inline void inertia_isola(double x, double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
+{
+    const double t0 = A * zeta;
+    const double t1 = m * x;
+    const double t2 = t0 + t1;
+    const double t3 = x * x;
+    const double t4 = h * t3;
+    const double t5 = 2.0 * zeta;
+    const double t6 = h_A * t3;
+    const double t7 = t6 + 1.0;
+    const double t8 = 8.0 * x;
+    const double t9 = 4.0 * h;
+    out[0] = t2 * t7 - t4 * t5;
+    out[1] = h_AA * t2 * t3 - t5 * t6 + t7 * zeta - (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (-16.0 * A *
+        zeta * zeta + h_A * (-4.0 * A - 8.0 * t4) - 12.0 * t1 * zeta - t9) / (-h * h * t8 - m * m * t8 - 12.0 * m *
+        t0);
+}
+
+/* Positive where the level rises with A along the fold locus, negative where it falls.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 41 structured, 32 common subexpressions, 32 power chains
+ */
+static inline double inertia_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = A * Omega;
+    const double t2 = t1 * zeta;
+    const double I_ = m + 2.0 * t2;
+    const double t3 = h_A + t0;
+    const double t4 = zeta * zeta;
+    return 8.0 * (4.0 * I_ * (m + t2) + 4.0 * R * h) * (R * h_AA + 4.0 * t0 * t4 + t3 * t3) * (I_ * zeta + Omega
+        * R + t1 * t3 + 2.0 * t1 * t4);
+}
+
+/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 37 structured, 30 common subexpressions, 30 power chains
+ */
+static inline double inertia_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = A * Omega;
+    const double t2 = t1 * zeta;
+    const double I_ = m + 2.0 * t2;
+    const double t3 = h_A + t0;
+    return 8.0 * (4.0 * I_ * (m + t2) + 4.0 * R * h) * (R * h_AAA + 3.0 * h_AA * t3) * (I_ * zeta + Omega * R +
+        t1 * t3 + 2.0 * t1 * zeta * zeta);
+}
+
+/* At an isola point: negative where the level has a saddle in (A, Omega).
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 47 structured, 36 common subexpressions, 36 power chains
+ */
+static inline double inertia_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double I_ = m + t2 * zeta;
+    const double t3 = zeta * zeta;
+    const double t4 = h_A + t0;
+    const double t5 = 4.0 * t3;
+    const double t6 = I_ * zeta + Omega * R + t1 * t4 + t2 * t3;
+    return -8.0 * A * (2.0 * Omega * h + 3.0 * m * zeta + t1 * t5) * (R * h_AA + t0 * t5 + t4 * t4) / Omega -
+        16.0 * t6 * t6;
+}
+
+/* Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
+   Equation from (24). Domain: A > 0, h < 0, lost <= 1/2.
+   Operations: 34 structured, 21 common subexpressions, 20 power chains
+ */
+static inline void inertia_bound(double A, double F_0, double zeta, double h, double h_A, double h_AA, double h_AAA, double lost, double *out)
+{
+    const double t0 = F_0 * F_0;
+    const double t1 = zeta * zeta * (1.0 - lost);
+    const double t2 = 24.0 * t1;
+    const double A2 = A * A;
+    const double A3 = A * A2;
+    out[0] = 4.0 * A3 * t1 + h * t0;
+    out[1] = 12.0 * A2 * t1 + h_A * t0;
+    out[2] = A * t2 + h_AA * t0;
+    out[3] = h_AAA * t0 + t2;
+}
+
+#endif

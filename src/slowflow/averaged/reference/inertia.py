@@ -1,0 +1,138 @@
+"""Excitation by inertia, F_0 Omega^2: in go a model and an amplitude of the excitation, out come frequencies, a bound.
+
+The level of an amplitude, the F_0 for which it is a steady state at Omega, falls from inf at Omega = 0 to its least and
+rises from there to A as Omega tends to inf; or it only falls to A. So an amplitude below F_0 has one frequency, and one
+above it two or none (derivations/inertia.py). As in native/inertia.h.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.averaged.reference.arcs import Event, Ints, Kind
+from slowflow.averaged.reference.cells import samples_at
+from slowflow.model import Floats, Model
+from slowflow_kernels import inertia
+from slowflow_kernels.conventions import ENDLESS, STATIC_MULTIPLE
+
+Bools = NDArray[np.bool_]
+
+#: of Newton's steps, which bisection keeps in their bracket
+STEPS = 200
+
+
+def falls_to_least(model: Model, A: Floats, h: Floats) -> tuple[Bools, Floats]:
+    """Whether the level of each amplitude has a least one, and its frequency."""
+    fall, linear, rest = inertia.terms(A, model.m, model.zeta, h)
+    falls = np.asarray(fall > 0)
+    return falls, 1 / np.where(falls, inertia.least(fall, linear, rest), np.nan)
+
+
+@dataclass(frozen=True)
+class Roots:
+    """The frequencies of the response along the amplitude."""
+
+    model: Model
+    F_0: float
+
+    def count(self, A: Floats) -> Ints:
+        """How many there are at each amplitude."""
+        h = self.model.averaged(A)[0]
+        falls, Omega = falls_to_least(self.model, A, h)
+        above = inertia.peak(1 / Omega, A, self.F_0, self.model.m, self.model.zeta, h, 0.0)[0] < 0
+        return np.where(A < self.F_0, 1, np.where(falls & above, np.where(A > self.F_0, 2, 1), 0)).astype(np.intp)
+
+    def at(self, A: Floats, count: Ints, index: Ints) -> Floats:
+        """Number `index` of `count` at each amplitude; where rounding hides a pair, the place where it meets."""
+        h = np.asarray(self.model.averaged(A)[0] + 0.0 * A)
+        _, least = falls_to_least(self.model, A, h)
+        shown = self.count(A)
+        high = (count == 2) & (index == 1)
+        found = np.full(A.shape, np.nan)
+        for wanted, solve in ((~high & (shown > 0), self._low), (high & (shown == 2), self._high)):
+            found[wanted] = solve(A[wanted], h[wanted], least[wanted])
+        found[high & (A <= self.F_0)] = np.inf
+        return np.where(np.isnan(found), least, found)
+
+    def lower_pair(self, event: Event) -> tuple[bool, float]:
+        """That the pair is not the lower one of three, and where it meets."""
+        if event.kind is Kind.PAIR_HIGH:
+            return False, event.Omega
+        A = np.array([event.A])
+        return False, float(falls_to_least(self.model, A, self.model.averaged(A)[0])[1][0])
+
+    def start(self) -> float:
+        """Where the response begins, at A = 0: below it the mass sticks."""
+        return float(np.sqrt(self.model.m / self.F_0))
+
+    def _without_linear(self, A: Floats, h: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+        """Of F over Omega^4 in x = 1/Omega, without its cubic term: h^2 + m^2, fall, root, A^2 - F_0^2."""
+        m, zeta, F_0 = self.model.m, self.model.zeta, self.F_0
+        fall = -A * (h + 2 * zeta**2 * A)
+        square = h * h + m * m
+        inner = F_0 * F_0 * square - (m * A) ** 2 + 4 * zeta**2 * A**3 * (h + zeta**2 * A)
+        return square, fall, np.sqrt(np.maximum(inner, 0.0)), (A - self.F_0) * (A + self.F_0)
+
+    def _low(self, A: Floats, h: Floats, least: Floats) -> Floats:
+        """Below the frequency of the least level. The cubic term only raises F: without it x comes out too large."""
+        square, fall, root, over = self._without_linear(A, h)
+        X = np.where(fall > 0, (root + fall) / square, -over / (root - fall))
+        most = np.sqrt(X) * (1 + 2.0**-40)
+        return self._solved(A, h, most, np.where(np.isnan(least), 0.0, 1 / least), most, 1.0)
+
+    def _high(self, A: Floats, h: Floats, least: Floats) -> Floats:
+        """Above it, where x comes out too small."""
+        _, fall, root, over = self._without_linear(A, h)
+        first = np.sqrt(np.maximum(over, 0.0) / (root + fall)) * (1 - 2.0**-40)
+        return self._solved(A, h, first, first, 1 / least, -1.0)
+
+    def _solved(self, A: Floats, h: Floats, x: Floats, lo: Floats, hi: Floats, rising: float) -> Floats:
+        """Newton's steps in x = 1/Omega, kept in the bracket; F rises with x for +1 and falls for -1."""
+        model, F_0 = self.model, self.F_0
+        x, lo, hi = np.clip(x, lo, hi), lo.copy(), hi.copy()
+        active = np.arange(A.size)
+        for _ in range(STEPS):
+            at, below, above = x[active], lo[active], hi[active]
+            Omega, of_A, of_h = 1 / at, A[active], h[active]
+            F = inertia.F(Omega, of_A, F_0, model.m, model.zeta, of_h)
+            following = at + F / (Omega * inertia.level_slope(Omega, of_A, model.m, model.zeta, of_h))
+            left = rising * F < 0
+            below, above = np.where(left, at, below), np.where(left, above, at)
+            inside = (following >= below) & (following <= above)
+            following = np.where(inside, following, 0.5 * (below + above))
+            lo[active], hi[active], x[active] = below, above, following
+            active = active[np.abs(following - at) > 2.0**-52 * at]
+            if not active.size:
+                break
+        return 1 / x
+
+
+def bound(model: Model, F_0: float, rungs: Floats) -> float | None:
+    """The first of the amplitudes above which no state lies, all of them above F_0; None where none is known.
+
+    What excludes states at an amplitude is positive on all that follow if its slopes are: the third is a sum of h_AAA,
+    which is monotone, and of a number.
+    """
+    at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
+    steepest = np.minimum(at.h_AAA, far.h_AAA)
+    # zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise
+    rises = (at.k >= 0) & (at.h_AA <= 0) & (np.maximum(at.h_AAA, far.h_AAA) <= 0)
+    share = np.where(rises & (at.h < 0), np.minimum(model.zeta**2 * at.A / np.abs(at.h), 0.5), 0.5)
+    closed = np.zeros(rungs.shape, dtype=bool)
+    for lost in (0.5, share):
+        values = inertia.bound(at.A, F_0, model.zeta, at.h, at.h_A, at.h_AA, steepest, lost)
+        closed |= np.all([value > 0 for value in values], axis=0)
+    return float(rungs[np.argmax(closed)]) if closed.any() else None
+
+
+def cut(model: Model, F_0: float, rungs: Floats) -> float:
+    """Where a response is cut that does not close: at the reach, or where the spring is far from its slope at rest."""
+    if np.isfinite(model.reach):
+        return model.reach
+    at = samples_at(model, rungs)
+    steep = -at.h / at.A >= STATIC_MULTIPLE * (abs(samples_at(model, 0.0).h_A[0]) + model.zeta**2)
+    far = steep & (rungs >= STATIC_MULTIPLE * F_0)
+    return float(rungs[np.argmax(far)]) if far.any() else float(rungs[-1])

@@ -1,0 +1,215 @@
+"""Excitation by inertia: certified folds, cusps and states, closed forms, the linear mount, exact motions, refusals."""
+
+import json
+import math
+import pickle
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator
+from slowflow.paper import example
+from slowflow.results import Remark
+from slowflow_kernels.conventions import Status
+
+CASES = json.loads((Path(__file__).parent / "data" / "inertia.json").read_text())
+U = 2.0**-53
+#: errors in u (1 + kappa)
+FOLD, STATE, CUSP = 4.0, 2.0, 16.0
+
+
+def oscillator(case):
+    values = {name: value[1] for name, value in case["parameters"].items()}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        kind = Duffing if case["mechanism"] == "duffing" else Isolator
+        return kind(**values, excitation="base")
+
+
+def error(found, known, *conditions):
+    """In u (1 + kappa)."""
+    return abs(found - float(known)) / float(known) / (U * (1 + sum(conditions)))
+
+
+def test_folds_are_the_certified_ones_and_no_others():
+    for case in CASES:
+        found, known = oscillator(case).saddle_nodes(case["F_0"][1]), case["folds"]
+        assert len(found) == len(known)
+        assert Remark.UNDECIDED not in found.remarks
+        for fold, sure in zip(found, known, strict=True):
+            assert (fold.kind, fold.corner) == (sure["kind"], sure["corner"])
+            of = {name: sure["condition"][name] + sure["condition_kernel"][name] for name in sure["condition"]}
+            assert error(fold.Omega, sure["Omega"], of["Omega"]) < FOLD
+            assert fold.corner or error(fold.A, sure["A"], of["A"]) < FOLD
+
+
+def test_states_are_the_certified_ones_and_no_others():
+    for case in CASES:
+        osc, F_0 = oscillator(case), case["F_0"][1]
+        for at in case["amplitudes"]:
+            found = osc.amplitudes(Omega=at["Omega"][1], F_0=F_0)
+            assert found.stable.tolist() == [state["stable"] for state in at["steady"]]
+            for A, phi, sure in zip(found.A, found.phi, at["steady"], strict=True):
+                kappa = sure["condition"]["A"] + sure["condition_kernel"]["A"]
+                assert error(A, sure["A"], kappa) < STATE
+                assert phi == pytest.approx(float(sure["phi"]), abs=U * (1 + kappa) * 100)
+
+
+def test_cusps_lie_where_they_lie_for_a_force_at_the_certified_level():
+    asked = 0
+    for case in CASES:
+        osc, known = oscillator(case), case["cusps"]
+        A_max = 1.1 * max([float(cusp["A"]) for cusp in known] or [1.0])
+        found, forced = osc.cusps(A_max=A_max), osc.replace(excitation="force").cusps(A_max=A_max)
+        assert np.allclose(np.sort(found.A), np.sort(forced.A), rtol=1e-11, atol=0)
+        assert np.allclose(np.sort(found.Omega), np.sort(forced.Omega), rtol=1e-11, atol=0)
+        order = np.argsort(found.F_0)
+        assert found.minimum[order].tolist() == [cusp["sense"] == "min" for cusp in known]
+        for k, cusp in zip(order, known, strict=True):
+            asked += 1
+            assert error(found.F_0[k], cusp["F_0"]) < CUSP
+    assert asked > 30
+
+
+def test_an_onset_is_where_folds_come():
+    for case in CASES[::3]:
+        osc = oscillator(case)
+        onset = osc.saddle_node_onset()
+        if onset.F_SN is not None:
+            assert len(osc.saddle_nodes(onset.F_SN * (1 - 1e-6))) == 0
+            assert len(osc.saddle_nodes(onset.F_SN * (1 + 1e-4))) >= 2
+
+
+def test_the_linear_mount_has_its_closed_forms():
+    alpha, zeta, Y = 0.8, 0.07, 0.3
+    osc = Duffing(alpha, 0.0, zeta=zeta, excitation="base")
+    Omega = np.geomspace(0.05, 50.0, 60)
+    found = osc.amplitudes(Omega=Omega, F_0=Y)
+    bottom = (alpha - Omega**2) ** 2 + (2 * zeta * Omega) ** 2
+    assert np.allclose(found.A, Y * Omega**2 / np.sqrt(bottom), rtol=1e-12, atol=0)
+    # X/Y of the mass, seen from outside
+    absolute = np.sqrt((alpha**2 + (2 * zeta * Omega) ** 2) / bottom)
+    assert np.allclose(found.transmissibility, absolute, rtol=1e-12, atol=0)
+    # A/Y is greatest at Omega^2 = alpha^2/(alpha - 2 zeta^2)
+    top = osc.peak(Y)
+    at = alpha / math.sqrt(alpha - 2 * zeta**2)
+    assert top.Omega == pytest.approx(at, rel=1e-14)
+    assert top.A == pytest.approx(Y * at**2 / math.sqrt((alpha - at**2) ** 2 + (2 * zeta * at) ** 2), rel=1e-14)
+    assert len(osc.saddle_nodes(Y)) == 0
+    assert osc.saddle_node_onset().F_SN is None
+
+
+def test_the_curve_holds_the_level_everywhere_and_ends_where_it_must():
+    iso = Isolator(**example.TABLE_1, excitation="unbalance")
+    curve = iso.frequency_response(0.03, Omega=(0.0, 1e3))
+    assert curve.Omega[0] == pytest.approx(math.sqrt(iso.model.m / 0.03), rel=1e-3)
+    assert curve.A[-1] == pytest.approx(0.03, rel=1e-5)
+    off = iso.model.level(curve.Omega, curve.A) / 0.03 - 1
+    assert np.abs(off).max() < 1e-12
+    assert curve.isola == (False,)
+    said = iso.amplitudes(Omega=[0.4, 2.0], F_0=0.03)
+    assert said.Omega.tolist() == [2.0]
+    assert "sticks up to Omega = " in said.message
+
+
+def test_detachment_is_the_least_base_amplitude_that_reaches_u_cr():
+    iso = Isolator(**{**example.TABLE_1, "mu": 0.0}, force="untruncated", excitation="base")
+    found = iso.detachment()
+    Omega = np.linspace(0.5, 2.0, 40001)
+    level = iso.model.level(Omega, np.full_like(Omega, iso.u_cr))
+    assert found.F_cr == pytest.approx(level.min(), rel=1e-6)
+    assert found.F_cr <= level.min()
+    assert iso.peak(found.F_cr * (1 + 1e-9)).A > iso.u_cr > iso.peak(found.F_cr * (1 - 1e-9)).A
+    # so much damping that the level only falls, to u_cr as Omega tends to inf
+    heavy = iso.replace(zeta=0.9, mu=0.0)
+    assert heavy.detachment().F_cr is None
+    assert "tended to" in heavy.detachment().message
+    assert "from below" in heavy.peak(0.1).message
+
+
+def test_a_hardening_spring_on_a_shaking_base_does_not_close_above_4_zeta_over_the_root_of_3_beta():
+    zeta, beta = 0.05, 2.0
+    osc = Duffing(1.0, beta, zeta=zeta, excitation="base")
+    limit = 4 * zeta / math.sqrt(3 * beta)
+    below, above = osc.frequency_response(0.98 * limit), osc.frequency_response(1.02 * limit)
+    assert below.message == ""
+    assert osc.peak(0.98 * limit).A > 0.98 * limit
+    assert "does not close" in above.message
+    assert osc.peak(1.02 * limit).A is None
+    assert "does not close" in osc.peak(1.02 * limit).message
+
+
+@pytest.mark.parametrize("Omega", [0.6, 1.3, 3.0])
+def test_averaged_states_are_near_the_exact_motions(Omega):
+    osc = Duffing(1.0, 0.3, zeta=0.05, excitation="base")
+    found = osc.amplitudes(Omega=Omega, F_0=0.05)
+    assert np.abs(found.measure().error).max() < 0.01
+    exact = osc.steady_state(Omega=Omega, F_0=0.05)
+    assert exact.F_0 == pytest.approx(0.05 * Omega**2, rel=1e-15)
+    assert np.abs(found.A / exact.A - 1).min() < 0.01
+    assert "not measured" in found.validity.message
+
+
+def test_batches_answer_as_single_oscillators_do():
+    zeta = np.array([0.01, 0.05, 0.0])
+    designs = Isolator.many(**{**example.TABLE_1, "zeta": zeta}, excitation="base")
+    ones = [Isolator(**{**example.TABLE_1, "zeta": z}, excitation="base") for z in zeta[:2]]
+    onsets, cr, folds, peaks = (
+        designs.saddle_node_onset(),
+        designs.detachment(),
+        designs.saddle_nodes(0.03),
+        designs.peak(0.03),
+    )
+    for answer in (onsets, cr, folds, peaks):
+        assert answer.status.tolist() == [Status.OK, Status.OK, Status.INVALID]
+    for k, one in enumerate(ones):
+        assert onsets.F_SN[k] == one.saddle_node_onset().F_SN
+        assert cr.F_cr[k] == one.detachment().F_cr
+        assert folds.A[k][: folds.count[k]].tolist() == one.saddle_nodes(0.03).A.tolist()
+        assert peaks.A[k] == one.peak(0.03).A
+
+
+def test_isolation_begins_where_a_stable_motion_last_transmits_all():
+    iso = Isolator(**example.TABLE_1, excitation="base")
+    found = iso.isolation(0.02)
+    Omega = np.linspace(0.3, 3.0, 20001)
+    states = iso.amplitudes(Omega=Omega, F_0=0.02)
+    last = states.Omega[states.stable & (states.transmissibility >= 1)].max()
+    assert last <= found.Omega <= last + (Omega[1] - Omega[0])
+    assert found.Omega == pytest.approx(math.sqrt(2) * iso.backbone(found.A), rel=1e-12)
+    open_ended = Duffing(1.0, 2.0, zeta=0.05, excitation="base").isolation(0.5)
+    assert open_ended.Omega is None
+    assert "no end towards high frequencies" in open_ended.message
+
+
+def test_what_is_not_available_is_refused_in_words():
+    iso = Isolator(**example.TABLE_1, excitation="base")
+    refused = [
+        lambda: iso.certify(0.03),
+        lambda: iso.saddle_nodes(0.03, certify=True),
+        lambda: iso.second_approximation,
+        lambda: iso.exact_response(0.03),
+        lambda: iso.sweep(Omega=[1.0], F_0=0.03),
+        lambda: iso.saddle_nodes(0.03).measure(),
+        lambda: iso.saddle_nodes(0.03).gradient(),
+        lambda: iso.detachment().gradient(),
+        lambda: Isolator.many(**example.TABLE_1, excitation="base").margins(0.03),
+        lambda: Isolator.many(**example.TABLE_1, excitation="base").detachment().gradient(),
+        lambda: Isolator.many(**example.TABLE_1, excitation="base").certify(0.03),
+    ]
+    for ask in refused:
+        with pytest.raises(ValueError, match="is not available with excitation = 'base', only with 'force'"):
+            ask()
+    with pytest.raises(ValueError, match="excitation = 'bass' is not allowed"):
+        iso.replace(excitation="bass")
+    with pytest.raises(ValueError, match="with zeta = 0"):
+        iso.replace(zeta=0.0)
+
+
+def test_an_oscillator_keeps_its_excitation():
+    iso = Isolator(**example.TABLE_1, excitation="base")
+    assert iso == pickle.loads(pickle.dumps(iso)) == iso.replace() != iso.replace(excitation="unbalance")
+    assert "excitation='base'" in repr(iso)
+    assert "excitation" not in repr(iso.replace(excitation="force"))
