@@ -111,11 +111,13 @@ def curve(
     colour: Any,
     name: str | None = None,
     width: float = 1.6,
+    alpha: float = 1.0,
 ) -> None:
     """A curve through points in order, each branch for itself: stable stretches solid, unstable ones dashed."""
     for number, (run, steady) in enumerate(_runs(stable, branch)):
         style = STABLE if steady else UNSTABLE
-        ax.plot(x[run], y[run], linestyle=style, color=colour, linewidth=width, label=name if number == 0 else None)
+        drawn = {"color": colour, "linewidth": width, "alpha": alpha, "solid_capstyle": "butt"}
+        ax.plot(x[run], y[run], linestyle=style, label=name if number == 0 else None, **drawn)
 
 
 def jumps(ax: Any, x: Values, y: Values, kind: Values, *, colour: Any) -> None:
@@ -151,10 +153,13 @@ def stopping(ax: Any, mu: float) -> None:
         ax.set(xlim=(low, high), ylim=(bottom, top))
 
 
-def legend(ax: Any, title: str = "", *, place: str = "beside") -> None:
-    """What was named, and what styles, signs and tints mean that were used; "beside" or "below" the axes, or "in"."""
+def legend(ax: Any, title: str = "", *, place: str = "beside", more: Sequence[tuple[Any, str]] = ()) -> None:
+    """What was named, and what styles, signs and tints mean that were used; "beside" or "below" the axes, or "in".
+
+    more -- what is to stand in it besides: handles and their words
+    """
     handles, labels = ax.get_legend_handles_labels()
-    for handle, text in _signs(ax):
+    for handle, text in (*more, *_signs(ax)):
         handles.append(handle)
         labels.append(text)
     if handles:

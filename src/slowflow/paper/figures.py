@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,7 @@ from typing import Any
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.lines import Line2D
 
 from slowflow import pictures
 from slowflow.exact.continuation import exact_response
@@ -76,7 +77,7 @@ def figure_1b(ax: Any) -> None:
             (u_cr,) = isolator.breakpoints
             ax.plot([u_cr], [force.value(u_cr)], "o", color=colour, markeredgecolor="white")
     ax.set(xlim=(0.0, 0.8), xlabel=label("u"), ylabel=r"restoring force $u + F_k(u)$")
-    pictures.legend(ax, r"$\delta_h$")
+    pictures.legend(ax, r"$\delta_h$", more=[(_dot(), "springs leave")])
 
 
 def figure_2a(ax: Any, ratios: tuple[float, ...] = RATIOS_2A) -> None:
@@ -119,7 +120,7 @@ def figure_3a(ax: Any) -> None:
 def figure_3b(ax: Any) -> None:
     """The response for several preloads; a dotted line at the u_cr of each."""
     these = [(f"{delta_h:.3g}", isolator(delta_h=delta_h)) for delta_h in PRELOADS_3B]
-    _responses(ax, these, r"$\delta_h$", beyond=False)
+    _responses(ax, these, r"$\delta_h$", beyond=False, more=[(_dotted(), "$u_{cr}$")])
     for (_, one), colour in zip(these, ramp(len(these)), strict=True):
         ax.axhline(one.breakpoints[0], color=colour, linewidth=0.8, linestyle=":")
 
@@ -133,7 +134,7 @@ def figure_4a(ax: Any) -> None:
 def figure_4b(ax: Any) -> None:
     """The response with both, and the limit envelope (27) of each, dotted."""
     these = [(rf"{zeta:g}, {mu:g}", isolator(mu=mu, zeta=zeta)) for zeta, mu in DAMPINGS_4B]
-    _responses(ax, these, r"$\zeta$, $\mu$")
+    _responses(ax, these, r"$\zeta$, $\mu$", more=[(_dotted(), "limit envelope (27)")])
     Omega, top = np.linspace(*NEAR_RESONANCE, ALONG), ax.get_ylim()[1]
     for (_, one), colour in zip(these, ramp(len(these)), strict=True):
         ax.plot(Omega, one.limit_envelope(Omega=Omega, F_0=F_0), color=colour, linewidth=0.8, linestyle=":")
@@ -189,7 +190,7 @@ def figure_7b(ax: Any) -> None:
 
 def band(ax: Any, found: Any, colour: Any) -> None:
     """A curve of the equation of motion as a broad band, so that another on top of it shows; bars where it stops."""
-    ax.plot(found.Omega, found.A, color=colour, linewidth=5.0, alpha=0.3, solid_capstyle="butt")
+    pictures.curve(ax, found.Omega, found.A, found.stable, colour=colour, width=5.0, alpha=0.3)
     stops = found.stops > 0
     ax.plot(found.Omega[stops], found.A[stops], linestyle="none", marker=pictures.STOPS, color=colour, markevery=3)
 
@@ -262,7 +263,24 @@ def _continuous(Omega: Any, ratio: float) -> Any:
     return out
 
 
-def _responses(ax: Any, these: Iterable[tuple[str, Isolator]], title: str, *, beyond: bool = True) -> None:
+def _dotted() -> Any:
+    """A dotted line for a legend."""
+    return Line2D([], [], color="0.4", linewidth=0.8, linestyle=":")
+
+
+def _dot() -> Any:
+    """A dot for a legend."""
+    return Line2D([], [], color="0.4", linestyle="none", marker="o")
+
+
+def _responses(
+    ax: Any,
+    these: Iterable[tuple[str, Isolator]],
+    title: str,
+    *,
+    beyond: bool = True,
+    more: Sequence[tuple[Any, str]] = (),
+) -> None:
     """Response curves at F_0 with their folds, each isolator under its name."""
     listed = list(these)
     found = [(one.frequency_response(F_0, Omega=NEAR_RESONANCE), one.saddle_nodes(F_0)) for _, one in listed]
@@ -270,7 +288,7 @@ def _responses(ax: Any, these: Iterable[tuple[str, Isolator]], title: str, *, be
     ax.set(xlim=NEAR_RESONANCE)
     if beyond:
         pictures.breakpoints(ax, listed[0][1].breakpoints)
-    pictures.legend(ax, title)
+    pictures.legend(ax, title, more=more)
 
 
 def _preloads(r: float) -> Any:
@@ -288,7 +306,7 @@ def _detachments(ax: Any, these: Iterable[tuple[str, dict[str, Any]]], title: st
         ax.plot([0.0], [4 * damping["mu"] / math.pi], "o", color=colour, markeredgecolor="white", clip_on=False)
     ax.set(xlim=(0.0, delta_h[-1]), xlabel=label("delta_h"), ylabel=label("F_cr"))
     ax.set_ylim(bottom=0.0)
-    pictures.legend(ax, title)
+    pictures.legend(ax, title, more=[(_dot(), r"limit $4\mu/\pi$")])
 
 
 def _critical(ax: Any, delta_h: Any, values: Any, marked: float | None, name: str) -> None:
