@@ -243,6 +243,8 @@ def test_a_batch_has_the_gradients_of_its_designs(force):
             mine = moves.slopes[k, j, : len(alone.slopes)] if question == "saddle_nodes" else moves.slopes[k, j]
             np.testing.assert_array_equal(mine, alone.slopes)
         assert np.all(moves.status[:, 3] == MovesStatus.NOTHING)
+        assert r.flags.writeable
+        assert mu.flags.writeable
         assert np.isnan(moves.slopes[:, 3]).all()
 
 

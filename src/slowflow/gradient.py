@@ -43,6 +43,10 @@ class Gradient(Answer):
     _values: tuple[Any, ...] = field(repr=False)
     _at: tuple[Any, ...] = field(repr=False)
 
+    def __post_init__(self) -> None:
+        # only what is its own: the parameters may be a user's arrays
+        self.slopes.flags.writeable = self.status.flags.writeable = False
+
     def __getitem__(self, what: str | tuple[str, str]) -> Any:
         of, by = (what, None) if isinstance(what, str) else what
         if of not in self.of or (by is not None and by not in self.by):
