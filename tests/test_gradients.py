@@ -103,7 +103,7 @@ def beside(mechanism, kind, at, numbers):
     return found.Omega, found.A, found.F_0
 
 
-ROW = {"Omega": 0, "A": 1, "F_SN": 2, "Omega_cr": 0, "u_cr": 1, "F_cr": 2}
+ROW = {"Omega": 0, "A": 1, "F_0": 2, "F_SN": 2, "Omega_cr": 0, "u_cr": 1, "F_cr": 2}
 
 
 def check(of, kind, moves, at, entry=()):
@@ -139,9 +139,15 @@ def test_slopes_are_those_of_certified_answers_at_forty_digits():
             check(of, "state", moves, (state.Omega, state.A, F_0), k)
         peak = of.peak(F_0)
         check(of, "peak", peak.gradient(), (peak.Omega, peak.A, F_0))
+        for kind, points in (("cusp", of.cusps(A_max=1.0)), ("isola", of.isola_points(A_max=1.0))):
+            moves = points.gradient()
+            for k, point in enumerate(points):
+                check(of, kind, moves, (point.Omega, point.A, None), k)
         onset, detachment = of.saddle_node_onset(), of.detachment()
-        if onset.kind in ("cusp", "isola"):
-            check(of, onset.kind, onset.gradient(), (onset.Omega, onset.A, None))
+        points = {"cusp": of.cusps(A_max=1.0), "isola": of.isola_points(A_max=1.0)}.get(onset.kind)
+        if points is not None:
+            lowest = np.argmin(points.F_0)
+            np.testing.assert_allclose(onset.gradient().slopes, points.gradient().slopes[lowest], rtol=1e-9)
         if detachment.F_cr:
             check(of, "detachment", detachment.gradient(), (detachment.Omega_cr, detachment.u_cr, None))
 

@@ -600,6 +600,11 @@ class Cusps(Table):
     A: Floats
     minimum: npt.NDArray[np.bool_]
     message: str
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How F_0, Omega and A of each cusp move with the parameters, exactly."""
+        return moves.of_cusps(_given(self._model), self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)
@@ -617,6 +622,11 @@ class IsolaPoints(Table):
     A: Floats
     kind: npt.NDArray[np.str_]
     message: str
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How F_0, Omega and A of each isola point move with the parameters, exactly."""
+        return moves.of_isola_points(_given(self._model), self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)

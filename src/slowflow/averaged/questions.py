@@ -238,11 +238,15 @@ class Averaged:
 
     def cusps(self, *, A_max: float | None = None) -> Cusps:
         """Where two folds come into being or meet, F = F_A = F_AA = 0; A_max as in `fold_locus`."""
-        return solvers.extrema(self.model, self._up_to(A_max))[0]
+        return self._extrema(A_max)[0]
 
     def isola_points(self, *, A_max: float | None = None) -> IsolaPoints:
         """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`."""
-        return solvers.extrema(self.model, self._up_to(A_max))[1]
+        return self._extrema(A_max)[1]
+
+    def _extrema(self, A_max: float | None) -> tuple[Cusps, IsolaPoints]:
+        cusps, isolas = solvers.extrema(self.model, self._up_to(A_max))
+        return dataclasses.replace(cusps, _model=self.model), dataclasses.replace(isolas, _model=self.model)
 
     @np.errstate(all="ignore")
     def backbone(self, A: Any) -> Floats:
