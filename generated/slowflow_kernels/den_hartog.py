@@ -13,7 +13,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import floats
 
 __all__ = [
@@ -122,4 +122,7 @@ if NATIVE is not None:
         amplitude,
         bound,
         motion,
-    ) = NATIVE.den_hartog()
+    ) = compiled(
+        (V, U, S_ratio, amplitude, bound, motion,),
+        NATIVE.den_hartog(),
+    )

@@ -13,7 +13,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import floats, full
 
 __all__ = [
@@ -265,4 +265,7 @@ if NATIVE is not None:
         cusp_bend,
         hessian,
         bound,
-    ) = NATIVE.inertia()
+    ) = compiled(
+        (force, level, F, level_slope, Omega_A, terms, least, peak, isola, level_rise, cusp_bend, hessian, bound,),
+        NATIVE.inertia(),
+    )

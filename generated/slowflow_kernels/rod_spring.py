@@ -15,7 +15,7 @@ Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of the
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_support.backend import NATIVE, coefficients_of, in_tuple
+from slowflow_support.backend import NATIVE, coefficients_of, compiled, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
 from slowflow_support.record import Law, Mechanism, Parameter, Scale
 
@@ -1410,7 +1410,13 @@ if NATIVE is not None:
         fold_quartic,
         peak_cubic,
         detachment,
-    ) = NATIVE.rod_spring()
+    ) = compiled(
+        (averaged, averaged_2, averaged_H, intercept, harmonics, coefficients, breakpoints, jumps, hardening,
+         force, saddle_node_onset, saddle_nodes, h, h_A, h_AA, h_AAA, H, H_A, H_AA, F, F_A, level, phase, jacobian,
+         stability, transmissibility, backbone, limit_envelope, equivalent_damping, response_quartic, fold_quartic,
+         peak_cubic, detachment,),
+        NATIVE.rod_spring(),
+    )
     saddle_node_onset = coefficients_of(saddle_node_onset)
     saddle_nodes = coefficients_of(saddle_nodes)
     detachment = coefficients_of(detachment)

@@ -16,7 +16,7 @@ Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of the
 import numpy as np
 
 from slowflow_kernels import slow_flow as flow
-from slowflow_support.backend import NATIVE, in_tuple
+from slowflow_support.backend import NATIVE, compiled, in_tuple
 from slowflow_support.broadcast import by_regime, floats, full, number_by_regime
 from slowflow_support.record import Law, Mechanism, Parameter, Scale
 
@@ -4205,7 +4205,11 @@ if NATIVE is not None:
         force,
         limit_envelope,
         equivalent_damping,
-    ) = NATIVE.rod_spring_untruncated()
+    ) = compiled(
+        (averaged_all, harmonics, coefficients, breakpoints, jumps, hardening, force, limit_envelope,
+         equivalent_damping,),
+        NATIVE.rod_spring_untruncated(),
+    )
     breakpoints = in_tuple(breakpoints)
     jumps = in_tuple(jumps)
     hardening = in_tuple(hardening)

@@ -13,7 +13,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE
+from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import floats, full
 
 RESONANCE = 9.0
@@ -403,4 +403,7 @@ if NATIVE is not None:
         response,
         detachment,
         folds,
-    ) = NATIVE.second_approximation()
+    ) = compiled(
+        (response, detachment, folds,),
+        NATIVE.second_approximation(),
+    )

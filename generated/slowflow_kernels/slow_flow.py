@@ -13,7 +13,7 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_support.backend import NATIVE, coefficients_of
+from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import floats, full, stacked
 
 SCENE = "mu > 0, zeta > 0: F is a quartic in Omega"
@@ -1176,5 +1176,12 @@ if NATIVE is not None:
         tail,
         most_restoring,
         least_restoring,
-    ) = NATIVE.slow_flow()
+    ) = compiled(
+        (friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
+         transmissibility, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic, fold_quartic,
+         peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, isola_Omega, isola, cusps, cusp_R,
+         cusp, cusp_balance, peak, peak_Omega_A, Omega_A, level_rise, cusp_bend, isola_bend, hessian, tail,
+         most_restoring, least_restoring,),
+        NATIVE.slow_flow(),
+    )
     detachment = coefficients_of(detachment)

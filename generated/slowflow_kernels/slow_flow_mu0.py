@@ -14,7 +14,7 @@ docstring gives equation number, domain and the operations after each pass.
 import numpy as np
 
 from slowflow_kernels.slow_flow import R, backbone, isola_Omega
-from slowflow_support.backend import NATIVE, coefficients_of
+from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import floats, full, stacked
 
 SCENE = "mu = 0: F is a quadratic in Omega^2, roots in closed form"
@@ -321,5 +321,9 @@ if NATIVE is not None:
         level,
         fold,
         isola,
-    ) = NATIVE.slow_flow_mu0()
+    ) = compiled(
+        (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
+         response_quartic, fold_quartic, peak_cubic, detachment, level, fold, isola,),
+        NATIVE.slow_flow_mu0(),
+    )
     detachment = coefficients_of(detachment)

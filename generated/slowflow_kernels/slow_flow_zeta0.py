@@ -14,7 +14,7 @@ docstring gives equation number, domain and the operations after each pass.
 import numpy as np
 
 from slowflow_kernels.slow_flow import R, backbone
-from slowflow_support.backend import NATIVE, coefficients_of
+from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import floats, full, stacked
 
 SCENE = "zeta = 0: F is a quadratic in Omega^2, roots in closed form"
@@ -304,5 +304,9 @@ if NATIVE is not None:
         undamped_Omega,
         fold,
         undamped,
-    ) = NATIVE.slow_flow_zeta0()
+    ) = compiled(
+        (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
+         response_quartic, fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped,),
+        NATIVE.slow_flow_zeta0(),
+    )
     detachment = coefficients_of(detachment)

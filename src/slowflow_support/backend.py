@@ -2,15 +2,16 @@
 
 In:  the environment. SLOWFLOW_BACKEND=native demands the compiled kernels, SLOWFLOW_BACKEND=numpy leaves them alone;
      without it they are used if they are there, and a `BackendWarning` says so if they are not.
-Out: `NATIVE`, the extension module or None, and wrappers that give its ufuncs the form of the kernels in Python.
+Out: `NATIVE`, the extension module or None, and wrappers that give its ufuncs the names and forms of the kernels.
 """
 
 from __future__ import annotations
 
+import functools
 import importlib
 import os
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
@@ -49,26 +50,54 @@ def _choose() -> ModuleType | None:
 NATIVE = _choose()
 
 
-def coefficients_of(ufunc: np.ufunc) -> Callable[..., npt.NDArray[np.float64]]:
-    """A ufunc's outputs, which are a polynomial's coefficients, along a new first axis."""
-
-    def stack(*arguments: Any) -> npt.NDArray[np.float64]:
-        values = ufunc(*arguments)
-        return np.stack(values if ufunc.nout > 1 else (values,))
-
-    return _named(stack, ufunc)
+def compiled(kernels: Sequence[Callable[..., Any]], ufuncs: Sequence[np.ufunc]) -> tuple[Callable[..., Any], ...]:
+    """Each kernel by its ufunc: with the name, arguments and docstring that it has on NumPy, which is `__wrapped__`."""
+    return tuple(map(_called, kernels, ufuncs))
 
 
-def in_tuple(ufunc: np.ufunc) -> Callable[..., tuple[Any]]:
-    """The one output of a ufunc as a tuple."""
+def coefficients_of(kernel: Callable[..., Any]) -> Callable[..., npt.NDArray[np.float64]]:
+    """A compiled kernel's outputs, which are a polynomial's coefficients, along a new first axis."""
 
-    def one(*arguments: Any) -> tuple[Any]:
-        return (ufunc(*arguments),)
+    @functools.wraps(kernel)
+    def stack(*arguments: Any, **named: Any) -> npt.NDArray[np.float64]:
+        values = kernel(*arguments, **named)
+        return np.stack(values if isinstance(values, tuple) else (values,))
 
-    return _named(one, ufunc)
+    return stack
 
 
-def _named(function: Callable[..., Any], ufunc: np.ufunc) -> Callable[..., Any]:
-    function.__name__ = function.__qualname__ = ufunc.__name__
-    function.__doc__ = ufunc.__doc__
-    return function
+def in_tuple(kernel: Callable[..., Any]) -> Callable[..., tuple[Any]]:
+    """The one output of a compiled kernel as a tuple."""
+
+    @functools.wraps(kernel)
+    def one(*arguments: Any, **named: Any) -> tuple[Any]:
+        return (kernel(*arguments, **named),)
+
+    return one
+
+
+def _called(kernel: Callable[..., Any], ufunc: np.ufunc) -> Callable[..., Any]:
+    """A ufunc knows its arguments by place only."""
+    names = kernel.__code__.co_varnames[: kernel.__code__.co_argcount]
+
+    @functools.wraps(kernel)
+    def called(*arguments: Any, **named: Any) -> Any:
+        if named:
+            # what is no argument of the kernel is NumPy's: out, where, ...
+            given = {name: named.pop(name) for name in names if name in named}
+            if given:
+                arguments = (*arguments, *_in_order(kernel.__name__, names[len(arguments) :], given))
+        return ufunc(*arguments, **named)
+
+    return called
+
+
+def _in_order(kernel: str, names: Sequence[str], given: Mapping[str, Any]) -> Iterator[Any]:
+    """The arguments given by name, in the order of the names that are left; TypeError as a function raises it."""
+    for name in given:
+        if name not in names:
+            raise TypeError(f"{kernel}() got multiple values for argument {name!r}")
+    for name in names:
+        if name not in given:
+            raise TypeError(f"{kernel}() missing 1 required positional argument: {name!r}")
+        yield given[name]

@@ -105,7 +105,12 @@ def compiled(module: Module) -> dict[str, list[str]]:
         "ufuncs": [one.name for one in looped],
         "stacks": stacks,
         "singles": singles,
-        "backend": ["NATIVE", *(["coefficients_of"] if stacks else []), *(["in_tuple"] if singles else [])],
+        "backend": [
+            "NATIVE",
+            *(["coefficients_of"] if stacks else []),
+            "compiled",
+            *(["in_tuple"] if singles else []),
+        ],
     }
 
 
