@@ -26,7 +26,7 @@ from .document import document
 from .emit.catalogue.mechanism import mechanism_module
 from .emit.form import Module
 from .emit.provenance import tools, versions
-from .emit.targets import c, interval, numpy
+from .emit.targets import c, interval, numpy, pair
 from .emit.views import programs
 from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter, Piece
@@ -133,7 +133,7 @@ def sources(mechanism: Mechanism) -> Sources:
     """All that is printed of it, under `name_of`. Raises ArithmeticError where the derivation refuses it, and why."""
     module = _module(mechanism)
     code = {module.name: programs(module)}
-    files = c.headers([module], code) | interval.files([module], code)
+    files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
     return Sources(
         module.name,
         numpy.text(module, code[module.name]),

@@ -23,6 +23,7 @@ from .inertia import Inertia, inertia
 from .mechanisms import Mechanism, all_mechanisms
 from .monotone import prove_monotone
 from .motion import Motion, Smoothed, motion, smoothed
+from .newton import Step, steps
 from .oscillator import Dimensionless, oscillator
 from .restoring import Case, Restoring, restoring
 from .resultants import Elimination
@@ -77,6 +78,7 @@ class Results:
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
     gradients  -- how answers move with the parameters
+    steps      -- of Newton's method on the equations of each answer
     detachment -- (34), by scene
     second     -- the second approximation
     den_hartog -- (35)-(37)
@@ -93,6 +95,7 @@ class Results:
     slopes: Slopes
     bounds: Bounds
     gradients: Gradients
+    steps: dict[str, Step]
     detachment: dict[str, Elimination]
     second: SecondApproximation
     den_hartog: DenHartog
@@ -135,6 +138,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         slopes(flows[""]),
         bounds(flows[""]),
         gradients(flows[""]),
+        steps(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         den_hartog(),

@@ -66,6 +66,7 @@ class Kernel:
     enclosed   -- whether it is wanted on intervals too, in C
     searched   -- and on arrays of intervals, in Python
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
+    paired     -- and in double-double, in C
     """
 
     name: str
@@ -80,6 +81,7 @@ class Kernel:
     enclosed: bool = False
     searched: bool = False
     looped: bool = True
+    paired: bool = False
 
     @property
     def width(self) -> int:
@@ -232,7 +234,8 @@ class Module:
     constants  -- Python constants (name, value)
     twofolds   -- kernels in double-double
     record     -- of a mechanism's own module
-    cells      -- kernels that are wanted on intervals only
+    cells      -- kernels that are wanted on intervals, and nowhere on doubles
+    settled    -- kernels that are wanted in double-double only
     native     -- whether its loops over arrays are compiled into the package
     """
 
@@ -248,6 +251,7 @@ class Module:
     twofolds: tuple[TwofoldKernel, ...] = ()
     record: Record | None = None
     cells: tuple[Kernel, ...] = ()
+    settled: tuple[Kernel, ...] = ()
     native: bool = True
 
     @property

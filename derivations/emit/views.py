@@ -116,7 +116,7 @@ def programs(module: Module) -> Code:
     """The straight-line code of every branch, by kernel."""
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
-        for kernel in (*module.kernels, *module.cells)
+        for kernel in (*module.kernels, *module.cells, *module.settled)
     }
 
 

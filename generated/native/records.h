@@ -18,7 +18,9 @@
 #include "rod_spring.h"
 #include "rod_spring_untruncated.h"
 #include "duffing_intervals.h"
+#include "duffing_pairs.h"
 #include "rod_spring_intervals.h"
+#include "rod_spring_pairs.h"
 
 /* mu, zeta -> m, zeta */
 static int records_damping_of(const double *given, double *damping)
@@ -166,6 +168,29 @@ static void duffing_record_averaged_within(int passed, sf_interval A, sf_interva
     duffing_intervals_known(A, p, out);
 }
 
+static void duffing_record_parameters_in_pairs(const double *design, sf_pair *p)
+{
+    duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), p);
+}
+
+/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
+static void duffing_record_averaged_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p,
+                                                    sf_pair *out)
+{
+    sf_pair all[5];
+    int i;
+    (void)(passed);
+    (void)(beyond);
+    if (wanted <= 2) {
+        duffing_pairs_known(A, p, all);
+        out[0] = all[0], out[1] = all[1];
+        return;
+    }
+    duffing_pairs_known(A, p, all);
+    for (i = 0; i < 4; i++)
+        out[i] = all[i];
+}
+
 _Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "duffing needs higher limits in mechanism.h");
 static const sf_mechanism duffing_record = {
@@ -193,6 +218,8 @@ static const sf_mechanism duffing_record = {
     .mean_offset = records_centred,
     .parameters_within = duffing_record_parameters_within,
     .averaged_within = duffing_record_averaged_within,
+    .parameters_in_pairs = duffing_record_parameters_in_pairs,
+    .averaged_in_pairs = duffing_record_averaged_in_pairs,
 };
 
 static void rod_spring_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
@@ -273,6 +300,29 @@ static void rod_spring_record_averaged_within(int passed, sf_interval A, sf_inte
     rod_spring_intervals_known(passed, A, beyond, p, out);
 }
 
+static void rod_spring_record_parameters_in_pairs(const double *design, sf_pair *p)
+{
+    rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), p);
+}
+
+/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
+static void rod_spring_record_averaged_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p,
+                                                    sf_pair *out)
+{
+    sf_pair all[5];
+    int i;
+    (void)(passed);
+    (void)(beyond);
+    if (wanted <= 2) {
+        rod_spring_pairs_known(passed, A, beyond, p, all);
+        out[0] = all[0], out[1] = all[1];
+        return;
+    }
+    rod_spring_pairs_known(passed, A, beyond, p, all);
+    for (i = 0; i < 4; i++)
+        out[i] = all[i];
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_record = {
@@ -301,6 +351,9 @@ static const sf_mechanism rod_spring_record = {
     .parameters_within = rod_spring_record_parameters_within,
     .averaged_within = rod_spring_record_averaged_within,
     .ends_within = rod_spring_intervals_breakpoints,
+    .parameters_in_pairs = rod_spring_record_parameters_in_pairs,
+    .averaged_in_pairs = rod_spring_record_averaged_in_pairs,
+    .ends_in_pairs = rod_spring_pairs_breakpoints,
 };
 
 static void rod_spring_untruncated_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)

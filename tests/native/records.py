@@ -41,6 +41,7 @@ class Mechanism(ctypes.Structure):
         ("level", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles, ctypes.c_double)),
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),
         *((name, ctypes.c_void_p) for name in ("parameters_within", "ends_within", "averaged_within")),
+        *((name, ctypes.c_void_p) for name in ("parameters_in_pairs", "ends_in_pairs", "averaged_in_pairs")),
     )
 
 

@@ -28,6 +28,7 @@ from ...along import (
     t,
 )
 from ...gradients import MOVES, OF_PARAMETER, Gradients, h_p, m_p, zeta_p
+from ...newton import EQUATIONS
 from ...offset import mean_stiffness, offset_stiffness
 from ...resultants import Elimination
 from ...results import Results
@@ -84,15 +85,22 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     "slopes.py",
                     "bounds.py",
                     "gradients.py",
+                    "newton.py",
                     "resultants.py",
                 ),
                 kernels=tuple(
-                    replace(kernel, enclosed=kernel.name in enclosed, searched=kernel.name in searched)
+                    replace(
+                        kernel,
+                        enclosed=kernel.name in enclosed,
+                        searched=kernel.name in searched,
+                        paired=not scene and kernel.name in ("friction", "level"),
+                    )
                     for kernel in kernels
                     if kernel.name not in borrowed
                 ),
                 borrowed=borrowed,
                 cells=cell_kernels(results.along[scene], scene),
+                settled=() if scene else step_kernels(results),
                 constants={"SCENE": told(results.flows[scene], scene)},
             )
         )
@@ -393,6 +401,23 @@ def gradient_kernels(gradients: Gradients) -> list[Kernel]:
             generic=True,
         ),
     ]
+
+
+def step_kernels(results: Results) -> tuple[Kernel, ...]:
+    """The last step to an answer; all take the same arguments, of which most need few."""
+    flow, arguments = results.flows[""], (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
+    return tuple(
+        plain(
+            f"{kind}_step",
+            arguments,
+            (*step.changes, step.turn),
+            f"By what {' and '.join(str(unknown) for unknown in EQUATIONS[kind][1])} of a {kind} change, and how far "
+            "that is from linear.",
+            "from (24)",
+            lets=[(R, flow.R), (I, flow.I), *step.lets],
+        )
+        for kind, step in results.steps.items()
+    )
 
 
 def damped_kernels(along: Damped) -> list[Kernel]:

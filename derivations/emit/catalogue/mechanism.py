@@ -251,11 +251,13 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
             "(5)-(7)",
             "any design",
             lets=ends,
+            paired=True,
         ),
         replace(
             averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases),
             arguments=(A, *parameters, *named),
             parameters=len(parameters) + len(named),
+            paired=True,
         ),
     )
 
@@ -421,10 +423,9 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             "from (3)",
         ),
     ):
-        enclosed = name == "breakpoints" and bool(values) and is_enclosed(derived)
-        kernels.append(
-            plain(name, parameters, values, doc, equation, "any parameters", parameters=count, enclosed=enclosed)
-        )
+        kernel = plain(name, parameters, values, doc, equation, "any parameters", parameters=count)
+        exact = name == "breakpoints" and bool(values) and is_enclosed(derived)
+        kernels.append(replace(kernel, enclosed=exact, paired=exact))
     return kernels
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from ..form import Module
 from ..views import operations, programs
-from . import c, interval, numpy, ufunc
+from . import c, interval, numpy, pair, ufunc
 
 
 def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[str, object]]]:
@@ -20,6 +20,6 @@ def render(modules: Sequence[Module]) -> tuple[dict[str, str], dict[str, dict[st
         module.name: {kernel.name: operations(kernel, code[module.name][kernel.name]) for kernel in module.kernels}
         for module in modules
     }
-    languages = (numpy, c, interval)
+    languages = (numpy, c, interval, pair)
     files = {name: text for language in languages for name, text in language.files(modules, code).items()}
     return files | ufunc.files(modules), counts

@@ -106,6 +106,20 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
     }
 }
 
+/* The last digits of the folds, also where segments end in them. What lies on which arc was told by the numbers before. */
+static void sf_settle_skeleton(const sf_model *model, const sf_exactly *exactly, double F_0, sf_work *work) {
+    const sf_folds before = work->folds;
+    int i, k, end;
+    sf_settle_folds(exactly, model, F_0, &work->folds);
+    for (i = 0; i < before.n; i++)
+        for (k = 0; k < work->skeleton.segments; k++)
+            for (end = 0; end < 2; end++) {
+                sf_segment *segment = &work->skeleton.segment[k];
+                if (segment->A[end] == before.at[i].A && segment->Omega[end] == before.at[i].Omega)
+                    segment->A[end] = work->folds.at[i].A, segment->Omega[end] = work->folds.at[i].Omega;
+            }
+}
+
 static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
     sf_work *work = &room->work;
     sf_skeleton *out = &work->skeleton;
@@ -130,6 +144,8 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
         out->start[c + 1] = out->segments;
         out->curves = c + 1;
     }
+    if (given != NULL)
+        sf_settle_skeleton(model, &given->exactly, F_0, work);
     return SF_OK;
 }
 

@@ -9,6 +9,7 @@
 #define SF_DECIDE_H
 
 #include "certify.h"
+#include "settle.h"
 
 /* h_A above a breakpoint b where the force jumps by J is J/b times more than this at the next double, about */
 #define SF_STEEP 0x1p24
@@ -103,6 +104,14 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, 
         room->undecided = given == NULL || !sf_take_proved_folds(model, given, F_0, room, folds);
     folds->undecided = room->undecided;
     return folds->status;
+}
+
+/* The same to their last digit. */
+static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
+    const sf_status status = sf_decided_folds(model, given, F_0, room, folds);
+    if (status == SF_OK && given != NULL)
+        sf_settle_folds(&given->exactly, model, F_0, folds);
+    return status;
 }
 
 #endif

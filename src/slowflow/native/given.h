@@ -6,6 +6,7 @@
 #define SF_GIVEN_H
 
 #include "cells.h"
+#include "exactly.h"
 #include "slow_flow_intervals.h"
 
 /* of Newton's method on intervals, each of which takes a quarter of the interval or more */
@@ -16,14 +17,18 @@ typedef struct {
     sf_interval p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], m, zeta;
     sf_interval b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
     int breaks;
+    sf_exactly exactly;
 } sf_given;
 
-/* 0 where no proof is possible: the mechanism has no form on intervals, or a breakpoint cannot be told from 0. */
+/* 0 where no proof is possible: the mechanism has no form on intervals, or a breakpoint cannot be told from 0. What has such a
+ * form has one in pairs too. */
 static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
     int i;
     if (mechanism->averaged_within == NULL)
         return 0;
     out->mechanism = mechanism;
+    if (!sf_make_exact(mechanism, design, mu, zeta, &out->exactly))
+        return 0;
     out->m = slow_flow_intervals_friction(sfi_point(mu)), out->zeta = sfi_point(zeta);
     out->breaks = mechanism->breakpoints;
     mechanism->parameters_within(design, out->p);

@@ -10,9 +10,9 @@ typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_
 
 /* All that was built for one target: the questions about one oscillator, those about many, and the records. */
 typedef struct {
-    sf_status (*onset)(const sf_model *, sf_work *, sf_onset *);
-    sf_status (*detachment)(const sf_model *, double *F_cr, double *Omega_cr, double *u_cr);
-    sf_status (*peak)(const sf_model *, double F_0, sf_work *, double *A, double *Omega);
+    sf_status (*onset)(const sf_model *, const sf_exactly *, sf_work *, sf_onset *);
+    sf_status (*detachment)(const sf_model *, const sf_exactly *, double *F_cr, double *Omega_cr, double *u_cr);
+    sf_status (*peak)(const sf_model *, const sf_exactly *, double F_0, sf_work *, double *A, double *Omega);
     sf_status (*saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_folds *);
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
     sf_status (*range)(const sf_model *, double F_0, double *A_max);
@@ -23,7 +23,7 @@ typedef struct {
     int (*states)(const sf_model *, const sf_given *, double F_0, sf_room *, double Omega, double *A, unsigned char *stable,
                   int *undecided);
     int most_states;
-    sf_extremum (*extremum)(const sf_model *, const sf_zero *);
+    sf_extremum (*extremum)(const sf_model *, const sf_exactly *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
                        long long *branch);
     sf_status (*certify_folds)(const sf_model *, const sf_given *, double F_0, const double *hints, int count, sf_proof *,

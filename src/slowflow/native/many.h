@@ -9,7 +9,7 @@
 #include <fenv.h>
 
 #include "decide.h"
-#include "onset.h"
+#include "settle.h"
 
 static double sf_input(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k) {
     return *(const double *)(const void *)(args[i] + k * steps[i]);
@@ -48,6 +48,16 @@ static int sf_given_at(const sf_mechanism *mechanism, char **args, const ptrdiff
     return sf_give(mechanism, design, sf_input(args, steps, damping, k), sf_input(args, steps, damping + 1, k), given);
 }
 
+/* The same in pairs; 0 where there is no such form. */
+static int sf_exactly_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_exactly *exactly) {
+    double design[SF_MOST_DESIGN];
+    const int damping = mechanism->design_size;
+    int i;
+    for (i = 0; i < mechanism->design_size; i++)
+        design[i] = sf_input(args, steps, i, k);
+    return sf_make_exact(mechanism, design, sf_input(args, steps, damping, k), sf_input(args, steps, damping + 1, k), exactly);
+}
+
 /* A solver tries values that it then discards: the flags that these raise are no fault of the arguments. */
 static void sf_quietly(sf_many loop, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     fenv_t before;
@@ -65,9 +75,11 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
         sf_model model;
         double found[3] = {NAN, NAN, NAN};
         int i;
+        sf_exactly exactly;
         sf_status status = SF_INVALID;
         if (sf_design_at(mechanism, args, steps, k, &model))
-            status = sf_detachment(&model, &found[0], &found[1], &found[2]);
+            status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
+                                           &found[0], &found[1], &found[2]);
         for (i = 0; i < 3; i++)
             sf_output(args, steps, out + i, k, found[i]);
         sf_output_code(args, steps, out + 3, k, status);
@@ -82,10 +94,12 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
         sf_model model;
+        sf_exactly exactly;
         sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL};
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
         if (work != NULL && sf_design_at(mechanism, args, steps, k, &model))
-            status = sf_find_onset(&model, work, &found);
+            status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
+                                      &found);
         sf_output(args, steps, out, k, found.F_SN);
         sf_output(args, steps, out + 1, k, found.Omega);
         sf_output(args, steps, out + 2, k, found.A);
@@ -105,10 +119,12 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
     for (k = 0; k < dimensions[0]; k++) {
         const double F_0 = sf_input(args, steps, out - 1, k);
         sf_model model;
+        sf_exactly exactly;
         double A = NAN, Omega = NAN;
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
         if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model))
-            status = sf_peak(&model, F_0, work, &A, &Omega);
+            status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0, work,
+                                     &A, &Omega);
         sf_output(args, steps, out, k, A);
         sf_output(args, steps, out + 1, k, Omega);
         sf_output_code(args, steps, out + 2, k, status);
@@ -138,7 +154,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         found.n = found.undecided = 0;
         if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model)) {
             const int is_given = sf_given_at(mechanism, args, steps, k, &given);
-            status = sf_decided_folds(&model, is_given ? &given : NULL, F_0, room, &found);
+            status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
         }
         if (found.n > places && status == SF_OK)
             status = SF_TOO_MANY;

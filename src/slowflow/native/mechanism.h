@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "interval.h"
+#include "pair.h"
 
 enum {
     SF_FORM = 5, /* of the record below; one of another form is refused */
@@ -71,6 +72,12 @@ typedef struct sf_mechanism {
     void (*parameters_within)(const double *design, sf_interval *p);
     void (*ends_within)(const sf_interval *p, sf_interval *b);
     void (*averaged_within)(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out);
+
+    /* The same in double-double, for the last digits of an answer; NULL where no such form is known. averaged_in_pairs
+     * gives h, h_A and, if more than two are wanted, h_AA and h_AAA. */
+    void (*parameters_in_pairs)(const double *design, sf_pair *p);
+    void (*ends_in_pairs)(const sf_pair *p, sf_pair *b);
+    void (*averaged_in_pairs)(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out);
 } sf_mechanism;
 
 #endif

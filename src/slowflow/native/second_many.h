@@ -36,7 +36,7 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
     sf_work *work = &room->work;
     double A, Omega, low = HUGE_VAL, high = 0;
     sf_second_curve *curve;
-    sf_status status = sf_peak(model, F_0, work, &A, &Omega);
+    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, work, &A, &Omega);
     int i;
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
     if (status != SF_OK && status != SF_UNBOUNDED)
@@ -64,7 +64,7 @@ static sf_status sf_second_peak(const sf_model *model, const sf_given *given, do
     sf_second_point top;
     sf_second_curve *curve;
     double A, first;
-    sf_status status = sf_peak(model, F_0, work, &A, &first);
+    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, work, &A, &first);
     if (status == SF_OK && first == 0)
         status = SF_NONE;
     if (status == SF_OK)
@@ -88,10 +88,12 @@ static void sf_loop_second_detachment(char **args, const ptrdiff_t *dimensions, 
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
         sf_model model;
+        sf_exactly exactly;
         double first[3] = {NAN, NAN, NAN}, F_cr = NAN, Omega_cr = NAN;
         sf_status status = SF_INVALID;
         if (sf_design_at(mechanism, args, steps, k, &model) && sf_has_second(&model))
-            status = sf_detachment(&model, &first[0], &first[1], &first[2]);
+            status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
+                                           &first[0], &first[1], &first[2]);
         if (status == SF_OK && sf_second_detach(&model, first[0], first[1], first[2], &F_cr, &Omega_cr) != SF_OK_SECOND)
             status = SF_NONE, F_cr = Omega_cr = NAN;
         sf_output(args, steps, out, k, F_cr);
@@ -110,10 +112,12 @@ static void sf_loop_second_onsets(char **args, const ptrdiff_t *dimensions, cons
     for (k = 0; k < dimensions[0]; k++) {
         sf_model model;
         sf_onset first = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL}, found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL};
+        sf_exactly exactly;
         double u_max = NAN;
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
         if (work != NULL && sf_design_at(mechanism, args, steps, k, &model) && sf_has_second(&model))
-            status = sf_find_onset(&model, work, &first);
+            status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
+                                      &first);
         if (status == SF_OK && (first.kind != SF_CUSP_KIND || sf_second_cusp(&model, &first, &found, &u_max) != SF_OK_SECOND))
             status = SF_NONE;
         sf_output(args, steps, out, k, found.F_SN);

@@ -11,10 +11,10 @@
 #include "states.h"
 
 const sf_solvers SF_SOLVERS = {
-    sf_find_onset,
-    sf_detachment,
-    sf_peak,
-    sf_decided_folds,
+    sf_settled_onset,
+    sf_settled_detachment,
+    sf_settled_peak,
+    sf_settled_folds,
     sf_fold_locus,
     sf_range_at,
     sf_make_skeleton,
@@ -22,7 +22,7 @@ const sf_solvers SF_SOLVERS = {
     sf_draw,
     sf_states,
     SF_MOST_STATES,
-    sf_extremum_at,
+    sf_settled_extremum,
     sf_draw_locus,
     sf_certify_folds,
     sf_certify_states,

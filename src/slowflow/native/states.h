@@ -31,15 +31,29 @@ static int sf_add_state(double found, int is_stable, int is_end, int n, double *
     return n + 1;
 }
 
+/* The amplitude at which a segment has the given Omega inside, to its last digit. */
+static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_segment *segment,
+                                   double Omega) {
+    const double A = sf_amplitude_on(model, F_0, segment, Omega);
+    const int piece = sf_piece_of(model, 0.5 * (segment->A[0] + segment->A[1]));
+    sf_settling of = {sfp_point(Omega), sfp_point(A)};
+    if (exactly == NULL || sf_piece_of(model, A) != piece ||
+        !sf_settle_both(slow_flow_pairs_state_step, 1, 2, exactly, model, F_0, &of))
+        return A;
+    return segment->A[0] * (1 - SF_SAME) <= of.A.high && of.A.high <= segment->A[1] * (1 + SF_SAME) ? of.A.high : A;
+}
+
 /* The states of the segments at Omega, by rising A; returns their number. */
-static int sf_states_of_segments(const sf_model *model, double F_0, const sf_work *work, double Omega, double *A,
-                                 unsigned char *stable) {
+static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_work *work,
+                                 double Omega, double *A, unsigned char *stable) {
     int i, n = 0;
     for (i = 0; i < work->skeleton.segments; i++) {
         const sf_segment *segment = &work->skeleton.segment[i];
         const int is_end = Omega == segment->Omega[0] || Omega == segment->Omega[1];
         if (sf_holds(segment, Omega))
-            n = sf_add_state(sf_amplitude_on(model, F_0, segment, Omega), segment->stable, is_end, n, A, stable);
+            n = sf_add_state(is_end ? sf_amplitude_on(model, F_0, segment, Omega)
+                                    : sf_settled_amplitude(model, exactly, F_0, segment, Omega),
+                             segment->stable, is_end, n, A, stable);
     }
     return n;
 }
@@ -80,7 +94,7 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
 /* The steady states at Omega by rising A; returns their number. undecided: whether doubles do not tell it */
 static int sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, double *A,
                      unsigned char *stable, int *undecided) {
-    int n = sf_states_of_segments(model, F_0, &room->work, Omega, A, stable);
+    int n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
     *undecided = 0;
     if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
         *undecided = given == NULL || !sf_take_proved_states(model, given, F_0, room, Omega, &n, A, stable);

@@ -18,7 +18,7 @@ from ....mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from ...form import GENERAL, Module
 from ...provenance import tools
 from ...views import templates
-from .. import interval
+from .. import interval, pair
 from ..printing import literal
 from .printer import CPrinter
 
@@ -34,6 +34,7 @@ class Spring:
     mechanism   -- its design, parameters and reach
     breakpoints -- how many
     enclosed    -- what stands before the names of its functions on intervals, or "": a proof takes the whole force
+    paired      -- and before those in double-double
     averaged_by_pieces -- whether these take the number of breakpoints passed
     domain      -- C condition: the design lies inside its domain
     harmonics_up_to -- the largest breakpoint for which its harmonics hold
@@ -45,6 +46,7 @@ class Spring:
     domain: str
     harmonics_up_to: sp.Expr
     enclosed: str = ""
+    paired: str = ""
     averaged_by_pieces: bool = False
 
 
@@ -79,9 +81,9 @@ def spring_of(module: Module) -> Spring:
     """A mechanism's record, from its module."""
     mechanism = module.record.mechanism
     domain = within(mechanism.design, DESIGN)
-    enclosed = (interval.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ("", False)
+    exact = (interval.name_of(module), pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
     up_to = module.record.harmonics_up_to
-    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *enclosed)
+    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *exact)
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

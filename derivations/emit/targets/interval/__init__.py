@@ -28,6 +28,14 @@ from .printer import CIntervalPrinter, PythonIntervalPrinter
 #: how much an amplitude exceeds the breakpoint where its piece begins
 BEYOND = sp.Symbol("beyond", nonnegative=True)
 C = Language(CIntervalPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+#: what the template says of intervals
+ABOUT = {
+    "number": "sf_interval",
+    "arithmetic": "interval",
+    "how": "on whole intervals",
+    "meaning": "Each output holds every value that the function of the same name takes on the arguments; `out` takes "
+    "the outputs.",
+}
 PYTHON = Language(PythonIntervalPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 
 
@@ -43,6 +51,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
                 prefix=name_of(module),
                 kernels=[widened(kernel, code[module.name][kernel.name]) for kernel in enclosed],
                 choices={kernel.name: choice(kernel) for kernel in enclosed if len(kernel.branches) > 1},
+                **ABOUT,
                 **known,
             )
         searched = [kernel for kernel in module.kernels if kernel.searched]

@@ -1,4 +1,4 @@
-"""SymPy expressions as calls of interval arithmetic in C, and as operators on intervals in Python."""
+"""SymPy expressions as calls of functions in C, as of interval arithmetic, and as operators on intervals in Python."""
 
 from __future__ import annotations
 
@@ -13,11 +13,10 @@ from ...passes import is_constant
 from ..printing import Rules, Unprintable, literal
 
 
-class CIntervalPrinter(Rules, C99CodePrinter):
-    """C99, with the functions of native/interval.h."""
+class CallPrinter(Rules, C99CodePrinter):
+    """C99, each operation a call of a function whose name begins with `prefix`."""
 
-    infinity = "sfi_point(HUGE_VAL)"
-    functions: ClassVar = {sp.sqrt: "sfi_sqrt", sp.atan2: "sfi_atan2"}
+    prefix: ClassVar[str]
 
     def _print_Rational(self, expr: sp.Expr) -> str:
         return self._number(expr)
@@ -25,9 +24,10 @@ class CIntervalPrinter(Rules, C99CodePrinter):
     _print_Integer = _print_Half = _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Rational
 
     def _number(self, expr: sp.Expr) -> str:
-        text = literal(expr)
-        exact = expr.doit().is_Rational and sp.Rational(float(text)) == expr.doit()
-        return f"sfi_{'point' if exact else 'around'}({text})"
+        raise NotImplementedError
+
+    def _of(self, function: str, *arguments: str) -> str:
+        return f"{self.prefix}{function}({', '.join(arguments)})"
 
     def _print_UnevaluatedExpr(self, expr: sp.UnevaluatedExpr) -> str:
         return self._number(expr)
@@ -43,7 +43,7 @@ class CIntervalPrinter(Rules, C99CodePrinter):
         text = self._print(first)
         for term in terms:
             negative = term.could_extract_minus_sign()
-            text = f"sfi_{'sub' if negative else 'add'}({text}, {self._print(-term if negative else term)})"
+            text = self._of("sub" if negative else "add", text, self._print(-term if negative else term))
         return text
 
     def _print_Mul(self, expr: sp.Expr) -> str:
@@ -63,17 +63,18 @@ class CIntervalPrinter(Rules, C99CodePrinter):
         if above and abs(constant) != 1:
             text = self._times(abs(constant), text)
         if below:
-            text = f"sfi_div({text}, {self._product(below)})"
-        return f"sfi_neg({text})" if constant.is_negative else text
+            text = self._of("div", text, self._product(below))
+        return self._of("neg", text) if constant.is_negative else text
 
     def _times(self, constant: sp.Expr, text: str) -> str:
-        exact = constant.is_Rational and sp.Rational(float(constant)) == constant
-        return f"sfi_times({literal(constant)}, {text})" if exact else f"sfi_mul({self._number(constant)}, {text})"
+        if is_double(constant):
+            return self._of("times", literal(constant), text)
+        return self._of("mul", self._number(constant), text)
 
     def _product(self, factors: list[str]) -> str:
         text = factors[0]
         for factor in factors[1:]:
-            text = f"sfi_mul({text}, {factor})"
+            text = self._of("mul", text, factor)
         return text
 
     def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
@@ -81,12 +82,28 @@ class CIntervalPrinter(Rules, C99CodePrinter):
             return self._number(expr)
         base, exponent = expr.args
         if exponent == sp.Rational(1, 2):
-            return f"sfi_sqrt({self._print(base)})"
+            return self._of("sqrt", self._print(base))
         if exponent == 2:
-            return f"sfi_square({self._print(base)})"
+            return self._of("square", self._print(base))
         if exponent in (-1, -2, sp.Rational(-1, 2)):
-            return f"sfi_inverse({self._print(sp.Pow(base, -exponent))})"
+            return self._of("inverse", self._print(sp.Pow(base, -exponent)))
         raise Unprintable(f"the power {expr} is not a chain of multiplications: it has to go through the passes")
+
+
+def is_double(number: sp.Expr) -> bool:
+    """Whether some double is equal to it."""
+    return bool(number.is_Rational) and sp.Rational(float(number)) == number
+
+
+class CIntervalPrinter(CallPrinter):
+    """With the functions of native/interval.h."""
+
+    prefix = "sfi_"
+    infinity = "sfi_point(HUGE_VAL)"
+    functions: ClassVar = {sp.sqrt: "sfi_sqrt", sp.atan2: "sfi_atan2"}
+
+    def _number(self, expr: sp.Expr) -> str:
+        return self._of("point" if is_double(expr.doit()) else "around", literal(expr))
 
 
 class PythonIntervalPrinter(Rules, NumPyPrinter):
@@ -102,7 +119,7 @@ class PythonIntervalPrinter(Rules, NumPyPrinter):
 
     def _number(self, expr: sp.Expr) -> str:
         text = literal(expr)
-        if not (expr.doit().is_Rational and sp.Rational(float(text)) == expr.doit()):
+        if not is_double(expr.doit()):
             raise Unprintable(f"a number that no double is equal to, on intervals: {expr}")
         return text
 

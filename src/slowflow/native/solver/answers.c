@@ -27,6 +27,13 @@ static sf_room *new_room(void)
     return room;
 }
 
+/* The oscillator of a model's capsule in pairs, or NULL. */
+static const sf_exactly *exactly_in(PyObject *capsule)
+{
+    const sf_given *given = sf_given_in(capsule);
+    return given == NULL ? NULL : &given->exactly;
+}
+
 /* A new one-dimensional array; `*values` points into it. */
 static PyObject *new_array(npy_intp n, int type, void *values)
 {
@@ -102,7 +109,7 @@ static PyObject *onset(PyObject *self, PyObject *args)
     if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->onset(model, work, &found);
+    status = sf_here()->onset(model, exactly_in(given), work, &found);
     Py_END_ALLOW_THREADS
     free(work);
     return Py_BuildValue("idddid", (int)status, found.F_SN, found.Omega, found.A, (int)found.kind, found.rest);
@@ -118,7 +125,7 @@ static PyObject *detachment(PyObject *self, PyObject *args)
     const sf_model *model = sf_model_in(given);
     if (model == NULL)
         return NULL;
-    const sf_status status = sf_here()->detachment(model, &F_cr, &Omega_cr, &u_cr);
+    const sf_status status = sf_here()->detachment(model, exactly_in(given), &F_cr, &Omega_cr, &u_cr);
     return Py_BuildValue("iddd", (int)status, F_cr, Omega_cr, u_cr);
 }
 
@@ -135,7 +142,7 @@ static PyObject *peak(PyObject *self, PyObject *args)
     if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->peak(model, F_0, work, &A, &Omega);
+    status = sf_here()->peak(model, exactly_in(given), F_0, work, &A, &Omega);
     Py_END_ALLOW_THREADS
     free(work);
     return Py_BuildValue("idd", (int)status, A, Omega);
@@ -155,14 +162,14 @@ static PyObject *amplitude_bound(PyObject *self, PyObject *args)
     return Py_BuildValue("id", (int)status, A_max);
 }
 
-static PyObject *extrema_list(const sf_model *model, const sf_zeros *extrema)
+static PyObject *extrema_list(const sf_model *model, const sf_exactly *exactly, const sf_zeros *extrema)
 {
     PyObject *list = PyList_New(0);
     for (int i = 0; list != NULL && i < extrema->n; i++) {
         const sf_zero *zero = &extrema->at[i];
         if (zero->question == SF_UNDAMPED && zero->channel == 1)
             continue; /* there the locus only touches the backbone */
-        const sf_extremum found = sf_here()->extremum(model, zero);
+        const sf_extremum found = sf_here()->extremum(model, exactly, zero);
         PyObject *item = Py_BuildValue("dddiii", found.F_0, found.Omega, found.A, found.isola, found.minimum,
                                        found.saddle);
         if (item == NULL || PyList_Append(list, item) < 0)
@@ -194,7 +201,7 @@ static PyObject *fold_locus(PyObject *self, PyObject *args)
     Py_END_ALLOW_THREADS
     PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_DOUBLE, &F_0),
                          new_array(n, NPY_INT64, &branch),
-                         extrema_list(model, &work->extrema)};
+                         extrema_list(model, exactly_in(given), &work->extrema)};
     if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
         Py_BEGIN_ALLOW_THREADS
         sf_here()->draw_locus(model, samples, work, Omega, A, F_0, (long long *)branch);

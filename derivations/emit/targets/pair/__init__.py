@@ -1,0 +1,93 @@
+"""Kernels in double-double: a C header for each module that has any, and their arctangent.
+
+In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `paired`, and `settled`.
+Out: a dict from file name (below `generated/`) to text.
+
+The C calls native/pair.h, which is runtime code. Where a kernel has a series cut short for a double far from a
+breakpoint, that branch is left out: a pair has digits enough for the closed form, so far as its caller asks for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import sympy as sp
+
+from ...arctangent import PAIRS_CUT, in_pairs
+from ...form import Kernel, Module
+from ...provenance import tools
+from ...views import Code, KernelView, Language, sources, templates, view
+from .. import interval
+from .printer import PairPrinter, parts
+
+C = Language(PairPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+
+
+#: what the template, which is that of intervals, says of pairs
+ABOUT = {
+    "number": "sf_pair",
+    "arithmetic": "pair_angles",
+    "how": "in double-double",
+    "meaning": "`out` takes the outputs, where there are several.",
+}
+
+
+def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """Every file."""
+    angle = templates(Path(__file__).parent).get_template("angles.h.jinja").render(tools=tools(), **angles())
+    return {"native/pair_angles.h": angle} | headers(modules, code)
+
+
+def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """The header of each module."""
+    result = {}
+    header = templates(Path(interval.__file__).parent).get_template("header.h.jinja")
+    for module in modules:
+        paired = [*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled]
+        if paired:
+            kernels = [near(kernel, code[module.name]) for kernel in paired]
+            result[f"native/{name_of(module)}.h"] = header.render(
+                prefix=name_of(module),
+                module=module,
+                kernels=kernels,
+                choices={one.kernel.name: choice(one) for one in kernels if len(one.branches) > 1},
+                tools=tools(),
+                **ABOUT,
+                **sources(module),
+            )
+    return result
+
+
+def name_of(module: Module) -> str:
+    """Of a module's functions on pairs, and of their file."""
+    return f"{module.name}_pairs"
+
+
+def choice(printed: KernelView) -> list[tuple[str, str]]:
+    """The condition and the name of each branch; the last holds where no other does."""
+    pairs = zip(printed.branches, printed.kernel.branches, strict=True)
+    return [(f"passed == {branch.passed}", view.name) for view, branch in pairs]
+
+
+def near(kernel: Kernel, code: Code) -> KernelView:
+    """A kernel printed, without branches in which a series is cut short; the others differ in breakpoints passed."""
+    kept = [k for k, branch in enumerate(kernel.branches) if not branch.remainders]
+    programs = [code[kernel.name][k] for k in kept]
+    kernel = replace(kernel, branches=tuple(kernel.branches[k] for k in kept))
+    if len(kept) > 1:
+        kernel, programs = interval.beyond_breakpoints(kernel, programs)
+    return view(replace(kernel, branches=tuple(replace(branch, guards=()) for branch in kernel.branches)), programs, C)
+
+
+def angles() -> dict[str, object]:
+    """What the arctangent's template needs."""
+    table, first, others = in_pairs()
+    return {
+        "cut": PAIRS_CUT,
+        "table": [parts(angle) for angle in table],
+        "first": [parts(coefficient) for coefficient in reversed(first)],
+        "others": [parts(coefficient)[0] for coefficient in reversed(others)],
+        "half_pi": parts(sp.pi / 2),
+    }

@@ -1,0 +1,39 @@
+/* Duffing oscillator: one cubic piece, no breakpoint: in double-double.
+
+   Written by `make derive`; never edit.
+   Input: derivations/mechanisms/duffing.py, sha256 9373efd0233ac344ef6400339d5e07249f2a69044c1e5b0f62a31ba5e650a7a3
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+   `out` takes the outputs, where there are several. */
+
+#ifndef DUFFING_PAIRS_H
+#define DUFFING_PAIRS_H
+
+#include "pair_angles.h"
+
+/* The parameters from the design, and what the force loses at each breakpoint.
+   Equation (5)-(7). Domain: any design. */
+static inline void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair *out)
+{
+    out[0] = alpha;
+    out[1] = beta;
+}
+
+/* h, h_A, h_AA, h_AAA, h - A h_A together.
+   Equation (20)-(22), (31). Domain: A >= 0. */
+static inline void duffing_pairs_known(sf_pair A, const sf_pair *p, sf_pair *out)
+{
+    const sf_pair alpha = p[0];
+    const sf_pair beta = p[1];
+    const sf_pair A2 = sfp_square(A);
+    const sf_pair t0 = sfp_mul(A2, beta);
+    const sf_pair t1 = sfp_times(4.5, beta);
+    const sf_pair A3 = sfp_mul(A, A2);
+    out[0] = sfp_mul(A, sfp_sub(sfp_neg(alpha), sfp_times(0.75, t0)));
+    out[1] = sfp_sub(sfp_neg(alpha), sfp_times(2.25, t0));
+    out[2] = sfp_neg(sfp_mul(A, t1));
+    out[3] = sfp_neg(t1);
+    out[4] = sfp_times(1.5, sfp_mul(A3, beta));
+}
+
+#endif

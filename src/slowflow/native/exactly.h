@@ -1,0 +1,70 @@
+/* The oscillator as it was given, in double-double: in go its numbers, out come its parameters and h with its derivatives to
+ * some thirty digits.
+ */
+#ifndef SF_EXACTLY_H
+#define SF_EXACTLY_H
+
+#include "model.h"
+#include "slow_flow_pairs.h"
+
+/* so far above a breakpoint the closed forms of h and h_A have lost too many of a pair's digits, and of those that follow */
+#define SF_PAIRS_REACH 2048
+#define SF_PAIRS_REACH_FURTHER 64
+/* nearer to it, relatively, doubles do not give the higher derivatives */
+#define SF_PAIRS_NEXT 0x1p-20
+
+typedef struct {
+    const sf_mechanism *mechanism;
+    sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], m, zeta;
+} sf_exactly;
+
+typedef struct {
+    sf_pair A, h[4]; /* h, h_A, h_AA, h_AAA */
+} sf_exact_sample;
+
+/* 0 where the mechanism has no form in pairs. */
+static inline int sf_make_exact(const sf_mechanism *mechanism, const double *design, double mu, double zeta,
+                                sf_exactly *out) {
+    out->mechanism = mechanism;
+    if (mechanism->averaged_in_pairs == NULL)
+        return 0;
+    out->m = slow_flow_pairs_friction(sfp_point(mu)), out->zeta = sfp_point(zeta);
+    mechanism->parameters_in_pairs(design, out->p);
+    if (mechanism->breakpoints > 0)
+        mechanism->ends_in_pairs(out->p, out->b);
+    return 1;
+}
+
+/* At an amplitude whose double lies on that piece of the force; 0 where pairs have too few digits. wanted: how many of h and
+ * its derivatives pairs are to give; the others are doubles'. */
+static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, int piece, sf_pair A, int wanted,
+                              sf_exact_sample *out) {
+    sf_pair beyond = A;
+    int i;
+    if (piece > 0) {
+        beyond = sfp_sub(A, exactly->b[piece - 1]);
+        const double reach = wanted <= 2 ? SF_PAIRS_REACH : SF_PAIRS_REACH_FURTHER;
+        if (!(beyond.high > 0) || A.high > reach * exactly->b[piece - 1].high)
+            return 0;
+        if (beyond.high < SF_PAIRS_NEXT * A.high)
+            wanted = 4;
+    }
+    out->A = A;
+    exactly->mechanism->averaged_in_pairs(piece, wanted, A, beyond, exactly->p, out->h);
+    if (wanted <= 2) {
+        sf_sample at;
+        sf_sample_at(model, A.high, &at);
+        for (i = 2; i < 4; i++)
+            out->h[i] = sfp_point(at.averages[i]);
+    }
+    return 1;
+}
+
+/* At breakpoint i as its lower side has it. */
+static inline void sf_exact_on(const sf_exactly *exactly, int i, sf_exact_sample *out) {
+    const sf_pair b = exactly->b[i];
+    out->A = b, out->h[2] = out->h[3] = sfp_point(0);
+    exactly->mechanism->averaged_in_pairs(i, 2, b, i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b, exactly->p, out->h);
+}
+
+#endif

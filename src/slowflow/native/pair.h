@@ -1,0 +1,73 @@
+/* Arithmetic on pairs: a number is the sum of a double and of what its rounding left, which makes some 32 digits.
+ *
+ * In go pairs whose low part is below an ulp of the high one, out come such pairs, right to a few times 2^-104 of the
+ * result; a sum to as much of its terms. Overflow and underflow of a part are not looked for: what is computed in pairs
+ * corrects a number that is known, and is used only where it is small beside that.
+ */
+#ifndef SF_PAIR_H
+#define SF_PAIR_H
+
+#include <math.h>
+
+#include "twofold.h"
+
+typedef struct {
+    double high, low;
+} sf_pair;
+
+/* high and low may overlap by some places, |high| >= |low| */
+static inline sf_pair sfp_of(double high, double low) {
+    const double sum = high + low;
+    const sf_pair x = {sum, low - (sum - high)};
+    return x;
+}
+static inline sf_pair sfp_point(double x) {
+    const sf_pair a = {x, 0};
+    return a;
+}
+static inline sf_pair sfp_neg(sf_pair a) {
+    const sf_pair x = {-a.high, -a.low};
+    return x;
+}
+static inline sf_pair sfp_add(sf_pair a, sf_pair b) {
+    double of_high, of_low;
+    const double high = twofold_two_sum(a.high, b.high, &of_high), low = twofold_two_sum(a.low, b.low, &of_low);
+    const sf_pair sum = sfp_of(high, of_high + low);
+    return sfp_of(sum.high, sum.low + of_low);
+}
+static inline sf_pair sfp_sub(sf_pair a, sf_pair b) { return sfp_add(a, sfp_neg(b)); }
+static inline sf_pair sfp_mul(sf_pair a, sf_pair b) {
+    double low;
+    const double high = twofold_two_product(a.high, b.high, &low);
+    return sfp_of(high, fma(a.high, b.low, fma(a.low, b.high, low)));
+}
+/* by a double */
+static inline sf_pair sfp_times(double c, sf_pair a) {
+    double low;
+    const double high = twofold_two_product(c, a.high, &low);
+    return sfp_of(high, fma(c, a.low, low));
+}
+static inline sf_pair sfp_square(sf_pair a) {
+    double low;
+    const double high = twofold_two_product(a.high, a.high, &low);
+    return sfp_of(high, fma(2 * a.high, a.low, low));
+}
+/* by long division: two quotients in double, and what they leave */
+static inline sf_pair sfp_div(sf_pair a, sf_pair b) {
+    const double first = a.high / b.high;
+    const sf_pair left = sfp_sub(a, sfp_times(first, b));
+    const double second = left.high / b.high;
+    return sfp_of(first, second + sfp_sub(left, sfp_times(second, b)).high / b.high);
+}
+static inline sf_pair sfp_inverse(sf_pair a) { return sfp_div(sfp_point(1), a); }
+/* of what is not negative */
+static inline sf_pair sfp_sqrt(sf_pair a) {
+    const double root = sqrt(a.high);
+    double low;
+    const double square = twofold_two_product(root, root, &low);
+    if (!(root > 0))
+        return sfp_point(root);
+    return sfp_of(root, ((a.high - square) - low + a.low) / (2 * root));
+}
+
+#endif

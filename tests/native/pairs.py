@@ -1,0 +1,46 @@
+"""The solvers' double-double arithmetic as Python functions: a directory for the shared library in, callables out."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from collections.abc import Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tests.native.roots import FLAGS, HERE, INCLUDES, ROOT
+
+OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
+
+
+class Pairs:
+    """operate(name, two pairs (n, 4)) and known(mechanism, design, piece, A), each number a pair."""
+
+    def __init__(self, directory: Path) -> None:
+        library = directory / "pairs.so"
+        command = ["gcc", "-std=c11", *FLAGS, *INCLUDES, f"-I{ROOT / 'generated' / 'native'}", "-shared", "-fPIC"]
+        done = subprocess.run(
+            [*command, str(HERE / "pairs_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
+        )
+        if done.returncode:
+            raise RuntimeError(done.stderr)
+        self.loaded = ctypes.CDLL(str(library))
+
+    def operate(self, name: str, pairs: np.ndarray) -> list[Fraction]:
+        pairs = np.ascontiguousarray(pairs, dtype=np.float64)
+        out = np.empty((len(pairs), 2))
+        self.loaded.operate(OPERATIONS.index(name), ctypes.c_long(len(pairs)), _pointer(pairs), _pointer(out))
+        return [Fraction(high) + Fraction(low) for high, low in out.tolist()]
+
+    def known(self, mechanism: str, design: Sequence[float], piece: int, A: float) -> list[Fraction]:
+        out, numbers = np.empty((4, 2)), np.array(design, dtype=np.float64)
+        if not self.loaded.known(mechanism.encode(), _pointer(numbers), piece, ctypes.c_double(A), _pointer(out)):
+            raise ValueError(f"no pairs for {mechanism}")
+        return [Fraction(high) + Fraction(low) for high, low in out.tolist()]
+
+
+def _pointer(array: np.ndarray) -> Any:
+    return array.ctypes.data_as(ctypes.c_void_p)
