@@ -15,7 +15,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, loads, results
-from slowflow.physical import KINDS, UNITS, Scales
+from slowflow.physical import AMPLITUDES, KINDS, UNITS, Scales
 from slowflow_kernels.scaling import SCALES
 
 #: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
@@ -77,6 +77,57 @@ def test_a_motion_is_that_of_the_dimensional_equation():
     assert abs(x).max() > mount.at_rest().x_cr  # the springs leave
     np.testing.assert_allclose(motion.x, x, atol=2e-6 * motion.A)
     assert motion.t[-1] == pytest.approx(t[-1] - t[0]) and motion.period == pytest.approx(1 / f)
+
+
+@pytest.mark.parametrize(("excitation", "amplitude"), [("base", 0.015), ("unbalance", 0.18)])
+def test_a_shaking_base_and_an_unbalance_move_the_mass_as_in_si_units(excitation, amplitude):
+    """Absolute motion over a floor that moves; a mass that turns at a radius, by the force that it takes: by SciPy."""
+    m, k_v, k_h, n, L, preload, c, f = 12.0, 2500.0, 1700.0, 3, 0.080, 0.009, 60.0, 2.2
+    given = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "c": c, "force": "untruncated"}
+    mount = Isolator.physical(**given, excitation=excitation)
+    omega = math.tau * f
+    floor = amplitude if excitation == "base" else 0.0
+
+    def rates(t, state):
+        x, v = state  # of the mass, as seen by who stands still
+        z, w = x - floor * math.cos(omega * t), v + floor * omega * math.sin(omega * t)
+        height = math.sqrt(L**2 - z**2)
+        pushing = max(preload - (L - height), 0.0)
+        turning = 0.0 if floor else amplitude * omega**2 * math.cos(omega * t)
+        return v, (turning - c * w - k_v * z + n * k_h * pushing * z / height) / m
+
+    periods = 40
+    t = np.linspace(periods - 1, periods, 400, endpoint=False) / f
+    x = solve_ivp(rates, (0, periods / f), (floor, 0.0), t_eval=t, rtol=1e-9, atol=1e-11).y[0]
+    deflection = x - floor * np.cos(omega * t)
+    motion = mount.steady_state(f=f, F=amplitude)
+    assert np.abs(deflection).max() > mount.at_rest().x_cr  # the springs leave
+    np.testing.assert_allclose(motion.x, deflection, atol=3e-6 * motion.A)
+    # averaging has the deflection, and of a base the motion over the floor's as transmissibility
+    (state,) = mount.amplitudes(f=f, F=amplitude)
+    first = 2 * np.mean(deflection * np.exp(-1j * omega * t))
+    assert abs(first) == pytest.approx(state.A, rel=2e-3)
+    if floor:
+        moves = abs(2 * np.mean(x * np.exp(-1j * omega * t))) / floor
+        assert 10 ** (state.transmissibility_dB / 20) == pytest.approx(moves, rel=5e-3)
+
+
+def test_an_amplitude_is_called_and_measured_by_what_is_excited():
+    by_base, by_unbalance = (
+        Isolator.physical(**{**MOUNT, "zeta": 0.05, "excitation": word}) for word in ("base", "unbalance")
+    )
+    iso = by_base.oscillator
+    assert iso.excitation == "base" and by_base.saddle_node_onset().units["Y_SN"] == "m"
+    assert by_base.saddle_node_onset().Y_SN == iso.saddle_node_onset().F_SN * 0.080
+    assert by_unbalance.detachment().U_cr == pytest.approx(iso.detachment().F_cr * 12 * 0.080, rel=1e-15)
+    assert by_base.peak(0.002).in_units().Y == 2.0 and by_unbalance.margins(0.03).units["U"] == "kg m"
+    assert by_base.saddle_nodes(0.002).message == "no saddle node at Y = 2 mm: the response is single-valued"
+    assert str(by_unbalance.explain("peak", 0.03)).startswith("peak at U = 0.03 kg m")
+    assert by_base.steady_state(f=5, F=0.002).Y == 0.002
+    with pytest.raises(ValueError, match="Y = -1"):
+        by_base.peak(-1)
+    with pytest.raises(ValueError, match="excitation = 'floor' is not allowed"):
+        Isolator.physical(**{**MOUNT, "excitation": "floor"})
 
 
 def test_every_question_in_physical_units_is_the_dimensionless_one(mount):
@@ -268,7 +319,7 @@ def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
         for kind in vars(module).values():
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 numbers = [one.name for one in dataclasses.fields(kind) if "loat" in str(one.type)]
-                assert set(numbers) <= set(KINDS) | without, kind
+                assert set(numbers) <= {*KINDS, *AMPLITUDES} | without, kind
 
 
 # ---- words ---------------------------------------------------------------------------------------------------------

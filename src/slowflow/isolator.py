@@ -14,7 +14,7 @@ from slowflow.model import Model
 from slowflow.oscillator import FORCES, Designs, Oscillator, designs_of
 from slowflow.physical import Physical, Scales, si
 from slowflow_kernels import duffing, rod_spring
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
 
 if TYPE_CHECKING:
@@ -103,6 +103,7 @@ class Isolator(Oscillator):
         zeta: float | None = None,
         load: Any = None,
         force: str = "truncated",
+        excitation: str = "force",
     ) -> Physical:
         """An isolator from its data sheet, whose questions and answers are in newtons, metres and hertz.
 
@@ -115,13 +116,15 @@ class Isolator(Oscillator):
         c, zeta  -- viscous damping, N s/m, or the damping ratio c/(2 sqrt(k_v m)): one of them, or neither for none
         load     -- the mass that sits on it, kg, where that is not m
         force    -- as in `Isolator`
+        excitation -- "force", in N; "base", a base that shakes, by its displacement in m; "unbalance", a mass that
+            turns, times its radius, in kg m: it is part of m
 
         Numbers are plain ones in these units, or quantities of pint. Without `load` it is taken for granted that the
         vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
         would rest off the centre, and move about there without symmetry: it is refused, and its sag told.
         Raises ValueError for a number outside its domain, and for such a load.
         """
-        scales = Scales(m=m, k_v=k_v, L=L)
+        scales = Scales(m=m, k_v=k_v, L=L, excitation=validate.choice("excitation", excitation, tuple(EXCITATIONS)))
         known = {"n": n, "k_h": si("k_h", k_h, "newton/meter"), "preload": si("preload", preload, "meter")}
         of_design = zip(known.items(), ROD_SPRING.design, ROD_SPRING.scales, strict=True)
         lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)
@@ -131,10 +134,11 @@ class Isolator(Oscillator):
             raise ValueError("c and zeta say the same: give one of them")
         if c is not None:
             zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
-        isolator = cls(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=0.0 if zeta is None else zeta, force=force)
+        own = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": 0.0 if zeta is None else zeta}
+        isolator = cls(**own, force=force, excitation=excitation)
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
-        found = Physical(isolator, scales, {**told, "load": load, "force": force})
+        found = Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
         if load is not None and si("load", load, "kilogram") != scales.m:
             sag = found.sag(load)
             off = isolator.breakpoints and abs(sag) > isolator.breakpoints[0] * scales.L

@@ -35,12 +35,13 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "time": {"s": 1.0, "ms": 1e-3},
         "speed": {"m/s": 1.0, "mm/s": 1e-3},
         "acceleration": {"m/s^2": 1.0, "g": 9.80665},
+        "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3},
         "mass": {"kg": 1.0},
     }
 )
 #: those in which answers are shown, one of each kind
-USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg")
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg", "kg m")
 #: of which kind the numbers of an answer are, and what they are called with a unit
 KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
@@ -58,12 +59,20 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Omega_high": ("f_high", "frequency"),
         "Omega_cr": ("f_cr", "frequency"),
         "Omega_undecided": ("f_undecided", "frequency"),
-        "F_0": ("F", "force"),
-        **{name: (name, "force") for name in ("F_SN", "F_cr", "break_loose", "sticking")},
+        **{name: (name, "force") for name in ("break_loose", "sticking")},
         "f_n": ("f_n", "frequency"),
         "f_0": ("f_0", "frequency"),
         "jumps": ("jumps", "frequency"),
         "period": ("period", "time"),
+    }
+)
+#: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind, and this to pint
+AMPLITUDES = ("F_0", "F_SN", "F_cr")
+EXCITED: Mapping[str, tuple[str, str, str]] = MappingProxyType(
+    {
+        "force": ("F", "force", "newton"),
+        "base": ("Y", "length", "meter"),
+        "unbalance": ("U", "unbalance", "kilogram*meter"),
     }
 )
 #: and which unit is of which kind
@@ -72,9 +81,9 @@ KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
 SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
 #: words about dimensionless answers that are followed by numbers: which, by what they are replaced, and of which kind
 PHRASES = (
-    (r"(?<![\w/])F_0 = ", "F = ", "force"),
+    (r"(?<![\w/])F_0 = ", "{} = ", "amplitude"),
     (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
-    (r"\bF_SN = ", "F_SN = ", "force"),
+    (r"\bF_SN = ", "{}_SN = ", "amplitude"),
     (r"\bOmega = ", "f = ", "frequency"),
     (r"\bfor Omega in \[", "for f in [", "frequency"),
     (r"\bA = ", "A = ", "length"),
@@ -82,11 +91,12 @@ PHRASES = (
     (r"\bamplitudes above ", "amplitudes above ", "length"),
 )
 #: arguments of a question, which are in SI units
-CALLS = ((r"\bOmega=", "f=", "frequency"), (r"\bF_0=", "F=", "force"), (r"\bA=", "A=", "length"))
+CALLS = ((r"\bOmega=", "f=", "frequency"), (r"\bF_0=", "F=", "amplitude"), (r"\bA=", "A=", "length"))
 #: and letters that stand alone
 LETTERS = (
     (r"\bmu/\(A Omega\^2\)", "friction/(m A omega^2)"),
-    (r"\bF_0\b", "F"),
+    (r"\bmu/\(F_0 Omega\^2\)", "friction over the force of inertia"),
+    (r"\bF_0\b", "{}"),
     (r"\bmu\b", "friction"),
     (r"\bOmega\b", "f"),
     (r"\bu_cr\b", "x_cr"),
@@ -285,6 +295,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
         "time": size(SCALES["tau"], **base),
         "speed": length * rate,
         "acceleration": length * rate**2,
+        "unbalance": m * length,
     }
 
 
@@ -292,12 +303,15 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
 class Scales:
     """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
 
+    excitation -- what F_0 is the amplitude of, a key of `EXCITED`: of a base in L, of an unbalance in m L
+
     Numbers, or quantities of pint. Raises ValueError for one that is not > 0.
     """
 
     m: float
     k_v: float
     L: float
+    excitation: str = "force"
 
     def __post_init__(self) -> None:
         for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
@@ -334,34 +348,47 @@ class Scales:
 
     def worded(self, text: str) -> str:
         """Words about a dimensionless answer with its letters, and numbers in N, mm and Hz."""
+        letter, of_amplitude, _ = EXCITED[self.excitation]
         for pattern, name, kind in PHRASES:
+            kind = of_amplitude if kind == "amplitude" else kind
             size = self.sizes[kind] / UNITS[kind][SHOWN[kind]]
-            told = partial(_told, name, size, f" {SHOWN[kind]}")
+            told = partial(_told, name.format(letter), size, f" {SHOWN[kind]}")
             text = re.sub(rf"{pattern}(?P<numbers>{NUMBER}(?:, {NUMBER})*)", told, text)
         for pattern, name, kind in CALLS:
-            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER})", partial(_told, name, self.sizes[kind], ""), text)
-        for letter, name in LETTERS:
-            text = re.sub(letter, name, text)
+            size = self.sizes[of_amplitude if kind == "amplitude" else kind]
+            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER})", partial(_told, name, size, ""), text)
+        for pattern, name in LETTERS:
+            text = re.sub(pattern, name.format(letter), text)
         return text
 
+    def kind(self, name: str) -> tuple[str, str]:
+        """What a dimensionless number is called with a unit, and of which kind it is; "" for none."""
+        if name not in AMPLITUDES:
+            return KINDS.get(name, (name, ""))
+        letter, kind, _ = EXCITED[self.excitation]
+        return letter if name == "F_0" else letter + name[1:], kind
+
     def named(self, found: Mapping[str, Any], answer: Any, entry: tuple[str, ...] = ()) -> Quantities:
-        """Dimensionless numbers by name, as `KINDS` has them, in SI units."""
+        """Dimensionless numbers by name, as `kind` has them, in SI units."""
         values: dict[str, Any] = {}
         units = {}
         for name, value in found.items():
-            shown, kind = KINDS.get(name, (name, ""))
+            shown, kind = self.kind(name)
             values[shown] = self.quantities(value) if isinstance(value, Answer) else value
             if name == "message":
                 values[shown] = self.worded(value)
             if kind:
                 values[shown] = _times(value, self.sizes[kind])
                 units[shown] = next(iter(UNITS[kind]))
-        return Quantities(values, units, answer, tuple(KINDS.get(name, (name, ""))[0] for name in entry))
+        return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry))
 
 
 @dataclass(frozen=True, repr=False)
 class Physical:
     """An oscillator whose questions take forces in N, frequencies f in Hz and lengths in m, and are answered in these.
+
+    F is the amplitude of its excitation: of a base that shakes the displacement of the base in m, of an unbalance the
+    mass that turns times its radius in kg m. Answers call it Y and U then, and what would be F_SN and F_cr Y_SN, ...
 
     oscillator -- the dimensionless one, which is asked
     scales     -- what its numbers are measured in
@@ -408,7 +435,7 @@ class Physical:
                 "f_0": math.sqrt(stiffness) if stiffness > 0 else None,
                 "u_cr": u_cr,
                 "break_loose": oscillator.mu,
-                "sticking": oscillator.sticking_forcing,
+                "sticking": oscillator.model.m,
             },
             oscillator,
         )
@@ -459,20 +486,20 @@ class Physical:
 
     def saddle_nodes(self, F: Any) -> Quantities:
         """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
-        return self.scales.quantities(self.oscillator.saddle_nodes(self._force("F", F)))
+        return self.scales.quantities(self.oscillator.saddle_nodes(self._amplitude(F)))
 
     def peak(self, F: Any) -> Quantities:
         """The highest peak: .A .f, see `Averaged.peak`."""
-        return self.scales.quantities(self.oscillator.peak(self._force("F", F)))
+        return self.scales.quantities(self.oscillator.peak(self._amplitude(F)))
 
     def amplitudes(self, *, f: Any, F: Any) -> Quantities:
         """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`."""
-        Omega, F_0 = self._frequency("f", f), self._force("F", F)
+        Omega, F_0 = self._frequency("f", f), self._amplitude(F)
         return self.scales.quantities(self.oscillator.amplitudes(Omega=Omega, F_0=F_0))
 
     def frequency_response(self, F: Any, *, f: Any = None, samples: int = 1000) -> Quantities:
         """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
-        found = self.oscillator.frequency_response(self._force("F", F), samples=samples, **self._window(f))
+        found = self.oscillator.frequency_response(self._amplitude(F), samples=samples, **self._window(f))
         return self.scales.quantities(found)
 
     def fold_locus(self, *, samples: int = 1000, A_max: Any = None) -> Quantities:
@@ -493,7 +520,7 @@ class Physical:
 
     def limit_envelope(self, *, f: Any, F: Any) -> Floats:
         """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
-        A = self.oscillator.limit_envelope(Omega=self._frequency("f", f), F_0=self._force("F", F))
+        A = self.oscillator.limit_envelope(Omega=self._frequency("f", f), F_0=self._amplitude(F))
         return np.asarray(A * self.scales.sizes["length"])
 
     def certify(self, F: Any, *, f: Any = None) -> Quantities:
@@ -503,7 +530,7 @@ class Physical:
         times what is measured in, rounded.
         """
         Omega = None if f is None else self._frequency("f", f)
-        return self.scales.quantities(self.oscillator.certify(self._force("F", F), Omega=Omega))
+        return self.scales.quantities(self.oscillator.certify(self._amplitude(F), Omega=Omega))
 
     def plot(self, F: Any, *, f: Any = None, of: str = "A", ax: Any = None) -> Any:
         """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
@@ -516,7 +543,8 @@ class Physical:
         from slowflow import pictures
 
         validate.choice("of", of, DRAWN)
-        forces = np.atleast_1d(np.asarray(si("F", F, "newton"), dtype=float)).ravel().tolist()
+        letter, _, unit = EXCITED[self.scales.excitation]
+        forces = np.atleast_1d(np.asarray(si(letter, F, unit), dtype=float)).ravel().tolist()
         answers = ((self.frequency_response(force, f=f), self.saddle_nodes(force)) for force in forces)
         found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
         ax = pictures.responses(ax, found, of)
@@ -526,14 +554,15 @@ class Physical:
             length = self.scales.sizes["length"] / UNITS["length"]["mm"]
             pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")
             pictures.stopping(ax, self.oscillator.mu * length * self.scales.sizes["frequency"] ** 2)
-        pictures.legend(ax, pictures.axis(found[0][0], "F"))
+        pictures.legend(ax, pictures.axis(found[0][0], letter))
         return ax
 
     def explain(self, question: str, F: Any = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
-        found: Plan = self.oscillator.explain(question, None if F is None else self._force("F", F))
+        found: Plan = self.oscillator.explain(question, None if F is None else self._amplitude(F))
         steps = tuple(dataclasses.replace(step, why=self.scales.worded(step.why)) for step in found.steps)
-        where = "" if F is None else f" at F = {si('F', F, 'newton'):g} N"
+        letter, kind, unit = EXCITED[self.scales.excitation]
+        where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {next(iter(UNITS[kind]))}"
         return dataclasses.replace(found, steps=steps, where=where)
 
     @property
@@ -546,10 +575,11 @@ class Physical:
 
         See `Oscillator.steady_state`, which `.answer` is from.
         """
-        at = {"Omega": self._frequency("f", f), "F_0": self._force("F", F), "A": self._most(A)}
+        at = {"Omega": self._frequency("f", f), "F_0": self._amplitude(F), "A": self._most(A)}
         found = self.oscillator.steady_state(**at)
         tau, u, v = found.series(samples)
-        said = {name: getattr(found, name) for name in ("Omega", "F_0", "A", "stops", "stable", "period")}
+        said = {name: getattr(found, name) for name in ("Omega", "A", "stops", "stable", "period")}
+        said |= {"F_0": at["F_0"]}
         return self.scales.named({**said, "tau": tau, "u": u, "v": v}, found)
 
     def exact_response(
@@ -560,7 +590,7 @@ class Physical:
         start -- what `steady_state` gave
         """
         begun = None if start is None else start.answer
-        found = self.oscillator.exact_response(self._force("F", F), start=begun, step=step, **self._window(f))
+        found = self.oscillator.exact_response(self._amplitude(F), start=begun, step=step, **self._window(f))
         entry = ("Omega", "A", "stable", "stops")
         columns = ("Omega", "A", "kind", "corner")
         folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}
@@ -574,7 +604,7 @@ class Physical:
 
         See `Oscillator.sweep`.
         """
-        found = self.oscillator.sweep(Omega=self._frequency("f", f), F_0=self._force("F", F))
+        found = self.oscillator.sweep(Omega=self._frequency("f", f), F_0=self._amplitude(F))
         entry = ("Omega", "A", "stops", "settled")
         said = {name: getattr(found, name) for name in (*entry, "F_0")}
         jumps = np.array(found.jumps).reshape(-1, 2)
@@ -610,25 +640,26 @@ class Physical:
 
     def margins(self, F: Any) -> Quantities:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
-        return self.scales.quantities(self.oscillator.margins(self._force("F", F)))
+        return self.scales.quantities(self.oscillator.margins(self._amplitude(F)))
 
     def hysteresis(self, F: Any) -> Quantities:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
-        return self.scales.quantities(self.oscillator.hysteresis(self._force("F", F)))
+        return self.scales.quantities(self.oscillator.hysteresis(self._amplitude(F)))
 
     def isolation(self, F: Any) -> Quantities:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
-        return self.scales.quantities(self.oscillator.isolation(self._force("F", F)))
+        return self.scales.quantities(self.oscillator.isolation(self._amplitude(F)))
 
     def spectrum(self, *, f: Any, F: Any) -> Quantities:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""
-        Omega, F_0 = self._frequency("f", f), self._force("F", F)
+        Omega, F_0 = self._frequency("f", f), self._amplitude(F)
         return self.scales.quantities(self.oscillator.spectrum(Omega=Omega, F_0=F_0))
 
     # ---- arguments
 
-    def _force(self, name: str, value: Any) -> Any:
-        return self._over(name, si(name, value, "newton"), "force", above=0.0)
+    def _amplitude(self, value: Any) -> Any:
+        name, kind, unit = EXCITED[self.scales.excitation]
+        return self._over(name, si(name, value, unit), kind, above=0.0)
 
     def _length(self, name: str, value: Any) -> Any:
         return self._over(name, si(name, value, "meter"), "length")

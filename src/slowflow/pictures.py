@@ -51,6 +51,8 @@ LABELS = {
     "tau": r"time $\tau$",
     "f": "frequency $f$",
     "F": "force $F$",
+    "Y": "displacement of the base $Y$",
+    "U": "unbalance $U$",
     "x": "displacement $x$",
     "t": "time $t$",
     "k_h": "stiffness of the springs $k_h$",
@@ -69,6 +71,8 @@ PLACES: Any = {
 SHORT = 16
 #: bands beyond this many times the nominal value run out of the picture
 WIDEST = 2.0
+#: what the amplitude of the excitation is called
+AMPLITUDES = ("F_0", "F", "Y", "U")
 #: points of a motion over time
 HISTORY = 2000
 #: a fold locus is shown up to this many times its least forcing
@@ -184,7 +188,7 @@ def responses(
     ax = axes(ax)
     for number, ((points, folds), colour) in enumerate(zip(found, ramp(len(found)), strict=True)):
         over = _has(points, "Omega", "f")
-        name = names[number] if names else f"{getattr(points, _has(points, 'F_0', 'F')):.4g}"
+        name = names[number] if names else f"{getattr(points, _has(points, *AMPLITUDES)):.4g}"
         if not len(points):
             ax.axhline(0.0, color=colour, linewidth=4, label=f"{name}, sticks", clip_on=False)
             continue
@@ -207,7 +211,7 @@ def responses(
 def response(ax: Any, found: Any, of: str = "A") -> Any:
     """One curve, its forcing beside it."""
     ax = responses(ax, [(found, None)], of)
-    legend(ax, axis(found, _has(found, "F_0", "F")))
+    legend(ax, axis(found, _has(found, *AMPLITUDES)))
     return ax
 
 
@@ -225,7 +229,7 @@ def locus(ax: Any, found: Any) -> Any:
 
     What lies beyond is drawn too, outside the limits of the axes.
     """
-    ax, over, force = axes(ax), _has(found, "Omega", "f"), _has(found, "F_0", "F")
+    ax, over, force = axes(ax), _has(found, "Omega", "f"), _has(found, *AMPLITUDES)
     x, y = getattr(found, over), getattr(found, force)
     for number in np.unique(found.branch):
         on = found.branch == number

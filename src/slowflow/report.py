@@ -21,8 +21,9 @@ import numpy as np
 import slowflow
 from slowflow import files, pictures
 from slowflow.answer import Answer, head
+from slowflow.isolator import Isolator
 from slowflow.paper.report import read_ledger
-from slowflow.physical import Physical, Quantities
+from slowflow.physical import EXCITED, UNITS, Physical, Quantities
 from slowflow.scenes import Scene
 from slowflow.sizing.subject import Load, Subject
 
@@ -30,6 +31,8 @@ from slowflow.sizing.subject import Load, Subject
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")
 #: designs of the map along each of two numbers, and how far these reach from the design at hand
 MAPPED, REACH = 60, 0.5
+#: amplitudes of what
+EXCITATION = {"force": "force", "base": "motion of the base", "unbalance": "unbalance"}
 #: questions about shocks
 SHOCKS = ("transient", "shock_spectrum")
 #: what a cell of words begins with until it is written, and how much of a formula is shown
@@ -82,7 +85,8 @@ def html(scene: Scene) -> str:
     if not forcings and not shocks:
         raise ValueError(f"{scene.path}: a report needs forcings in [ask], or a shock")
     of = scene.oscillator
-    subject = Subject(of)
+    by_force = _by_force(of)
+    subject = Subject(of) if by_force else None
     title = f"Vibration isolator: {scene.path.stem}"
     sections = {
         "In short": _summary(of, forcings),
@@ -92,8 +96,8 @@ def html(scene: Scene) -> str:
         "Load spectrum": _spectrum(scene),
         "Shocks": _shocks(scene),
         "Tolerances": _tolerances(scene),
-        "Designs beside it": _map(subject),
-        "How far to trust it": _trust(of, forcings),
+        "Designs beside it": _map(subject) if subject else (),
+        "How far to trust it": _trust(of, forcings) if by_force else _checked(of, forcings, scene),
         "Equations": _equations(),
         "Data": _data(of, forcings, scene),
     }
@@ -111,6 +115,22 @@ def html(scene: Scene) -> str:
         f'<nav aria-label="Contents"><ul>{links}</ul></nav></header>\n'
         f"<main>\n{body}\n</main>\n</body>\n</html>\n"
     )
+
+
+def _by_force(of: Any) -> bool:
+    """Whether the excitation is a force. Raises ValueError for what is no isolator."""
+    isolator = of.oscillator if isinstance(of, Physical) else of
+    if not isinstance(isolator, Isolator):
+        raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
+    return isolator.excitation == "force"
+
+
+def _letter(of: Any) -> tuple[str, str]:
+    """What the amplitude of the excitation is called, and its unit in a scene; "" without dimensions."""
+    if not isinstance(of, Physical):
+        return "F_0", ""
+    letter, kind, _ = EXCITED[of.scales.excitation]
+    return letter, next(iter(UNITS[kind]))
 
 
 def _anchor(name: str) -> str:
@@ -134,25 +154,26 @@ def _summary(of: Any, forcings: Sequence[float]) -> Iterator[str]:
 def _in_short(of: Any, F: float) -> Iterator[str]:
     margins, folds = _shown(of.margins(F)), _shown(of.saddle_nodes(F))
     peak, isolation = _shown(of.peak(F)), _shown(of.isolation(F))
-    yield f"At {_one(margins, 'F', 'F_0')}"
+    yield f"At {_one(margins, *pictures.AMPLITUDES)}"
     if margins.sticks:
         yield "friction holds the mass: it does not move."
         return
     if len(folds):
         at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, 'f', 'Omega')}" for kind, x in _jumps(folds))
         yield f"it {at};"
-    elif margins.F_SN is None:
-        yield "it does not jump, nor at any other force;"
+    elif (onset := _one(margins, *(f"{letter[0]}_SN" for letter in pictures.AMPLITUDES))) is None:
+        yield "it does not jump, nor at any other amplitude of the excitation;"
     else:
-        yield f"it does not jump: it would from {_one(margins, 'F_SN')} on;"
+        yield f"it does not jump: it would from {onset} on;"
     if margins.detaches:
         yield "its springs leave."
     else:
-        yield "its springs stay" + (f" up to {_one(margins, 'F_cr')}." if margins.F_cr is not None else ".")
+        most = _one(margins, *(f"{letter[0]}_cr" for letter in pictures.AMPLITUDES))
+        yield "its springs stay" + (f" up to {most}." if most is not None else ".")
     if peak.A is not None:
         yield f"Its highest motion is {_one(peak, 'A')}, at {_one(peak, 'f', 'Omega')}."
     if (begin := _one(isolation, "f", "Omega")) is not None:
-        yield f"From {begin} on it transmits less than the force."
+        yield f"From {begin} on it transmits less than what drives it."
 
 
 def _jumps(folds: Any) -> Iterator[tuple[str, float]]:
@@ -194,12 +215,13 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
 
 
 def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
-    yield _table("It jumps from this force on", _shown(of.saddle_node_onset()))
-    yield _table("Its springs leave from this force on", _shown(of.detachment()))
+    what = EXCITATION[of.oscillator.excitation if isinstance(of, Physical) else of.excitation]
+    yield _table(f"It jumps from this {what} on", _shown(of.saddle_node_onset()))
+    yield _table(f"Its springs leave from this {what} on", _shown(of.detachment()))
     for caption, question in (
         ("Margins: of_SN and of_cr above 1 are safe", "margins"),
         ("The highest peak", "peak"),
-        ("Less than the force is transmitted from this frequency on", "isolation"),
+        ("Less is transmitted from this frequency on than what drives it", "isolation"),
         ("Where a sweep jumps", "saddle_nodes"),
         ("Bands with several stable motions", "hysteresis"),
     ):
@@ -212,7 +234,7 @@ def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         return
     curves = [_shown(of.frequency_response(F)) for F in forcings]
     folds = [_shown(of.saddle_nodes(F)) for F in forcings]
-    force = "F" if isinstance(of, Physical) else "F_0"
+    force, _ = _letter(of)
     oscillator = of.oscillator if isinstance(of, Physical) else of
     letter, length = ("x", 1e3 * of.scales.sizes["length"]) if isinstance(of, Physical) else ("u", 1.0)
     for y, said in (("A", "Amplitude"), ("transmissibility_dB", "Transmissibility in decibels")):
@@ -220,7 +242,9 @@ def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         if y == "A":
             pictures.breakpoints(ax, [length * end for end in oscillator.breakpoints], letter)
         pictures.legend(ax, pictures.axis(curves[0], force), place="below")
-        yield _figure(ax, f"{said} over frequency, a curve for each force; unstable motions dashed.")
+        yield _figure(
+            ax, f"{said} over frequency, a curve for each amplitude of the excitation; unstable motions dashed."
+        )
 
 
 def _spectrum(scene: Scene) -> Iterator[str]:
@@ -311,6 +335,28 @@ def _trust(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     yield from _depths(of, max(forcings))
 
 
+def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
+    """The largest stable amplitude by averaging and by the equation of motion, at the frequencies asked for."""
+    name, letter = ("f", "F") if isinstance(of, Physical) else ("Omega", "F_0")
+    force, unit = _letter(of)
+    rows = []
+    for F in forcings:
+        for at in next((one.arguments[name] for one in scene.asked if one.question == "amplitudes"), ()):
+            states = of.amplitudes(**{name: at, letter: F})
+            if states.stable.any():
+                A = float(states.A[states.stable].max())
+                found = of.steady_state(**{name: at, letter: F, "A": A})
+                scale = 1e3 if isinstance(of, Physical) else 1.0
+                numbers = (f"{F:.4g}", f"{at:.4g}", f"{scale * A:.5g}", f"{scale * found.A:.5g}")
+                rows.append((*numbers, f"{100 * (A / found.A - 1):+.2g} %"))
+    of_f, of_A = ("f/Hz", "A/mm") if isinstance(of, Physical) else ("Omega", "A")
+    heads = (head(force, {force: unit}), of_f, f"{of_A}, averaged", "equation of motion", "error of averaging")
+    if rows:
+        yield _rows("The largest amplitude by averaging and by the equation of motion itself", heads, rows)
+    else:
+        yield "<p>Not compared with the equation of motion: the scene asks for amplitudes at no frequency.</p>"
+
+
 def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     """What measurements say of the error of the highest motion, and of the curve's other points."""
     rows, remarks = [], []
@@ -370,7 +416,7 @@ def _formula(text: str) -> str:
 
 
 def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    force = "F" if isinstance(of, Physical) else "F_0"
+    force, _ = _letter(of)
     yield "<ul>"
     for question in ("saddle_nodes", "frequency_response") if forcings else ():
         text = files.in_csv([({force: F}, _shown(getattr(of, question)(F))) for F in forcings])
@@ -419,7 +465,7 @@ def _table(caption: str, *answers: Answer, beside: Sequence[Mapping[str, Any]] =
 def _beside(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:
     """The forcing of an answer, where it is no column of it."""
     known = answer.to_dict()
-    return {name: known[name] for name in ("F", "F_0") if name in known and name not in kept}
+    return {name: known[name] for name in pictures.AMPLITUDES if name in known and name not in kept}
 
 
 def _text(value: Any) -> str:

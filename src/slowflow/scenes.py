@@ -5,7 +5,8 @@
     ...
 
     [ask]
-    F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]
+    F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]; Y in m with excitation = "base", U in kg m of
+                                # an "unbalance"
     f = [5.0]                   # Hz; Omega for these
     questions = ["saddle_nodes", "amplitudes", "spectrum"]
 
@@ -34,7 +35,7 @@ import re
 import tomllib
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +44,7 @@ from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
-from slowflow.physical import Quantities
+from slowflow.physical import EXCITED, Quantities
 from slowflow_kernels.domains import DAMPING
 
 #: a scene to begin with
@@ -148,12 +149,16 @@ class Kind:
     time: str
 
 
+#: what the amplitude of a mount's excitation is called, and that of any
+LETTERS = tuple(letter for letter, *_ in EXCITED.values())
+FORCINGS = (*LETTERS, "F_0")
 #: names of forcing, frequency and time without dimensions
 PLAIN = ("F_0", "Omega", "tau")
 
 
 def _kinds() -> dict[str, Kind]:
     damping = tuple(domain.name for domain in DAMPING)
+    own = [tuple(one.name for one in record.design) for record in (ROD_SPRING, DUFFING)]
     given = inspect.signature(Isolator.physical).parameters
     return {
         "mount": Kind(
@@ -164,16 +169,14 @@ def _kinds() -> dict[str, Kind]:
             "f",
             "t",
         ),
-        "isolator": Kind(
-            Isolator, tuple(one.name for one in ROD_SPRING.design), (*damping, "force"), "F_0", "Omega", "tau"
-        ),
-        "duffing": Kind(Duffing, tuple(one.name for one in DUFFING.design), damping, "F_0", "Omega", "tau"),
+        "isolator": Kind(Isolator, own[0], (*damping, "force", "excitation"), *PLAIN),
+        "duffing": Kind(Duffing, own[1], (*damping, "excitation"), *PLAIN),
     }
 
 
 KINDS = _kinds()
 #: keys of these that are no numbers with a tolerance
-NO_NUMBERS = ("load", "force")
+NO_NUMBERS = ("load", "force", "excitation")
 
 
 @dataclass(frozen=True)
@@ -186,7 +189,8 @@ class Asked:
     @property
     def forcing(self) -> float | None:
         """The forcing, if it is asked at one."""
-        return self.arguments.get("F", self.arguments.get("F_0")) if QUESTIONS[self.question].forced else None
+        known = (value for name, value in self.arguments.items() if name in FORCINGS)
+        return next(known, None) if QUESTIONS[self.question].forced else None
 
     def numbers(self) -> dict[str, float]:
         """The arguments that are a single number: the forcing, or a pulse."""
@@ -221,7 +225,9 @@ class Scene:
             from slowflow.sizing import tolerances
 
             return tolerances(self.oscillator, **asked.arguments)
-        found: Answer = getattr(self.oscillator, asked.question)(**asked.arguments)
+        # a mount's questions call the amplitude F, whatever it is of
+        arguments = {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
+        found: Answer = getattr(self.oscillator, asked.question)(**arguments)
         return found.in_units() if isinstance(found, Quantities) else found
 
     def explain(self, asked: Asked) -> Plan | None:
@@ -271,6 +277,8 @@ class _Reader:
         (name,) = stated
         kind, given = KINDS[name], self._table(name)
         self._known(name, given, (*kind.needed, *kind.more))
+        if name == "mount" and given.get("excitation") in tuple(EXCITED):
+            kind = replace(kind, forcing=EXCITED[given["excitation"]][0])
         self._complete(name, given, kind.needed)
         ask = self._table("ask")
         self._known("ask", ask, (kind.forcing, kind.frequency, "window", "samples", "questions"))
