@@ -150,8 +150,8 @@ def _freeze(value: Any) -> None:
     """No array can be written to, in tuples neither."""
     if isinstance(value, np.ndarray):
         value.flags.writeable = False
-    elif isinstance(value, tuple):
-        for part in value:
+    elif isinstance(value, (tuple, Mapping)):
+        for part in value.values() if isinstance(value, Mapping) else value:
             _freeze(part)
 
 
@@ -190,17 +190,21 @@ def _is_column(value: Any, length: int) -> bool:
 
 
 def plain(value: Any) -> Any:
-    """An array as lists, an answer as a dictionary, a code as its number."""
+    """An array as lists, an answer or a mapping as a dictionary, a code as its number."""
     if isinstance(value, Answer):
         return value.to_dict()
     if isinstance(value, np.ndarray):
         return value.tolist()
+    if isinstance(value, Mapping):
+        return {name: plain(one) for name, one in value.items()}
     return int(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
 def _same(one: Any, two: Any) -> bool:
     if isinstance(one, np.ndarray):
         return np.array_equal(one, two, equal_nan=one.dtype.kind in "fc")
+    if isinstance(one, Mapping):
+        return one.keys() == two.keys() and all(_same(one[name], two[name]) for name in one)
     return bool(one == two)
 
 
