@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import functools
 import inspect
 import json
@@ -16,6 +17,7 @@ import pytest
 from scipy.integrate import quad
 
 from docs import api
+from slowflow import cli
 from slowflow.averaged.questions import Averaged
 
 ROOT = Path(__file__).parents[1]
@@ -77,6 +79,34 @@ def test_the_code_in_the_readme_runs() -> None:
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
     assert len(blocks) >= 2
     exec("\n".join(blocks), {})
+
+
+#: docstrings of modules with code, and which of these need what deriving needs
+DOCUMENTED = {"slowflow.derive": "sympy", "slowflow.progress": "", "slowflow.scenes": ""}
+
+
+def test_the_modules_with_code_in_their_docstrings_are_these() -> None:
+    found = set()
+    for path in (ROOT / "src" / "slowflow").rglob("*.py"):
+        text = inspect.cleandoc(ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or "")
+        if re.search(r"^    (import|from|with|\[)", text, re.MULTILINE):
+            found.add(".".join(path.relative_to(ROOT / "src").with_suffix("").parts))
+    assert found == set(DOCUMENTED)
+
+
+@pytest.mark.parametrize("name", DOCUMENTED)
+def test_the_code_in_a_docstring_runs(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    if DOCUMENTED[name]:
+        pytest.importorskip(DOCUMENTED[name])
+    told = inspect.getdoc(import_module(name)) or ""
+    code = "\n".join(line[4:] for line in told.splitlines() if line.startswith("    ") or not line)
+    if name != "slowflow.scenes":
+        exec(code, {})
+        return
+    scene = tmp_path / "scene.toml"
+    scene.write_text(code, encoding="utf-8")
+    assert cli.main(["run", str(scene), "--quiet"]) == 0
+    assert "# spectrum" in capsys.readouterr().out
 
 
 def test_the_list_of_signatures_is_that_of_the_code() -> None:

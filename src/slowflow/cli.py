@@ -287,7 +287,8 @@ def draw(folder: Path, names: Sequence[str] = ()) -> bool:
         return False
     from slowflow.paper import figures
 
-    print("Figures:", *figures.draw(folder, names or tuple(figures.FIGURES)))
+    with progress.shown():
+        print("Figures:", *figures.draw(folder, names or tuple(figures.FIGURES)))
     return True
 
 

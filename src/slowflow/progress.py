@@ -2,8 +2,12 @@
 
 Nobody does unless `shown`: a program that asks is not talked into.
 
+    from slowflow import Isolator, progress
+    from slowflow.sizing import tolerances
+
+    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
     with progress.shown():
-        tolerances(mount, {"k_h": 0.05}, F=5, samples=10**6)
+        tolerances(mount, {"k_h": 0.05}, F=5, samples=10**4)
 """
 
 from __future__ import annotations

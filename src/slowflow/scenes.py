@@ -2,7 +2,12 @@
 
     [mount]                     # as Isolator.physical, in SI units; or [isolator], or [duffing], dimensionless
     m = 12
-    ...
+    k_v = 2500
+    k_h = 1700
+    L = 0.080
+    preload = 0.009
+    friction = 0.4
+    zeta = 0.02
 
     [ask]
     F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]; Y in m with excitation = "base", U in kg m of

@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
 
-from slowflow import pictures
+from slowflow import pictures, progress
 from slowflow.exact.continuation import exact_response
 from slowflow.isolator import Duffing, Isolator
 from slowflow.mechanism import EquationOfMotion, linear
@@ -234,7 +234,8 @@ def draw(folder: Path, names: Iterable[str] = tuple(FIGURES)) -> list[Path]:
     with plt.rc_context({"svg.hashsalt": "slowflow", "svg.fonttype": "path"}):
         for name in names:
             figure = mpl.figure.Figure(figsize=(7.2, 4.4), layout="constrained")
-            FIGURES[name].draw(figure.subplots())
+            with progress.named(f"Fig. {name}"):
+                FIGURES[name].draw(figure.subplots())
             for suffix in ("png", "svg"):
                 path = folder / f"fig_{name}.{suffix}"
                 figure.savefig(path, dpi=160, metadata={"Date": None} if suffix == "svg" else {"Software": None})
