@@ -11,6 +11,7 @@
 # make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, some
 #                 ten minutes
 # make explorer   docs/explorer.html, the compiled solvers in a browser; same bytes whenever it is made
+# make dist       sdist and wheel, output/dist; the wheel twice, which has to be the same bytes
 # make docs       the site, output/docs: warnings are errors
 
 PYTHON ?= python3
@@ -22,7 +23,7 @@ DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress explorer docs clean
+.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress explorer docs dist clean
 .DELETE_ON_ERROR:
 
 paper: derive
@@ -74,6 +75,16 @@ explorer: $(INSTALLED)
 docs: $(INSTALLED)
 	$(PIP) "slowflow[docs]"
 	$(BIN)/python -m sphinx --builder html --fail-on-warning --keep-going --jobs auto docs output/docs
+
+# the files of the wheel are dated as the last commit; both wheels are built from the sdist
+dist: export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 315619200)
+dist: $(INSTALLED)
+	rm -rf output/dist output/again
+	$(PIP) build
+	$(BIN)/python -m build --quiet --outdir output/dist
+	$(BIN)/python -m build --quiet --outdir output/again
+	cmp output/dist/*.whl output/again/*.whl
+	@cd output/dist && sha256sum *
 
 bench-peers: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.peers

@@ -1,7 +1,8 @@
 """The compiled part of the package: in go the C sources, out come extension modules; pyproject.toml says all else.
 
-Every extension is optional: where there is no C compiler the package installs without it and runs on NumPy. The C is
-committed, so that building it needs NumPy's headers and nothing that derives or renders.
+A checkout installs without a C compiler too (`pip install --editable`), and runs on NumPy. A wheel is compiled, or its
+build fails; SLOWFLOW_PURE=1 asks for one that runs on NumPy, whose name says so. The C is committed: building it needs
+NumPy's headers and nothing that derives or renders.
 
 To the solver's extension a further source is added by putting it into src/slowflow/native/solver/.
 """
@@ -17,6 +18,7 @@ from setuptools.command.build_ext import build_ext
 NATIVE = Path("src/slowflow/native")
 GENERATED = Path("generated")
 HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED) for path in folder.rglob("*.h"))
+PURE = os.environ.get("SLOWFLOW_PURE") == "1"
 # Without GIL there is no stable ABI yet.
 STABLE_ABI = not sysconfig.get_config_var("Py_GIL_DISABLED")
 # IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps. The ends of an interval
@@ -36,6 +38,18 @@ class Build(build_ext):
         # here, as an editable install forgets what `options` says of this command
         self.parallel = self.parallel or os.cpu_count()
         super().finalize_options()
+
+    def run(self):
+        super().run()
+        if self.inplace or self.editable_mode:
+            return
+        missing = [one.name for one in self.extensions if not Path(self.get_ext_fullpath(one.name)).exists()]
+        if missing:
+            raise SystemExit(
+                f"slowflow: {', '.join(missing)} could not be compiled, see above. This needs a C compiler and the "
+                "headers of Python (on Debian: apt install gcc python3-dev). With SLOWFLOW_PURE=1 in the environment "
+                "the package is built without: the same answers, slower."
+            )
 
     def build_extensions(self):
         for extension in self.extensions:
@@ -57,11 +71,13 @@ def extension(name, sources):
 
 
 setup(
-    ext_modules=[
+    ext_modules=[]
+    if PURE
+    else [
         extension("slowflow_kernels._native", [NATIVE / "kernels.c", *(GENERATED / "native").glob("*.c")]),
         extension("slowflow._native", (NATIVE / "solver").glob("*.c")),
         extension("slowflow._exact", (NATIVE / "exact").glob("*.c")),
     ],
     cmdclass={"build_ext": Build},
-    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI else {},
+    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI and not PURE else {},
 )

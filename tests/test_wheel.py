@@ -16,10 +16,11 @@ import pytest
 
 from slowflow import backend
 from slowflow.paper.example import TABLE_1
+from slowflow.version import __version__
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[1]
-SOURCES = ("pyproject.toml", "setup.py", "MANIFEST.in", "README.md", "LICENSE")
+SOURCES = ("pyproject.toml", "setup.py", "README.md", "LICENSE")
 NEEDED = ("numpy", "scipy")
 #: Matplotlib and what it imports
 PLOTTING = ("matplotlib", "contourpy", "cycler", "fonttools", "kiwisolver", "packaging", "pillow", "pyparsing",
@@ -44,27 +45,48 @@ print(made.compiled, one.saddle_node_onset().F_SN, *one.saddle_nodes(0.05).Omega
 """
 
 
-def run(command: list[str | Path], folder: Path) -> subprocess.CompletedProcess[str]:
+def run(command: list[str | Path], folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
     """Run a command in a folder, without anything in the environment that could lead it to the sources."""
     ours = ("PYTHON", "SLOWFLOW", "VIRTUAL_ENV")
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(ours)}
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(ours)} | environment
     return subprocess.run(command, cwd=folder, env=kept, capture_output=True, text=True)
 
 
-@pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A wheel of the sources as they are, built aside, so that nothing of an earlier build gets into it."""
-    folder = tmp_path_factory.mktemp("wheel")
+def copied(folder: Path) -> Path:
+    """The sources as they are, aside, so that nothing of an earlier build gets into a wheel."""
     sources = folder / "sources"
     for name in ("src", "generated", "derivations"):
         shutil.copytree(ROOT / name, sources / name, ignore=shutil.ignore_patterns("*.so", "__pycache__", "*.egg-info"))
     for name in SOURCES:
         shutil.copy(ROOT / name, sources)
+    return sources
+
+
+def built(folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    """A wheel of the sources, built in a folder."""
     command = [sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-index", "--no-build-isolation", "."]
-    done = run([*command, "--wheel-dir", folder], sources)
+    return run([*command, "--wheel-dir", folder], copied(folder), **environment)
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A wheel of the sources; where nothing compiles here, one that runs on NumPy."""
+    folder = tmp_path_factory.mktemp("wheel")
+    done = built(folder, SLOWFLOW_PURE="1" if backend.SOLVER is None else "0")
     assert done.returncode == 0, done.stdout + done.stderr
-    (built,) = folder.glob("*.whl")
-    return built
+    (found,) = folder.glob("*.whl")
+    return found
+
+
+def test_without_a_compiler_a_wheel_says_so_and_a_pure_one_bears_its_name(tmp_path: Path) -> None:
+    (tmp_path / "none").mkdir()
+    done = built(tmp_path / "none", CC="false")
+    assert done.returncode != 0 and not list((tmp_path / "none").glob("*.whl"))
+    assert "needs a C compiler" in done.stdout + done.stderr and "SLOWFLOW_PURE=1" in done.stdout + done.stderr
+    (tmp_path / "pure").mkdir()
+    done = built(tmp_path / "pure", CC="false", SLOWFLOW_PURE="1")
+    (found,) = (tmp_path / "pure").glob("*.whl")
+    assert found.name == f"slowflow-{__version__}-py3-none-any.whl"
 
 
 def environment(folder: Path, wheel: Path, distributions: tuple[str, ...]) -> Path:
