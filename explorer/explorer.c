@@ -24,6 +24,9 @@ static unsigned char flags[2][MOST];
 static long long branch[MOST];
 static int undecided;
 
+/* The oscillator as it was given, in pairs, for the last digits of an answer. */
+static const sf_exactly *exactly(void) { return known == NULL ? NULL : &known->exactly; }
+
 double *EXPORT(input)(void) { return in; }
 double *EXPORT(column)(int i) { return out[i]; }
 unsigned char *EXPORT(flag)(int i) { return flags[i]; }
@@ -112,7 +115,7 @@ int EXPORT(states)(double F_0, double Omega)
 int EXPORT(folds)(double F_0)
 {
     sf_folds *found = &room.work.folds;
-    const sf_status status = sf_sticks(&model, F_0) ? SF_STICKS : sf_decided_folds(&model, known, F_0, &room, found);
+    const sf_status status = sf_sticks(&model, F_0) ? SF_STICKS : sf_settled_folds(&model, known, F_0, &room, found);
     if (status != SF_OK)
         return -(int)status;
     for (int i = 0; i < found->n; i++) {
@@ -127,19 +130,19 @@ int EXPORT(folds)(double F_0)
 int EXPORT(onset)(void)
 {
     sf_onset found;
-    const sf_status status = sf_find_onset(&model, &room.work, &found);
+    const sf_status status = sf_settled_onset(&model, exactly(), &room.work, &found);
     out[0][0] = found.F_SN, out[0][1] = found.Omega, out[0][2] = found.A;
     out[0][3] = found.kind, out[0][4] = found.rest;
     return status;
 }
 
 /* out[0]: F_cr, Omega_cr, u_cr; returns the status. */
-int EXPORT(detachment)(void) { return sf_detachment(&model, out[0], out[0] + 1, out[0] + 2); }
+int EXPORT(detachment)(void) { return sf_settled_detachment(&model, exactly(), out[0], out[0] + 1, out[0] + 2); }
 
 /* out[0]: A, Omega; returns the status. */
 int EXPORT(peak)(double F_0)
 {
-    return sf_sticks(&model, F_0) ? SF_STICKS : sf_peak(&model, F_0, &room.work, out[0], out[0] + 1);
+    return sf_sticks(&model, F_0) ? SF_STICKS : sf_settled_peak(&model, exactly(), F_0, &room.work, out[0], out[0] + 1);
 }
 
 /* out: Omega, A, F_0 along the fold locus. */
