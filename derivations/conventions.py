@@ -170,6 +170,11 @@ CONVENTIONS = (
         "What the solvers of averaged motions have in common",
         (STATUS, ONSET_KIND, FOLD_KIND, PINNED, MOVES),
         (
+            Number(
+                "HIGHEST_OMEGA",
+                sp.Integer(10) ** 40,
+                "highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it",
+            ),
             Number("STATIC_MULTIPLE", sp.Integer(100), "an undamped response without a reach is cut at this times F_0"),
             Number("RAISE", sp.Integer(4), "the forcing is raised by this factor until the onset lies below it"),
             Number("RAISES", 30, "how often, at most"),

@@ -69,6 +69,7 @@ def ask():
         "many shocks": many.shock_spectrum(acceleration=0.4, duration=2.0),
         "front": front(iso, {"zeta": (0.01, 0.1)}, high=["F_SN"], low=["A_peak"], F_0=0.04, points=2),
         "fit": fit(iso, A=[0.1, 0.2, 0.1], F_0=0.02, Omega=[0.7, 0.8, 0.9], free=["zeta"]),
+        "states": many.amplitudes(Omega=0.9, F_0=0.04),
     }
 
 

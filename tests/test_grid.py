@@ -36,6 +36,7 @@ ASK = {
     "saddle_node_onset": {},
     "saddle_nodes": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "places": 3},
     "peak": {"F_0": xarray.DataArray(FORCES, dims="F_0")},
+    "amplitudes": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "Omega": 0.9},
     "certify": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "Omega": 0.9},
 }
 
@@ -113,7 +114,7 @@ def test_a_store_says_what_is_in_it(tmp_path):
 
 
 @pytest.mark.skipif(backend.SOLVER is None, reason="takes long on NumPy")
-@pytest.mark.parametrize("question", [question for question in ASK if question != "certify"])
+@pytest.mark.parametrize("question", [question for question in ASK if question not in ("amplitudes", "certify")])
 def test_the_second_approximation_has_maps_too(question, tmp_path):
     found = over({"r": 3}).second_approximation.store(tmp_path / "map.zarr", question, **ASK[question])
     assert_same_bits(found, batch(question, "second_approximation"), question)

@@ -59,6 +59,8 @@ typedef enum {
     SF_BOUNDLESS_MOVES = 4 /* a number is not finite, as at the end of a parameter's domain */
 } sf_moves_status;
 
+/* highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it */
+#define SF_HIGHEST_OMEGA 1e+40
 /* an undamped response without a reach is cut at this times F_0 */
 #define SF_STATIC_MULTIPLE 100.0
 /* the forcing is raised by this factor until the onset lies below it */

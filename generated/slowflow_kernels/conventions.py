@@ -108,6 +108,8 @@ class MovesStatus(IntEnum):
     BOUNDLESS = 4
 
 
+# highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it
+HIGHEST_OMEGA = 1e+40
 # an undamped response without a reach is cut at this times F_0
 STATIC_MULTIPLE = 100.0
 # the forcing is raised by this factor until the onset lies below it

@@ -16,11 +16,10 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.mechanism import Floats, Parameter
+from slowflow_kernels.conventions import HIGHEST_OMEGA
 
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
-#: the highest frequency: the square of an amplitude that F_0 >= 1e-70 holds there is in the range of doubles
-HIGHEST = 1e40
 #: the most points that are asked for
 MOST_SAMPLES = 10**6
 
@@ -165,18 +164,18 @@ def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
 
 
 def window(name: str, value: Any) -> tuple[float, float]:
-    """A pair of frequencies 0 <= low < high <= `HIGHEST`."""
+    """A pair of frequencies 0 <= low < high <= `HIGHEST_OMEGA`."""
     try:
         low, high = value
     except (TypeError, ValueError):
         raise _refuse(name, value, "a pair (low, high) with 0 <= low < high") from None
     low = number(f"{name}[0]", low, least=0.0)
-    return low, number(f"{name}[1]", high, above=low, most=HIGHEST)
+    return low, number(f"{name}[1]", high, above=low, most=HIGHEST_OMEGA)
 
 
 def frequencies(name: str, value: Any) -> npt.NDArray[np.float64]:
-    """An array of frequencies 0 < Omega <= `HIGHEST`."""
+    """An array of frequencies 0 < Omega <= `HIGHEST_OMEGA`."""
     array = positive_array(name, value)
-    if array.size and array.max() > HIGHEST:
-        raise _refuse(name, float(array.max()), f"<= {HIGHEST:g}")
+    if array.size and array.max() > HIGHEST_OMEGA:
+        raise _refuse(name, float(array.max()), f"<= {HIGHEST_OMEGA:g}")
     return array

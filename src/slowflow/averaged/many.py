@@ -1,4 +1,4 @@
-"""Many designs at once: in go arrays of parameters that broadcast, out come critical forcings, folds and peaks.
+"""Many designs at once: in go arrays of parameters that broadcast, out come critical forcings, folds, states and peaks.
 
 Made by `Isolator.many(...)` and `Duffing.many(...)`. Nothing but the answers is allocated: inputs stay as they are,
 broadcast views included. `workers` threads share the designs (-1: one for each processor) and give the same digits; the
@@ -27,7 +27,7 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
 from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak
 from slowflow.results import NOT_AVERAGED, Remark
-from slowflow_kernels import inertia
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 Codes = npt.NDArray[np.int8]
@@ -50,7 +50,8 @@ class Batch(Answer):
     def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
         """Draw a number of each design over two parameters into Matplotlib axes, or new ones, and return these.
 
-        x, y -- names of parameters, or "F_0": each varies along one axis of the batch, and nothing else varies
+        x, y -- names of parameters, "F_0", or "Omega" of states: each varies along one axis of the batch, and nothing
+                else varies
         of   -- which number: a column, as "F_SN"
 
         Grey is where there is no answer. Raises ValueError for another name, and for a batch that is no such grid.
@@ -59,7 +60,7 @@ class Batch(Answer):
 
         numbers = [name for name, value in vars(self).items() if not name.startswith("_") and value.dtype == float]
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
-        return pictures.design_map(ax, *self._designs.spanned(x, y, of, values, self._F_0))
+        return pictures.design_map(ax, *self._designs.spanned(x, y, of, values, self._asked_at()))
 
     def _given(self) -> Given:
         """Whose answers these are. Raises ValueError for those of another approximation."""
@@ -68,6 +69,10 @@ class Batch(Answer):
         self._designs.only_for_a_force("gradient")
         numbers = (np.asarray(value, dtype=float) for value in self._designs.values.values())
         return Given(self._designs.mechanism, tuple(numbers))
+
+    def _asked_at(self) -> dict[str, Any]:
+        """What was asked for beside the designs, by name."""
+        return {} if np.isnan(self._F_0).all() else {"F_0": np.asarray(self._F_0)}
 
     def _found(self) -> tuple[Any, Any, Any]:
         """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
@@ -84,7 +89,7 @@ class Batch(Answer):
         What has several places becomes a column for each, as Omega_0.
         """
         shape = self.status.shape
-        given = {**self._designs.values, **({} if np.isnan(self._F_0).all() else {"F_0": np.asarray(self._F_0)})}
+        given = {**self._designs.values, **self._asked_at()}
         found = {name: np.broadcast_to(value, shape).ravel() for name, value in given.items()}
         for name, value in self._content().items():
             several = value.ndim > len(shape)
@@ -215,6 +220,54 @@ class Folds(Batch):
 
 
 @dataclass(frozen=True, eq=False)
+class States(Batch):
+    """The steady states at one frequency and forcing, for each design; A, stable and phi have one more axis, of places.
+
+    A      -- by rising A, then NaN
+    stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
+    count  -- how many states there are, also where they are more than places
+    undecided -- 1 where doubles do not tell whether there is another pair
+    """
+
+    A: Floats
+    stable: Codes
+    count: Codes
+    undecided: Codes
+    status: Codes
+    _Omega: Any = field(repr=False, kw_only=True)
+
+    @cached_property
+    def phi(self) -> Floats:
+        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); NaN in an empty place.
+
+        Computed when first asked for.
+        """
+        *design, mu, zeta = (np.asarray(value, dtype=float) for value in self._designs.values.values())
+        with np.errstate(all="ignore"):  # empty places
+            parameters = self._designs.mechanism.coefficients(*design)
+            beside = (np.asarray(value)[..., np.newaxis] for value in parameters)
+            h = self._designs.mechanism.averaged(self.A, *beside)[0]
+            m = np.asarray(slow_flow.friction(mu))[..., np.newaxis]
+            return frozen(slow_flow.phase(self._frequency, self.A, m, zeta[..., np.newaxis], h))
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """As of all batches, and `Remark.UNDECIDED`."""
+        return frozen(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
+
+    def _asked_at(self) -> dict[str, Any]:
+        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
+
+    @property
+    def _frequency(self) -> Floats:
+        """Along the axis of places."""
+        return np.asarray(self._Omega, dtype=float)[..., np.newaxis]
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self._frequency, self.A, False
+
+
+@dataclass(frozen=True, eq=False)
 class Peaks(Batch):
     """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega."""
 
@@ -292,6 +345,27 @@ class Designs:
         places = validate.count("places", places, least=1)
         return Folds(*self.ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0, _averaged=True)
 
+    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> States:
+        """Every steady state at (Omega, F_0), which broadcast with the designs (24), (30).
+
+        `Status.TOO_MANY` where they exceed `places`.
+        """
+        places = validate.count("places", places, least=1)
+        A, stable, *rest = self.ask(AMPLITUDES, workers, F_0, places, Omega=Omega)
+        self._leave_out_what_drifts(Omega, A, stable)
+        return States(A, stable, *rest, _designs=self, _F_0=F_0, _Omega=Omega, _averaged=True)
+
+    def _leave_out_what_drifts(self, Omega: Any, A: Floats, stable: Codes) -> None:
+        """States are stable only if they stay about u = 0 as well."""
+        *design, _, _ = (np.asarray(value, dtype=float) for value in self.values.values())
+        with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
+            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*design))
+            may = np.broadcast_to(~remarks.stay_centred(self.mechanism, parameters), A.shape[:-1])
+            if may.any():
+                chosen = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in parameters)
+                frequency = np.broadcast_to(np.asarray(Omega, dtype=float), may.shape)[may][:, np.newaxis]
+                stable[may] &= remarks.keeps_centre(self.mechanism, chosen, frequency, A[may])
+
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""
         return Peaks(*self.ask(PEAK, workers, F_0), _designs=self, _F_0=F_0, _averaged=True)
@@ -323,10 +397,10 @@ class Designs:
             return remarks.of_designs(self.mechanism, parameters, mu, force, Omega, A, corner)
 
     def spanned(
-        self, x: str, y: str, of: str, values: Floats, F_0: Any
+        self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]
     ) -> tuple[tuple[str, Floats], tuple[str, Floats], tuple[str, Floats]]:
         """Two parameters that span the designs and values over these, each with its name, for a map."""
-        given = {**self.values, "F_0": F_0}
+        given = {**self.values, **beside}
         if values.ndim != 2 or x == y:
             raise ValueError(f"{of} over {x!r} and {y!r} is no map: a batch of two axes spanned by them is wanted")
         spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in given.items()}
@@ -375,28 +449,29 @@ class Designs:
             for output, value in zip(outputs, NO_PROOF, strict=True):
                 output[...] = value
         else:
-            self._loop(question.one, list(np.broadcast_arrays(*values.values())), F_0 is not None, places, outputs)
+            self._loop(question.one, list(np.broadcast_arrays(*values.values())), len(at), places, outputs)
         return outputs
 
     def _loop(
-        self, one: One, values: list[npt.NDArray[Any]], forced: bool, places: int, outputs: list[npt.NDArray[Any]]
+        self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[npt.NDArray[Any]]
     ) -> None:
-        """Design by design, on NumPy."""
+        """Design by design, on NumPy; the last `beside` of the values are F_0 and Omega."""
         for at in np.ndindex(values[0].shape):
-            given = [float(value[at]) for value in values]
-            F_0 = given.pop() if forced else None
-            found = self._one(one, given, F_0, places)
+            numbers = [float(value[at]) for value in values]
+            size = len(numbers) - beside
+            found = self._one(one, numbers[:size], numbers[size:], places)
             for output, value in zip(outputs, found, strict=True):
                 output[at] = value
 
-    def _one(self, one: One, given: list[float], F_0: float | None, places: int) -> tuple[Any, ...]:
+    def _one(self, one: One, given: list[float], asked: list[float], places: int) -> tuple[Any, ...]:
         """One design's answer, with the status of its failure in place of an exception."""
-        asked = () if F_0 is None else (F_0,)
         blank = one(None, *asked, places)[:-1]
         try:
             model = Model.of(self.mechanism, dict(zip(self.values, given, strict=True)), self.excitation)
             oscillator = Averaged(model)
-            if F_0 is not None and not (validate.number("F_0", F_0, above=0.0) > oscillator.sticking_forcing):
+            if len(asked) > 1:
+                validate.frequencies("Omega", asked[1])
+            if asked and not (validate.number("F_0", asked[0], above=0.0) > oscillator.sticking_forcing):
                 return (*blank, Status.STICKS)
             return one(oscillator, *asked, places)
         except ValueError:
@@ -493,6 +568,17 @@ def in_places(found: Any, places: int, undecided: bool) -> tuple[Any, ...]:
     return Omega, A, kind, len(found), undecided, Status.OK if n == len(found) else Status.TOO_MANY
 
 
+def _amplitudes(oscillator: Any, F_0: float, Omega: float, places: int) -> tuple[Any, ...]:
+    A, stable = np.full(places, np.nan), np.zeros(places, np.int8)
+    if oscillator is None:
+        return A, stable, 0, False, Status.NONE
+    found = oscillator.states(Omega=Omega, F_0=F_0)
+    n = min(places, len(found.A))
+    A[:n], stable[:n] = found.A[:n], found.stable[:n]
+    fits = n == len(found.A)
+    return A, stable, len(found.A), Remark.UNDECIDED in found.remarks, Status.OK if fits else Status.TOO_MANY
+
+
 def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     found = oscillator and oscillator.peak(F_0)
     if not found or found.A is None:
@@ -539,6 +625,12 @@ SADDLE_NODES = Question(
     lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 3],
     lambda native: native.many_saddle_nodes,
     2**12,
+)
+AMPLITUDES = Question(
+    _amplitudes,
+    lambda k: [((k,), float), ((k,), np.int8), *[((), np.int8)] * 3],
+    lambda native: native.many_amplitudes,
+    2**11,
 )
 PEAK = Question(
     _peak,

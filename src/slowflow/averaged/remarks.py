@@ -100,6 +100,17 @@ def stays_centred(model: Model) -> bool:
     return model.hardens and not model.negative_stiffness
 
 
+def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
+    """The same of each of many designs; parameters of shapes that broadcast."""
+    hardens = np.all(
+        [np.asarray(value) >= 0 for value in np.broadcast_arrays(*mechanism.hardening(*parameters))], axis=0
+    )
+    ends, jumps = mechanism.breakpoints(*parameters), mechanism.jumps(*parameters)
+    for end, jump in zip(ends, jumps, strict=True):
+        hardens = hardens & ((np.asarray(end) <= 0) | (np.asarray(jump) <= 0))
+    return np.asarray(hardens & ~(np.asarray(mechanism.averaged(0.0, *parameters)[1]) > 0))
+
+
 def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     """Each remark as a sentence or less."""
     if Remark.NEAR_STICKING not in remarks:

@@ -35,6 +35,7 @@ QUESTIONS = {
     "detachment": Question(many.DETACHMENT, many.Detachments),
     "saddle_node_onset": Question(many.ONSET, many.Onsets),
     "saddle_nodes": Question(many.SADDLE_NODES, many.Folds, ("F_0", "places")),
+    "amplitudes": Question(many.AMPLITUDES, many.States, ("F_0", "Omega", "places")),
     "peak": Question(many.PEAK, many.Peaks, ("F_0",)),
     "certify": Question(many.PROVED_FOLDS, many.Proofs, ("F_0",), ("Omega",)),
 }
@@ -65,7 +66,7 @@ class Ask:
 
     depth   -- one of `DEPTHS`
     names   -- of the numbers that it is called with: the design's, mu and zeta, and F_0 and Omega where it takes them
-    places  -- of folds; 0 for a question without
+    places  -- of folds or states; 0 for a question without
     workers -- threads that share a block
     made_by -- of the slowflow that is to answer
     """

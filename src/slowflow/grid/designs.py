@@ -26,6 +26,13 @@ __all__ = ["Grid"]
 AT_ONCE = 2**18
 
 
+#: why a question has no answer in the second approximation
+ONLY_AVERAGED = {
+    "certify": "nothing is proved of the second approximation",
+    "amplitudes": "a batch has no states of the second approximation, ask a single oscillator",
+}
+
+
 class Grid:
     """Designs of one mechanism over named axes, and the questions about them; answers are xarray's Datasets.
 
@@ -76,6 +83,10 @@ class Grid:
         """Every fold at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Folds`."""
         return self._answer(*self.asked("saddle_nodes", workers, F_0=F_0, places=places))
 
+    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> Any:
+        """Every steady state at (Omega, F_0), which broadcast too; see `slowflow.averaged.many.States`."""
+        return self._answer(*self.asked("amplitudes", workers, F_0=F_0, places=places, Omega=Omega))
+
     def peak(self, F_0: Any, *, workers: int = 1) -> Any:
         """The highest peak at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Peaks`."""
         return self._answer(*self.asked("peak", workers, F_0=F_0))
@@ -88,7 +99,7 @@ class Grid:
         """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
 
         path     -- folder of the store, which every worker of a cluster must reach; or what else Zarr takes for one
-        question -- name of the method: "detachment", "saddle_node_onset", "saddle_nodes", "peak",
+        question -- name of the method: "detachment", "saddle_node_onset", "saddle_nodes", "amplitudes", "peak",
                     "certify"
         asked    -- what this takes, as F_0, Omega and places
 
@@ -129,8 +140,8 @@ class Grid:
         if "places" in takes:
             places = validate.count("places", places, least=1)
         validate.workers(workers)
-        if question == "certify" and self._depth != DEPTHS[0]:
-            raise ValueError("certify: nothing is proved of the second approximation")
+        if question in ONLY_AVERAGED and self._depth != DEPTHS[0]:
+            raise ValueError(f"{question}: {ONLY_AVERAGED[question]}")
         forced = {"F_0": F_0} if "F_0" in takes else {}
         forced |= {} if Omega is None else {"Omega": Omega}
         values = labelled({**self._given, **forced}) if forced else self.values

@@ -8,8 +8,8 @@
 
 #include <fenv.h>
 
-#include "decide.h"
 #include "settle.h"
+#include "states.h"
 
 static double sf_input(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k) {
     return *(const double *)(const void *)(args[i] + k * steps[i]);
@@ -66,6 +66,62 @@ static void sf_quietly(sf_many loop, char **args, const ptrdiff_t *dimensions, c
     fesetenv(&before);
 }
 
+/* ==== Answers, from output `out` on =============================================================================== */
+
+/* Arrays of one more axis, whose steps stand behind those of all arguments: place i of output `at` of these. */
+static void *sf_at_place(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, int at, ptrdiff_t k, ptrdiff_t i) {
+    return args[out + at] + k * steps[out + at] + i * inner[at];
+}
+
+static void sf_write_detachment(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, double F_cr, double Omega_cr,
+                                double u_cr, sf_status status) {
+    sf_output(args, steps, out, k, F_cr);
+    sf_output(args, steps, out + 1, k, Omega_cr);
+    sf_output(args, steps, out + 2, k, u_cr);
+    sf_output_code(args, steps, out + 3, k, status);
+}
+
+/* at_rest: whether folds that end at Omega = 0 are below it */
+static void sf_write_onset(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, const sf_onset *found, int at_rest,
+                           sf_status status) {
+    sf_output(args, steps, out, k, found->F_SN);
+    sf_output(args, steps, out + 1, k, found->Omega);
+    sf_output(args, steps, out + 2, k, found->A);
+    sf_output_code(args, steps, out + 3, k, found->kind);
+    sf_output_code(args, steps, out + 4, k, at_rest);
+    sf_output_code(args, steps, out + 5, k, status);
+}
+
+static void sf_write_peak(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, double A, double Omega, sf_status status) {
+    sf_output(args, steps, out, k, A);
+    sf_output(args, steps, out + 1, k, Omega);
+    sf_output_code(args, steps, out + 2, k, status);
+}
+
+/* How many there are, and the status, SF_TOO_MANY where there are no places for them. */
+static void sf_write_count(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, int n, int undecided, ptrdiff_t places,
+                           sf_status status) {
+    sf_output_code(args, steps, out, k, n);
+    sf_output_code(args, steps, out + 1, k, undecided);
+    sf_output_code(args, steps, out + 2, k, n > places && status == SF_OK ? SF_TOO_MANY : status);
+}
+
+static sf_fold_kind sf_kind_of(const sf_fold *fold) {
+    if (fold->corner)
+        return fold->up ? SF_JUMP_UP_AT_CORNER : SF_JUMP_DOWN_AT_CORNER;
+    return fold->up ? SF_JUMP_UP : SF_JUMP_DOWN;
+}
+
+/* A fold into place i; NULL leaves it empty. */
+static void sf_write_fold(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, ptrdiff_t k, ptrdiff_t i,
+                          const sf_fold *fold) {
+    *(double *)sf_at_place(args, steps, inner, out, 0, k, i) = fold != NULL ? fold->Omega : NAN;
+    *(double *)sf_at_place(args, steps, inner, out, 1, k, i) = fold != NULL ? fold->A : NAN;
+    *(signed char *)sf_at_place(args, steps, inner, out, 2, k, i) = (signed char)(fold != NULL ? sf_kind_of(fold) : SF_EMPTY);
+}
+
+/* ==== Questions ================================================================================================== */
+
 /* design, damping -> F_cr, Omega_cr, u_cr, status */
 static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
@@ -73,16 +129,13 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
         sf_model model;
-        double found[3] = {NAN, NAN, NAN};
-        int i;
+        double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
         sf_exactly exactly;
         sf_status status = SF_INVALID;
         if (sf_design_at(mechanism, args, steps, k, &model))
             status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
-                                           &found[0], &found[1], &found[2]);
-        for (i = 0; i < 3; i++)
-            sf_output(args, steps, out + i, k, found[i]);
-        sf_output_code(args, steps, out + 3, k, status);
+                                           &F_cr, &Omega_cr, &u_cr);
+        sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, u_cr, status);
     }
 }
 
@@ -100,12 +153,7 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
         if (work != NULL && sf_design_at(mechanism, args, steps, k, &model))
             status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
                                       &found);
-        sf_output(args, steps, out, k, found.F_SN);
-        sf_output(args, steps, out + 1, k, found.Omega);
-        sf_output(args, steps, out + 2, k, found.A);
-        sf_output_code(args, steps, out + 3, k, found.kind);
-        sf_output_code(args, steps, out + 4, k, found.rest < (found.kind == SF_NO_KIND ? HUGE_VAL : found.F_SN));
-        sf_output_code(args, steps, out + 5, k, status);
+        sf_write_onset(args, steps, out, k, &found, sf_is_rest_below(&found), status);
     }
     free(work);
 }
@@ -125,17 +173,9 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
         if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model))
             status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0, work,
                                      &A, &Omega);
-        sf_output(args, steps, out, k, A);
-        sf_output(args, steps, out + 1, k, Omega);
-        sf_output_code(args, steps, out + 2, k, status);
+        sf_write_peak(args, steps, out, k, A, Omega, status);
     }
     free(work);
-}
-
-static sf_fold_kind sf_kind_of(const sf_fold *fold) {
-    if (fold->corner)
-        return fold->up ? SF_JUMP_UP_AT_CORNER : SF_JUMP_DOWN_AT_CORNER;
-    return fold->up ? SF_JUMP_UP : SF_JUMP_DOWN;
 }
 
 /* design, damping, F_0 -> Omega (places), A (places), kind (places), count, undecided, status */
@@ -156,18 +196,40 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
             const int is_given = sf_given_at(mechanism, args, steps, k, &given);
             status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
         }
-        if (found.n > places && status == SF_OK)
-            status = SF_TOO_MANY;
-        for (i = 0; i < places; i++) {
-            const int filled = i < found.n;
-            *(double *)(void *)(args[out] + k * steps[out] + i * inner[0]) = filled ? found.at[i].Omega : NAN;
-            *(double *)(void *)(args[out + 1] + k * steps[out + 1] + i * inner[1]) = filled ? found.at[i].A : NAN;
-            *(signed char *)(args[out + 2] + k * steps[out + 2] + i * inner[2]) =
-                (signed char)(filled ? sf_kind_of(&found.at[i]) : SF_EMPTY);
+        for (i = 0; i < places; i++)
+            sf_write_fold(args, steps, inner, out, k, i, i < found.n ? &found.at[i] : NULL);
+        sf_write_count(args, steps, out + 3, k, found.n, found.undecided, places, status);
+    }
+    free(room);
+}
+
+/* design, damping, F_0, Omega -> A (places), whether it is stable (places), count, undecided, status */
+static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const sf_mechanism *mechanism = data;
+    const int forcing = mechanism->design_size + mechanism->damping_size, out = forcing + 2;
+    const ptrdiff_t places = dimensions[1], *inner = steps + out + 5;
+    sf_room *room = malloc(sizeof *room);
+    ptrdiff_t k, i;
+    for (k = 0; k < dimensions[0]; k++) {
+        const double F_0 = sf_input(args, steps, forcing, k), Omega = sf_input(args, steps, forcing + 1, k);
+        double A[SF_MOST_STATES];
+        unsigned char stable[SF_MOST_STATES];
+        sf_model model;
+        sf_given given;
+        sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
+        int n = 0, undecided = 0;
+        if (room != NULL && mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA &&
+            sf_design_at(mechanism, args, steps, k, &model)) {
+            const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
+            status = sf_make_skeleton(&model, exact, F_0, room);
+            if (status == SF_OK)
+                n = sf_states(&model, exact, F_0, room, Omega, A, stable, &undecided);
         }
-        sf_output_code(args, steps, out + 3, k, found.n);
-        sf_output_code(args, steps, out + 4, k, found.undecided);
-        sf_output_code(args, steps, out + 5, k, status);
+        for (i = 0; i < places; i++) {
+            *(double *)sf_at_place(args, steps, inner, out, 0, k, i) = i < n ? A[i] : NAN;
+            *(signed char *)sf_at_place(args, steps, inner, out, 1, k, i) = (signed char)(i < n && stable[i]);
+        }
+        sf_write_count(args, steps, out + 2, k, n, undecided, places, status);
     }
     free(room);
 }
@@ -182,6 +244,10 @@ static void sf_many_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
 
 static void sf_many_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     sf_quietly(sf_loop_folds, args, dimensions, steps, data);
+}
+
+static void sf_many_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    sf_quietly(sf_loop_states, args, dimensions, steps, data);
 }
 
 static void sf_many_peaks(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {

@@ -96,10 +96,7 @@ static void sf_loop_second_detachment(char **args, const ptrdiff_t *dimensions, 
                                            &first[0], &first[1], &first[2]);
         if (status == SF_OK && sf_second_detach(&model, first[0], first[1], first[2], &F_cr, &Omega_cr) != SF_OK_SECOND)
             status = SF_NONE, F_cr = Omega_cr = NAN;
-        sf_output(args, steps, out, k, F_cr);
-        sf_output(args, steps, out + 1, k, Omega_cr);
-        sf_output(args, steps, out + 2, k, first[2]);
-        sf_output_code(args, steps, out + 3, k, status);
+        sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, first[2], status);
     }
 }
 
@@ -120,12 +117,8 @@ static void sf_loop_second_onsets(char **args, const ptrdiff_t *dimensions, cons
                                       &first);
         if (status == SF_OK && (first.kind != SF_CUSP_KIND || sf_second_cusp(&model, &first, &found, &u_max) != SF_OK_SECOND))
             status = SF_NONE;
-        sf_output(args, steps, out, k, found.F_SN);
-        sf_output(args, steps, out + 1, k, found.Omega);
-        sf_output(args, steps, out + 2, k, u_max);
-        sf_output_code(args, steps, out + 3, k, found.kind);
-        sf_output_code(args, steps, out + 4, k, first.rest < (first.kind == SF_NO_KIND ? HUGE_VAL : first.F_SN));
-        sf_output_code(args, steps, out + 5, k, status);
+        found.A = u_max;
+        sf_write_onset(args, steps, out, k, &found, sf_is_rest_below(&first), status);
     }
     free(work);
 }
@@ -146,9 +139,7 @@ static void sf_loop_second_peaks(char **args, const ptrdiff_t *dimensions, const
             sf_has_second(&model))
             status = sf_second_peak(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL, F_0,
                                     room, &A, &Omega);
-        sf_output(args, steps, out, k, A);
-        sf_output(args, steps, out + 1, k, Omega);
-        sf_output_code(args, steps, out + 2, k, status);
+        sf_write_peak(args, steps, out, k, A, Omega, status);
     }
     free(room);
 }
@@ -171,20 +162,14 @@ static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const
             sf_has_second(&model))
             status = sf_second_saddle_nodes(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL,
                                             F_0, room, &found);
-        if (found.n > places && status == SF_OK)
-            status = SF_TOO_MANY;
-        for (i = 0; i < places; i++) {
-            const int filled = i < found.n;
-            const sf_second_fold *fold = &found.at[i];
-            const sf_fold kind = {0, 0, filled && fold->up, filled && fold->corner};
-            *(double *)(void *)(args[out] + k * steps[out] + i * inner[0]) = filled ? fold->Omega : NAN;
-            *(double *)(void *)(args[out + 1] + k * steps[out + 1] + i * inner[1]) = filled ? fold->u_max : NAN;
-            *(signed char *)(args[out + 2] + k * steps[out + 2] + i * inner[2]) =
-                filled ? (signed char)sf_kind_of(&kind) : 0;
+        for (i = 0; i < found.n && i < places; i++) {
+            const sf_second_fold *at = &found.at[i];
+            const sf_fold fold = {at->Omega, at->u_max, at->up, at->corner};
+            sf_write_fold(args, steps, inner, out, k, i, &fold);
         }
-        sf_output_code(args, steps, out + 3, k, found.n);
-        sf_output_code(args, steps, out + 4, k, found.lost > 0);
-        sf_output_code(args, steps, out + 5, k, status);
+        for (; i < places; i++)
+            sf_write_fold(args, steps, inner, out, k, i, NULL);
+        sf_write_count(args, steps, out + 3, k, found.n, found.lost > 0, places, status);
     }
     free(room);
 }

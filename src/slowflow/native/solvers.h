@@ -39,6 +39,7 @@ const sf_solvers SF_SOLVERS = {
     sf_many_detachment,
     sf_many_onsets,
     sf_many_folds,
+    sf_many_states,
     sf_many_peaks,
     sf_many_proved_folds,
     sf_many_proved_states,

@@ -27,6 +27,11 @@ typedef struct {
     int undecided; /* whether there may be one whose amplitude no double tells from others */
 } sf_onset;
 
+/* Whether folds that end at Omega = 0 are below it, or without it. */
+static inline int sf_is_rest_below(const sf_onset *found) {
+    return found->rest < (found->kind == SF_NO_KIND ? HUGE_VAL : found->F_SN);
+}
+
 /* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A, Omega) */
 typedef struct {
     double F_0, Omega, A;

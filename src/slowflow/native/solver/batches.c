@@ -31,6 +31,9 @@ static const question onset = {
 static const question saddle_nodes = {
     "many_saddle_nodes", "(k),(k),(k),(),(),()", "design, damping, F_0 -> Omega, A, kind, count, undecided, status", 1, 6,
     {D, D, B, B, B, B}};
+static const question amplitudes = {
+    "many_amplitudes", "(k),(k),(),(),()", "design, damping, F_0, Omega -> A, stable, count, undecided, status", 2, 5,
+    {D, B, B, B, B}};
 static const question peak = {"many_peak", "(),(),()", "design, damping, F_0 -> A, Omega, status", 1, 3, {D, D, B}};
 
 static const question proved_folds = {
@@ -110,6 +113,11 @@ static PyObject *many_saddle_nodes(PyObject *cache, PyObject *record)
     return batch(cache, record, &saddle_nodes, sf_here()->many_folds);
 }
 
+static PyObject *many_amplitudes(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &amplitudes, sf_here()->many_states);
+}
+
 static PyObject *many_peak(PyObject *cache, PyObject *record)
 {
     return batch(cache, record, &peak, sf_here()->many_peaks);
@@ -155,6 +163,8 @@ static PyMethodDef functions[] = {
     {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
     {"many_saddle_nodes", many_saddle_nodes, METH_O,
      "record -> ufunc of (design, damping, F_0) -> Omega, A, kind, count, undecided, status"},
+    {"many_amplitudes", many_amplitudes, METH_O,
+     "record -> ufunc of (design, damping, F_0, Omega) -> A, stable, count, undecided, status"},
     {"many_peak", many_peak, METH_O, "record -> ufunc of (design, damping, F_0) -> A, Omega, status"},
     {"many_second_detachment", many_second_detachment, METH_O, "as many_detachment, in the second approximation"},
     {"many_second_onset", many_second_onset, METH_O, "as many_onset, in the second approximation"},
