@@ -1,13 +1,14 @@
 """Beside (23)-(34): how answers move with the parameters, by the implicit function theorem.
 
-In:  `SlowFlow`; the mechanism stays an open h(A).
+In:  `SlowFlow`, and the force that an excitation of amplitude F_0 pushes with; the mechanism stays an open h(A).
 Out: `Gradients`: for each kind of answer its moves, in what one parameter p does to h, m, zeta, the breakpoint, the
      forcing and the frequency that are given.
 
 An answer is a point (A, Omega, F_0) where three conditions hold; what each says of the moves A_p, Omega_p, F_0_p is
-linear, and they are solved for together. F stands for R^2 + I^2, whose root is the forcing. The conditions themselves
-are put in: what vanishes at an answer is left out. The system's determinant falls into factors, each with its size, the
-sum of its terms without their signs: where one vanishes the answer has no derivative, as it meets another.
+linear, and they are solved for together. F stands for R^2 + I^2 less the force's square S, and its derivatives by Omega
+with it; of S by F_0 the moves take account of themselves. What vanishes at an answer is left out. The system's
+determinant falls into factors, each with its size, the sum of its terms without their signs: where one vanishes the
+answer has no derivative, as it meets another.
 """
 
 from __future__ import annotations
@@ -36,13 +37,15 @@ F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_AAOmega, F_OmegaOmega, R_A, R_Omega = sp.
     "F_A F_AA F_AAA F_Omega F_AOmega F_AAOmega F_OmegaOmega R_A R_Omega", real=True
 )
 F_p, F_Ap, F_AAp, F_Omegap = sp.symbols("F_p F_Ap F_AAp F_Omegap", real=True)
+#: dS/dF_0, and its derivative by Omega
+S_F, S_FOmega = sp.symbols("S_F S_FOmega", real=True)
 
 #: what vanishes along with a condition, and what that says of the moves
 CONDITIONS: dict[str, tuple[sp.Symbol | None, sp.Expr]] = {
-    "level": (None, F_A * A_p + F_Omega * Omega_p + F_p - 2 * F_0 * F_0_p),
+    "level": (None, F_A * A_p + F_Omega * Omega_p + F_p - S_F * F_0_p),
     "fold": (F_A, F_AA * A_p + F_AOmega * Omega_p + F_Ap),
     "cusp": (F_AA, F_AAA * A_p + F_AAOmega * Omega_p + F_AAp),
-    "top": (F_Omega, F_AOmega * A_p + F_OmegaOmega * Omega_p + F_Omegap),
+    "top": (F_Omega, F_AOmega * A_p + F_OmegaOmega * Omega_p + F_Omegap - S_FOmega * F_0_p),
     "backbone": (R, R_A * A_p + R_Omega * Omega_p + h_p),
     "forcing": (None, F_0_p - forcing_p),
     "frequency": (None, Omega_p - frequency_p),
@@ -96,12 +99,14 @@ class Gradients:
     of_state: tuple[sp.Expr, sp.Expr]
 
 
-def gradients(flow: SlowFlow) -> Gradients:
-    """All of it."""
+def gradients(flow: SlowFlow, force: sp.Expr = F_0) -> Gradients:
+    """All of it, for an excitation that pushes with `force`, in F_0 and Omega."""
+    S = force**2
     if sp.diff(flow.m, mu) * mu != flow.m:
         raise ArithmeticError("friction's share of I is not proportional to mu")
-    of_flow = {F_A: flow.F_A, F_AA: flow.F_AA, F_AAA: flow.F_AAA, F_Omega: flow.F_Omega, F_AOmega: flow.F_AOmega}
-    of_flow |= {F_AAOmega: flow.F_AAOmega, F_OmegaOmega: flow.F_OmegaOmega}
+    of_flow = {F_A: flow.F_A, F_AA: flow.F_AA, F_AAA: flow.F_AAA, F_AOmega: flow.F_AOmega, F_AAOmega: flow.F_AAOmega}
+    of_flow |= {F_Omega: flow.F_Omega - sp.diff(S, Omega), F_OmegaOmega: flow.F_OmegaOmega - sp.diff(S, Omega, 2)}
+    of_force = {S_F: sp.diff(S, F_0), S_FOmega: sp.diff(S, F_0, Omega)}
     of_flow |= {R_A: slope(flow.R), R_Omega: sp.diff(flow.R, Omega)}
     whole = {R: flow.R, I: flow.I}
     of_flow |= {
@@ -122,16 +127,17 @@ def gradients(flow: SlowFlow) -> Gradients:
     def of_kind(conditions: tuple[str, str], doc: str) -> Moves:
         asked = [CONDITIONS[name] for name in ("level", *conditions)]
         vanished = {symbol for symbol, _ in asked if symbol is not None}
-        system = sp.Matrix([equation.subs(dict.fromkeys(vanished, 0)) for _, equation in asked])
+        put_in = of_force | dict.fromkeys(vanished, 0)
+        system = sp.Matrix([equation.subs(put_in) for _, equation in asked])
         matrix, right = system.jacobian(MOVES), -system.subs(dict.fromkeys(MOVES, 0))
         solved = [sp.factor(value) for value in matrix.LUsolve(right)]
-        # F_0 is positive, what a power of it multiplies is not
-        factors = [factor for factor, _ in sp.factor_list(matrix.det())[1] if factor.free_symbols - {F_0}]
+        # F_0 and Omega are positive
+        factors = [factor for factor, _ in sp.factor_list(matrix.det())[1] if factor.free_symbols - {F_0, Omega}]
         pivots = tuple((factor, size(factor, sizes, named=True)) for factor in factors)
         return Moves(let([*solved, *factors], vanished & {R}), tuple(solved), pivots, doc)
 
     beside = tuple((symbol, sizes[symbol]) for symbol in (F_A, F_Omega))
-    of_state_lets, of_state = _of_state(flow)
+    of_state_lets, of_state = _of_state(flow, force)
     return Gradients(
         {name: of_kind(conditions, doc) for name, (conditions, doc) in KINDS.items()},
         let([F_A, F_Omega, R], set()),
@@ -152,7 +158,7 @@ def _moved(flow: SlowFlow, expression: sp.Expr) -> sp.Expr:
     return sp.factor_terms(sum(sp.diff(expression, symbol) * move for symbol, move in chain.items()))
 
 
-def _of_state(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, sp.Expr]]:
+def _of_state(flow: SlowFlow, force: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, sp.Expr]]:
     """d phi/dp and d transmissibility/dp of a state, from its own moves."""
     R_moved, I_moved = sp.symbols("R_moved I_moved", real=True)
 
@@ -160,8 +166,8 @@ def _of_state(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, sp.Expr]]
         return sp.expand(_moved(flow, value) + slope(value) * A_p + sp.diff(value, Omega) * Omega_p)
 
     phase = sp.diff(flow.phase, R) * R_moved + sp.diff(flow.phase, I) * I_moved
-    value = flow.transmissibility
-    moves = {h: h_p + h_A * A_p, I: I_moved, F_0: F_0_p}
+    value = flow.transmissibility.subs(F_0, force)
+    moves = {h: h_p + h_A * A_p, I: I_moved, F_0: F_0_p, Omega: Omega_p}
     transmitted = sum(sp.diff(value, symbol) * move for symbol, move in moves.items())
     lets = ((R, flow.R), (I, flow.I), (R_moved, along(flow.R)), (I_moved, along(flow.I)))
     return lets, (sp.factor_terms(sp.simplify(phase)), sp.factor_terms(transmitted))

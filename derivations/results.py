@@ -77,7 +77,7 @@ class Results:
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
-    gradients  -- how answers move with the parameters
+    gradients, inertia_gradients -- how answers move with the parameters, for a force and for an excitation by inertia
     steps      -- of Newton's method on the equations of each answer
     detachment -- (34), by scene
     second     -- the second approximation
@@ -95,6 +95,7 @@ class Results:
     slopes: Slopes
     bounds: Bounds
     gradients: Gradients
+    inertia_gradients: Gradients
     steps: dict[str, Step]
     detachment: dict[str, Elimination]
     second: SecondApproximation
@@ -127,17 +128,19 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     sharp = motion()
     equations = averaged()
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
+    by_inertia = inertia(flows[""])
     return Results(
         sharp,
         smoothed(sharp),
         equations,
         flows,
         frequencies(flows[""]),
-        inertia(flows[""]),
+        by_inertia,
         {scene: along(flow) for scene, flow in flows.items()},
         slopes(flows[""]),
         bounds(flows[""]),
         gradients(flows[""]),
+        gradients(flows[""], by_inertia.force),
         steps(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),

@@ -85,6 +85,20 @@ def test_condition_numbers_are_those_of_every_reference_case():
     assert {"cusp", "corner", True} <= kinds
 
 
+def test_condition_numbers_on_a_base_that_shakes_are_those_of_every_reference_case():
+    found = []
+    for case in json.loads((DATA / "inertia.json").read_text())[::2]:
+        of, at = oscillator(case).replace(excitation="base"), case["F_0"][1]
+        moves = of.saddle_nodes(at).gradient()
+        for x in moves.of:
+            found += zip(moves.condition(x), (fold["condition"][x] for fold in case["folds"]), strict=True)
+        for states in case["amplitudes"]:
+            moves = of.amplitudes(Omega=states["Omega"][1], F_0=at).gradient()
+            found += zip(moves.condition("A"), (one["condition"]["A"] for one in states["steady"]), strict=True)
+    np.testing.assert_allclose(*np.array(found).T, rtol=5.01e-3)
+    assert len(found) > 75
+
+
 #: relative, of a parameter: the error of a difference quotient is its square
 STEP = Fraction(1, 2**120)
 
@@ -183,28 +197,31 @@ def scaled(moves, powers):
 #: powers of the unit of length, and of the unit of frequency, in each number
 LENGTH = {"beta": -2, "mu": 1, "F_0": 1, "A": 1, "F_SN": 1}
 FREQUENCY = {"alpha": 2, "beta": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F_SN": 2}
+#: a base moves by a length
+OF_BASE = {**FREQUENCY, "F_0": 0, "F_SN": 0}
 
 
-def test_gradients_hold_what_other_units_of_length_and_time_say():
+@pytest.mark.parametrize(("excitation", "count"), [("force", 60), ("base", 3)])
+def test_gradients_hold_what_other_units_of_length_and_time_say(excitation, count):
     """Euler's theorem: a Duffing oscillator in other units is a Duffing oscillator."""
     random = np.random.default_rng(7)
     tried = 0
-    for _ in range(60):
+    for _ in range(count):
         alpha, beta = random.uniform(0.1, 2), 10 ** random.uniform(-1, 1)
-        of = Duffing(alpha, beta, 10 ** random.uniform(-6, -4), 10 ** random.uniform(-2.5, -1))
+        of = Duffing(alpha, beta, 10 ** random.uniform(-6, -4), 10 ** random.uniform(-2.5, -1), excitation=excitation)
         onset = of.saddle_node_onset()
         answers = [onset]
-        for forcing in onset.F_SN * np.array([0.7, 1.1, 3]):
+        for forcing in onset.F_SN * np.array([0.7, 1.1, 1.5]):
             answers += [of.saddle_nodes(forcing), of.peak(forcing)]
             answers.append(of.amplitudes(Omega=[0.5, 1.0, 2.0], F_0=forcing))
         for answer in answers:
             moves = answer.gradient()
             assert moves.message == ""
-            for powers in (LENGTH, FREQUENCY):
+            for powers in (LENGTH, FREQUENCY if excitation == "force" else OF_BASE):
                 found = scaled(moves, powers)
                 assert np.all(np.abs(found) < 1e-11)
                 tried += found.size
-    assert tried > 4000
+    assert tried > 60 * count
 
 
 def test_springs_that_share_their_stiffness_move_an_answer_by_its_product():

@@ -193,10 +193,7 @@ def test_what_is_not_available_is_refused_in_words():
         lambda: iso.exact_response(0.03),
         lambda: iso.sweep(Omega=[1.0], F_0=0.03),
         lambda: iso.saddle_nodes(0.03).measure(),
-        lambda: iso.saddle_nodes(0.03).gradient(),
-        lambda: iso.detachment().gradient(),
         lambda: Isolator.many(**example.TABLE_1, excitation="base").margins(0.03),
-        lambda: Isolator.many(**example.TABLE_1, excitation="base").detachment().gradient(),
         lambda: Isolator.many(**example.TABLE_1, excitation="base").certify(0.03),
     ]
     for ask in refused:

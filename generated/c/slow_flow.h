@@ -644,9 +644,9 @@ static inline void slow_flow_moves_of_fold(double Omega, double A, double F_0, d
     const double t7 = t0 * t6;
     const double F_AA = 2.0 * (R * h_AA + t5 * t5 + 4.0 * t7);
     const double t8 = Omega * R + t4 * zeta;
+    const double F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t8);
     const double t9 = 4.0 * A;
     const double F_Omega = t8 * t9;
-    const double F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t8);
     const double t10 = m_p + t3 * zeta_p;
     const double F_p = 2.0 * (R * h_p + t10 * t4);
     const double t11 = 2.0 * Omega;
@@ -753,28 +753,27 @@ static inline void slow_flow_moves_of_cusp(double Omega, double A, double F_0, d
     const double t4 = m + t3 * zeta;
     const double t5 = h_A + t0;
     const double F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t5);
-    const double t6 = Omega * R + t4 * zeta;
-    const double t7 = 4.0 * A;
-    const double F_Omega = t6 * t7;
-    const double t8 = zeta * zeta;
-    const double F_AOmega = 4.0 * (t2 * t5 + t3 * t8 + t6);
-    const double t9 = 4.0 * Omega;
-    const double F_AAOmega = t9 * (A * h_AA + 2.0 * h_A + 2.0 * t0 + 4.0 * t8);
-    const double t10 = m_p + t3 * zeta_p;
-    const double F_p = 2.0 * (R * h_p + t10 * t4);
-    const double t11 = 2.0 * Omega;
-    const double F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t10 * t11 * zeta + t11 * t4 * zeta_p);
+    const double t6 = zeta * zeta;
+    const double t7 = Omega * R + t4 * zeta;
+    const double F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t7);
+    const double t8 = 4.0 * Omega;
+    const double F_AAOmega = t8 * (A * h_AA + 2.0 * h_A + 2.0 * t0 + 4.0 * t6);
+    const double F_Omega = 4.0 * A * t7;
+    const double t9 = m_p + t3 * zeta_p;
+    const double F_p = 2.0 * (R * h_p + t4 * t9);
+    const double t10 = 2.0 * Omega;
+    const double F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t10 * t4 * zeta_p + t10 * t9 * zeta);
     const double F_AAp = 2.0 * (R * h_AAp + h_AA * h_p + 2.0 * h_Ap * t5 + 8.0 * t0 * zeta * zeta_p);
-    const double t12 = 1.0 / F_AOmega;
-    const double t13 = t0 + fabs(h_A);
-    const double t14 = t1 + fabs(h);
-    out[0] = t12 * (F_AAOmega * F_Ap - F_AAp * F_AOmega) / F_AAA;
-    out[1] = -F_Ap * t12;
-    out[2] = 0.5 * t12 * (F_AOmega * F_p - F_Ap * F_Omega) / F_0;
+    const double t11 = 1.0 / F_AOmega;
+    const double t12 = t0 + fabs(h_A);
+    const double t13 = t1 + fabs(h);
+    out[0] = t11 * (F_AAOmega * F_Ap - F_AAp * F_AOmega) / F_AAA;
+    out[1] = -F_Ap * t11;
+    out[2] = 0.5 * t11 * (F_AOmega * F_p - F_Ap * F_Omega) / F_0;
     out[3] = F_AAA;
-    out[4] = 6.0 * t13 * fabs(h_AA) + 2.0 * t14 * fabs(h_AAA);
+    out[4] = 6.0 * t12 * fabs(h_AA) + 2.0 * t13 * fabs(h_AAA);
     out[5] = F_AOmega;
-    out[6] = Omega * t13 * t7 + t14 * t9 + 8.0 * t2 * t8 + 4.0 * t4 * zeta;
+    out[6] = 4.0 * t12 * t2 + t13 * t8 + 8.0 * t2 * t6 + 4.0 * t4 * zeta;
 }
 
 /* A_p, Omega_p, F_0_p of where an isolated curve is born; then what must not vanish, each with its size.
@@ -883,20 +882,19 @@ static inline void slow_flow_moves_of_corner_end(double Omega, double A, double 
     const double t6 = zeta * zeta;
     const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t6 + t5 * t5);
     const double t7 = Omega * R + t4 * zeta;
-    const double t8 = 4.0 * A;
-    const double F_Omega = t7 * t8;
     const double F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t7);
-    const double t9 = m_p + t3 * zeta_p;
-    const double F_p = 2.0 * (R * h_p + t4 * t9);
-    const double t10 = 2.0 * Omega;
-    const double F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t10 * t4 * zeta_p + t10 * t9 * zeta);
-    const double t11 = 1.0 / F_AOmega;
-    const double t12 = F_AA * end_p;
+    const double F_Omega = 4.0 * A * t7;
+    const double t8 = m_p + t3 * zeta_p;
+    const double F_p = 2.0 * (R * h_p + t4 * t8);
+    const double t9 = 2.0 * Omega;
+    const double F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t4 * t9 * zeta_p + t8 * t9 * zeta);
+    const double t10 = 1.0 / F_AOmega;
+    const double t11 = F_AA * end_p;
     out[0] = end_p;
-    out[1] = -t11 * (F_Ap + t12);
-    out[2] = -0.5 * t11 * (-F_AOmega * F_p + F_Ap * F_Omega + F_Omega * t12) / F_0;
+    out[1] = -t10 * (F_Ap + t11);
+    out[2] = -0.5 * t10 * (-F_AOmega * F_p + F_Ap * F_Omega + F_Omega * t11) / F_0;
     out[3] = F_AOmega;
-    out[4] = Omega * t8 * (t0 + fabs(h_A)) + 4.0 * Omega * (t1 + fabs(h)) + 8.0 * t2 * t6 + 4.0 * t4 * zeta;
+    out[4] = 4.0 * Omega * (t1 + fabs(h)) + 8.0 * t2 * t6 + 4.0 * t2 * (t0 + fabs(h_A)) + 4.0 * t4 * zeta;
     out[5] = 1.0;
     out[6] = 1.0;
 }
@@ -965,8 +963,9 @@ static inline void slow_flow_moves_of_corner_rest(double Omega, double A, double
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 54 structured, 30 common subexpressions, 30 power chains
  */
-static inline void slow_flow_beside(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
+static inline void slow_flow_beside(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
 {
+    (void)(F_0);
     const double t0 = Omega * Omega;
     const double t1 = A * t0;
     const double R = h + t1;

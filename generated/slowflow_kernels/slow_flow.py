@@ -787,9 +787,9 @@ def moves_of_fold(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp,
     t7 = t0 * t6
     F_AA = 2.0 * (R * h_AA + t5 * t5 + 4.0 * t7)
     t8 = Omega * R + t4 * zeta
+    F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t8)
     t9 = 4.0 * A
     F_Omega = t8 * t9
-    F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t8)
     t10 = m_p + t3 * zeta_p
     F_p = 2.0 * (R * h_p + t10 * t4)
     t11 = 2.0 * Omega
@@ -888,29 +888,28 @@ def moves_of_cusp(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp,
     t4 = m + t3 * zeta
     t5 = h_A + t0
     F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t5)
-    t6 = Omega * R + t4 * zeta
-    t7 = 4.0 * A
-    F_Omega = t6 * t7
-    t8 = zeta * zeta
-    F_AOmega = 4.0 * (t2 * t5 + t3 * t8 + t6)
-    t9 = 4.0 * Omega
-    F_AAOmega = t9 * (A * h_AA + 2.0 * h_A + 2.0 * t0 + 4.0 * t8)
-    t10 = m_p + t3 * zeta_p
-    F_p = 2.0 * (R * h_p + t10 * t4)
-    t11 = 2.0 * Omega
-    F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t10 * t11 * zeta + t11 * t4 * zeta_p)
+    t6 = zeta * zeta
+    t7 = Omega * R + t4 * zeta
+    F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t7)
+    t8 = 4.0 * Omega
+    F_AAOmega = t8 * (A * h_AA + 2.0 * h_A + 2.0 * t0 + 4.0 * t6)
+    F_Omega = 4.0 * A * t7
+    t9 = m_p + t3 * zeta_p
+    F_p = 2.0 * (R * h_p + t4 * t9)
+    t10 = 2.0 * Omega
+    F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t10 * t4 * zeta_p + t10 * t9 * zeta)
     F_AAp = 2.0 * (R * h_AAp + h_AA * h_p + 2.0 * h_Ap * t5 + 8.0 * t0 * zeta * zeta_p)
-    t12 = 1.0 / F_AOmega
-    t13 = t0 + np.abs(h_A)
-    t14 = t1 + np.abs(h)
+    t11 = 1.0 / F_AOmega
+    t12 = t0 + np.abs(h_A)
+    t13 = t1 + np.abs(h)
     return (
-        t12 * (F_AAOmega * F_Ap - F_AAp * F_AOmega) / F_AAA,
-        -F_Ap * t12,
-        0.5 * t12 * (F_AOmega * F_p - F_Ap * F_Omega) / F_0,
+        t11 * (F_AAOmega * F_Ap - F_AAp * F_AOmega) / F_AAA,
+        -F_Ap * t11,
+        0.5 * t11 * (F_AOmega * F_p - F_Ap * F_Omega) / F_0,
         F_AAA,
-        6.0 * t13 * np.abs(h_AA) + 2.0 * t14 * np.abs(h_AAA),
+        6.0 * t12 * np.abs(h_AA) + 2.0 * t13 * np.abs(h_AAA),
         F_AOmega,
-        Omega * t13 * t7 + t14 * t9 + 8.0 * t2 * t8 + 4.0 * t4 * zeta,
+        4.0 * t12 * t2 + t13 * t8 + 8.0 * t2 * t6 + 4.0 * t4 * zeta,
     )
 
 
@@ -1009,21 +1008,20 @@ def moves_of_corner_end(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, 
     t6 = zeta * zeta
     F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t6 + t5 * t5)
     t7 = Omega * R + t4 * zeta
-    t8 = 4.0 * A
-    F_Omega = t7 * t8
     F_AOmega = 4.0 * (t2 * t5 + t3 * t6 + t7)
-    t9 = m_p + t3 * zeta_p
-    F_p = 2.0 * (R * h_p + t4 * t9)
-    t10 = 2.0 * Omega
-    F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t10 * t4 * zeta_p + t10 * t9 * zeta)
-    t11 = 1.0 / F_AOmega
-    t12 = F_AA * end_p
+    F_Omega = 4.0 * A * t7
+    t8 = m_p + t3 * zeta_p
+    F_p = 2.0 * (R * h_p + t4 * t8)
+    t9 = 2.0 * Omega
+    F_Ap = 2.0 * (R * h_Ap + h_p * t5 + t4 * t9 * zeta_p + t8 * t9 * zeta)
+    t10 = 1.0 / F_AOmega
+    t11 = F_AA * end_p
     return (
         end_p,
-        -t11 * (F_Ap + t12),
-        -0.5 * t11 * (-F_AOmega * F_p + F_Ap * F_Omega + F_Omega * t12) / F_0,
+        -t10 * (F_Ap + t11),
+        -0.5 * t10 * (-F_AOmega * F_p + F_Ap * F_Omega + F_Omega * t11) / F_0,
         F_AOmega,
-        Omega * t8 * (t0 + np.abs(h_A)) + 4.0 * Omega * (t1 + np.abs(h)) + 8.0 * t2 * t6 + 4.0 * t4 * zeta,
+        4.0 * Omega * (t1 + np.abs(h)) + 8.0 * t2 * t6 + 4.0 * t2 * (t0 + np.abs(h_A)) + 4.0 * t4 * zeta,
         1.0,
         1.0,
     )
@@ -1081,7 +1079,7 @@ def moves_of_corner_rest(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap,
     )
 
 
-def beside(Omega, A, m, zeta, h, h_A):
+def beside(Omega, A, F_0, m, zeta, h, h_A):
     """F_A, F_Omega and R, each with its size.
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import cache
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ import numpy.typing as npt
 from slowflow import backend
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Mechanism
-from slowflow_kernels import slow_flow
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import CLOSE, MEETING, SAME, MovesStatus, OnsetKind, Pinned
 from slowflow_kernels.domains import DAMPING
 
@@ -34,10 +35,11 @@ ON_BREAK = (
 
 
 class Given(NamedTuple):
-    """Whose answers these are: a mechanism, and the numbers of the design, mu and zeta; arrays of many designs."""
+    """Whose answers these are: mechanism, the numbers of the design, mu and zeta, or arrays of them, and excitation."""
 
     mechanism: Mechanism
     numbers: tuple[Any, ...]
+    excitation: str
 
 
 def gradient(
@@ -89,27 +91,32 @@ def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
     if given.mechanism.by_parameter is None:
         raise ValueError(f"{given.mechanism.name} does not say how its average changes: there are no gradients")
-    record = backend.record_of(given.mechanism)
+    record = backend.record_of(given.mechanism) if given.excitation == "force" else None
     if backend.SOLVER is not None and record is not None:
         # an array without axes would come back as a number
         backend.SOLVER.many_gradients(record)(*arrays, out=(slopes, status))
     else:
         with np.errstate(all="ignore"):
             broadcast = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in arrays))
-            _on_numpy(given.mechanism, broadcast, slopes, status)
+            kernels = slow_flow if given.excitation == "force" else inertia
+            _on_numpy(given.mechanism, kernels, broadcast, slopes, status)
     return slopes, status
 
 
-def _on_numpy(mechanism: Mechanism, arrays: Sequence[Floats], slopes: Floats, status: Codes) -> None:
+def _on_numpy(
+    mechanism: Mechanism, kernels: ModuleType, arrays: Sequence[Floats], slopes: Floats, status: Codes
+) -> None:
     """`sf_gradient` of gradient.h, kind by kind."""
     kinds = arrays[-1]
     for kind in np.unique(kinds):
         here = kinds == kind
         chosen = [array[here] for array in arrays]
-        slopes[here], status[here] = _of_kind(mechanism, Pinned(int(kind)), chosen, slopes.shape[-2:])
+        slopes[here], status[here] = _of_kind(mechanism, kernels, Pinned(int(kind)), chosen, slopes.shape[-2:])
 
 
-def _of_kind(mechanism: Mechanism, kind: Pinned, arrays: list[Floats], inner: tuple[int, ...]) -> tuple[Floats, Codes]:
+def _of_kind(
+    mechanism: Mechanism, kernels: ModuleType, kind: Pinned, arrays: list[Floats], inner: tuple[int, ...]
+) -> tuple[Floats, Codes]:
     """Slopes of shape (n, rows, parameters), and their status; for flat arrays."""
     *given, F_0, Omega, A, _ = arrays
     *design, mu, zeta = given
@@ -134,7 +141,7 @@ def _of_kind(mechanism: Mechanism, kind: Pinned, arrays: list[Floats], inner: tu
             comes &= jumps != 0
         status[comes.any(axis=0)] = MovesStatus.TURNS
     h, h_A, h_AA, h_AAA = mechanism.averaged(A, *parameters)
-    beside = [np.asarray(value) for value in slow_flow.beside(Omega, A, m, zeta, h, h_A)]
+    beside = [np.asarray(value) for value in kernels.beside(Omega, A, F_0, m, zeta, h, h_A)]
     if kind is Pinned.CORNER_FOLD:
         turns = _vanishes(beside[0], beside[1], CLOSE) | _vanishes(beside[4], beside[5], CLOSE)
         status[turns] = MovesStatus.TURNS
@@ -159,11 +166,11 @@ def _of_kind(mechanism: Mechanism, kind: Pinned, arrays: list[Floats], inner: tu
         cause[k + 4 - n, k] = 1.0
     out = np.full((A.size, rows, columns), np.nan)
     for one in np.unique(kinds):
-        function = getattr(slow_flow, f"moves_of_{Pinned(one).name.lower()}")
+        function = getattr(kernels, f"moves_of_{Pinned(one).name.lower()}")
         at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
         found = [np.broadcast_to(value, (columns, A.size)) for value in function(*at, *cause)]
         if rows > 3:
-            found[3:3] = slow_flow.moves_of_phase(
+            found[3:3] = kernels.moves_of_phase(
                 Omega, A, F_0, m, zeta, h, h_A, cause[0], cause[3], cause[4], *found[:3]
             )
         here = kinds == one

@@ -225,8 +225,7 @@ def _given(model: Model | None) -> moves.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.design:
         raise ValueError(NOT_AVERAGED)
-    validate.is_force("gradient", model.excitation)
-    return moves.Given(model.mechanism, (*model.design, model.mu, model.zeta))
+    return moves.Given(model.mechanism, (*model.design, model.mu, model.zeta), model.excitation)
 
 
 @dataclass(frozen=True, eq=False)

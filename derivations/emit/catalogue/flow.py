@@ -384,7 +384,7 @@ def gradient_kernels(gradients: Gradients) -> list[Kernel]:
         *kinds,
         plain(
             "beside",
-            (Omega, A, m, zeta, h, h_A),
+            (Omega, A, F_0, m, zeta, h, h_A),
             flat(gradients.beside, len(gradients.beside)),
             "F_A, F_Omega and R, each with its size.",
             equation,

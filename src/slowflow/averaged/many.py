@@ -66,9 +66,8 @@ class Batch(Answer):
         """Whose answers these are. Raises ValueError for those of another approximation."""
         if not self._averaged:
             raise ValueError(NOT_AVERAGED)
-        self._designs.only_for_a_force("gradient")
         numbers = (np.asarray(value, dtype=float) for value in self._designs.values.values())
-        return Given(self._designs.mechanism, tuple(numbers))
+        return Given(self._designs.mechanism, tuple(numbers), self._designs.excitation)
 
     def _asked_at(self) -> dict[str, Any]:
         """What was asked for beside the designs, by name."""
@@ -216,7 +215,7 @@ class Folds(Batch):
         # beside the places
         numbers = tuple(number[..., np.newaxis] for number in given.numbers)
         F_0 = np.asarray(self._F_0, dtype=float)[..., np.newaxis]
-        return of_folds(Given(given.mechanism, numbers), self.Omega, self.A, F_0, self._corner)
+        return of_folds(given._replace(numbers=numbers), self.Omega, self.A, F_0, self._corner)
 
 
 @dataclass(frozen=True, eq=False)

@@ -125,7 +125,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *design, 
         return SF_TURNS_MOVES;
     }
     sf_sample_at(model, A, &at);
-    slow_flow_beside(Omega, at.A, model->m, model->zeta, at.h, at.h_A, beside);
+    slow_flow_beside(Omega, at.A, F_0, model->m, model->zeta, at.h, at.h_A, beside);
     if (kind == SF_CORNER_FOLD_PINNED &&
         (sf_vanishes(beside[0], beside[1], SF_CLOSE) || sf_vanishes(beside[4], beside[5], SF_CLOSE)))
         return SF_TURNS_MOVES;
