@@ -421,7 +421,8 @@ class Physical:
         f_0, k_0    -- of small motions about the centre; no f_0 where the stiffness k_0 there is negative
         x_cr        -- the stroke, at which the springs leave; None where they never touch
         preset      -- by how much k_v is compressed to hold the mass at the centre, m g/k_v
-        lightest, heaviest -- masses that would rest at -x_cr and x_cr, k_v being preset for m
+        lightest, heaviest -- masses that would rest at -x_cr and x_cr, k_v being preset for m; no lightest where even
+                       none would rest above -x_cr
         break_loose -- the constant force that friction holds
         rests_within -- how far from the centre friction holds the mass at rest
         sticking    -- the force amplitude up to which averaging has the mass at rest (27)
@@ -445,7 +446,7 @@ class Physical:
             "rests_within": self._resting(oscillator.mu),
             "k_0": k_v * stiffness,
             "preset": m * g / k_v,
-            "lightest": None if beyond is None else m - beyond,
+            "lightest": None if beyond is None or beyond >= m else m - beyond,
             "heaviest": None if beyond is None else m + beyond,
         }
         units = {**found.units, "k_0": "N/m", "rests_within": "m", "preset": "m", "lightest": "kg", "heaviest": "kg"}

@@ -118,10 +118,13 @@ def curve(
     alpha: float = 1.0,
 ) -> None:
     """A curve through points in order, each branch for itself: stable stretches solid, unstable ones dashed."""
-    for number, (run, steady) in enumerate(_runs(stable, branch)):
+    runs = list(_runs(stable, branch))
+    # a name stands at a solid line where there is one
+    named = next((number for number, (_, steady) in enumerate(runs) if steady), 0)
+    for number, (run, steady) in enumerate(runs):
         style = STABLE if steady else UNSTABLE
         drawn = {"color": colour, "linewidth": width, "alpha": alpha, "solid_capstyle": "butt"}
-        ax.plot(x[run], y[run], linestyle=style, label=name if number == 0 else None, **drawn)
+        ax.plot(x[run], y[run], linestyle=style, label=name if number == named else None, **drawn)
 
 
 def jumps(ax: Any, x: Values, y: Values, kind: Values, *, colour: Any) -> None:
