@@ -274,6 +274,24 @@ def test_an_oscillator_draws_its_responses_with_folds_and_regions():
         one.plot(0.04, of="B")
 
 
+def test_curves_and_folds_of_the_second_approximation_and_sweeps_are_drawn():
+    second = isolator().second_approximation
+    curve, folds = second.frequency_response(0.04), second.saddle_nodes(0.04)
+    drawn = np.concatenate([line.get_xydata() for line in lines(curve.plot())])
+    assert {tuple(point) for point in drawn.tolist()} == set(zip(curve.Omega.tolist(), curve.A.tolist(), strict=True))
+    marks = np.concatenate([line.get_xydata() for line in folds.plot().get_lines()])
+    assert sorted(marks.tolist()) == np.column_stack([folds.Omega, folds.A]).tolist()
+    with pytest.raises(ValueError, match="of = 'transmissibility' is not allowed"):
+        curve.plot(of="transmissibility")
+    swept = isolator().sweep(Omega=[0.8, 0.85, 0.9, 0.95, 0.98, 0.99, 1.0, 1.01, 1.02], F_0=0.04)
+    ax = swept.plot()
+    (line,) = ax.get_lines()
+    assert line.get_xydata().tolist() == np.column_stack([swept.Omega, swept.A]).tolist()
+    ((before, after),) = swept.jumps
+    (arrow,) = ax.texts
+    assert (arrow.xyann[0], arrow.xy[0]) == (before, after)
+
+
 def test_a_mount_draws_the_same_in_its_units():
     """Each number in the picture is that of the dimensionless one times what it is measured in."""
     mount = Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02)

@@ -250,7 +250,18 @@ def test_what_is_not_there_is_told_in_words():
 def test_a_question_that_it_does_not_answer_is_refused_with_the_reason():
     second = isolator().second_approximation
     unanswered = [name for name in dir(Averaged) if not name.startswith("_") and not hasattr(second, name)]
-    facts = {"model", "mu", "zeta", "sticking_forcing", "breakpoints", "curve", "states", "folds"}
+    facts = {
+        "model",
+        "mu",
+        "zeta",
+        "sticking_forcing",
+        "breakpoints",
+        "curve",
+        "states",
+        "folds",
+        "closes",
+        "only_for_a_force",
+    }
     for name in set(unanswered) - facts:
         with pytest.raises(AttributeError, match=f"no {name}: "):
             getattr(second, name)

@@ -261,6 +261,19 @@ def motions(ax: Any, found: Any) -> Any:
     return ax
 
 
+def sweep(ax: Any, found: Any) -> Any:
+    """A stepped sweep: a dot at each frequency, an arrow from dot to dot where it jumps."""
+    ax, over = axes(ax), _has(found, "Omega", "f")
+    x = getattr(found, over)
+    ax.plot(x, found.A, color=COLOURS[1], linewidth=0.8, marker="o", markersize=3.5)
+    for before, after in np.reshape(found.jumps, (-1, 2)).tolist():
+        ends = [(at, float(found.A[int(np.argmin(np.abs(x - at)))])) for at in (before, after)]
+        ax.annotate("", ends[1], ends[0], arrowprops={"arrowstyle": "->", "color": COLOURS[1], "linewidth": 1.6})
+    ax.set(xlabel=axis(found, over), ylabel=axis(found, "A"))
+    ax.set_ylim(bottom=0.0)
+    return ax
+
+
 def history(ax: Any, found: Any, place: str = "beside") -> Any:
     """The motion in a shock over time; tinted where the springs have left, on either side."""
     ax = axes(ax)

@@ -509,6 +509,13 @@ class SecondResponse(SecondStates):
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     F_0: float
+    picture: ClassVar[str] = "response"
+
+    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
+        """Draw the curve as `FrequencyResponse.plot` does; `of` is "A", "A_1" or "phi"."""
+        from slowflow import pictures
+
+        return pictures.response(ax, self, validate.choice("of", of, ("A", "A_1", "phi")))
 
 
 @dataclass(frozen=True, eq=False)
@@ -529,6 +536,13 @@ class SecondFolds(Table):
     message: str
     #: folds that the message says are left out
     _lost: int = field(default=0, kw_only=True, repr=False)
+    picture: ClassVar[str] = "folds"
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the folds, A over Omega, into Matplotlib axes, or new ones, and return these."""
+        from slowflow import pictures
+
+        return pictures.folds(ax, self)
 
 
 @dataclass(frozen=True, eq=False)

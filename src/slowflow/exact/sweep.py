@@ -57,6 +57,13 @@ class Sweep(Table):
     turns: NDArray[np.int64]
     settled: NDArray[np.bool_]
     jumps: tuple[tuple[float, float], ...]
+    picture: ClassVar[str] = "sweep"
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw A over Omega into Matplotlib axes, or new ones, and return these; arrows where it jumps."""
+        from slowflow import pictures
+
+        return pictures.sweep(ax, self)
 
 
 def sweep(

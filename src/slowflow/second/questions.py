@@ -69,7 +69,7 @@ UNANSWERED = {
         "it is a formula of the slow flow alone; averaging has it",
     ),
     "certify": "what is proved is proved of the averaged equations",
-    "plot": "the picture is averaging's",
+    "plot": "its answers are drawn by their own .plot(); beside u_cr and where the mass stops by the oscillator's",
 }
 
 
