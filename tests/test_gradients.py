@@ -258,13 +258,23 @@ def test_numpy_and_compiled_code_give_the_same(monkeypatch):
 def test_a_batch_has_the_gradients_of_its_designs(force):
     r, mu = np.array([[1.0], [1.7], [2.9]]), np.array([0.0, 0.004, 0.02, -1.0])
     designs = Isolator.many(lam=3, r=r, delta_h=0.1, mu=mu, zeta=0.02, force=force)
-    for question, at in (("saddle_node_onset", ()), ("detachment", ()), ("peak", (F_0,)), ("saddle_nodes", (F_0,))):
-        moves = getattr(designs, question)(*at).gradient()
+    at_point = {"Omega": 0.95, "F_0": F_0}
+    for question, at in (
+        ("saddle_node_onset", {}),
+        ("detachment", {}),
+        ("peak", {"F_0": F_0}),
+        ("saddle_nodes", {"F_0": F_0}),
+        ("amplitudes", at_point),
+    ):
+        answers = getattr(designs, question)(**at)
+        moves = answers.gradient()
         for k, j in np.ndindex(3, 3):
             one = Isolator(lam=3, r=r[k, 0], delta_h=0.1, mu=mu[j], zeta=0.02, force=force)
-            alone = getattr(one, question)(*at).gradient()
-            mine = moves.slopes[k, j, : len(alone.slopes)] if question == "saddle_nodes" else moves.slopes[k, j]
-            np.testing.assert_array_equal(mine, alone.slopes)
+            alone = getattr(one, question)(**at).gradient()
+            some = len(alone.slopes) if question in ("saddle_nodes", "amplitudes") else None
+            np.testing.assert_array_equal(moves.slopes[k, j, :some], alone.slopes)
+            condition = moves.condition(moves.of[-1])[k, j]
+            np.testing.assert_array_equal(condition[:some] if some else condition, alone.condition(moves.of[-1]))
         assert np.all(moves.status[:, 3] == MovesStatus.NOTHING)
         assert r.flags.writeable
         assert mu.flags.writeable

@@ -41,6 +41,10 @@ class Given(NamedTuple):
     numbers: tuple[Any, ...]
     excitation: str
 
+    def with_places(self) -> Given:
+        """The same with one more axis behind those of the designs."""
+        return self._replace(numbers=tuple(number[..., np.newaxis] for number in self.numbers))
+
 
 def gradient(
     given: Given,

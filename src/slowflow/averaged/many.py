@@ -25,7 +25,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model, check_names
-from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak
+from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak, of_states
 from slowflow.results import NOT_AVERAGED, Remark
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
@@ -62,16 +62,25 @@ class Batch(Answer):
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
         return pictures.design_map(ax, *self._designs.spanned(x, y, of, values, self._asked_at()))
 
+    def _whose(self) -> Given:
+        """Whose answers these are."""
+        numbers = tuple(np.asarray(value, dtype=float) for value in self._designs.values.values())
+        return Given(self._designs.mechanism, numbers, self._designs.excitation)
+
     def _given(self) -> Given:
-        """Whose answers these are. Raises ValueError for those of another approximation."""
+        """The same for gradients. Raises ValueError for answers of another approximation."""
         if not self._averaged:
             raise ValueError(NOT_AVERAGED)
-        numbers = (np.asarray(value, dtype=float) for value in self._designs.values.values())
-        return Given(self._designs.mechanism, tuple(numbers), self._designs.excitation)
+        return self._whose()
 
     def _asked_at(self) -> dict[str, Any]:
         """What was asked for beside the designs, by name."""
         return {} if np.isnan(self._F_0).all() else {"F_0": np.asarray(self._F_0)}
+
+    @property
+    def _forcing(self) -> Floats:
+        """Along the axis of places."""
+        return np.asarray(self._F_0, dtype=float)[..., np.newaxis]
 
     def _found(self) -> tuple[Any, Any, Any]:
         """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
@@ -211,11 +220,7 @@ class Folds(Batch):
 
     def gradient(self) -> Gradient:
         """As of single `SaddleNodes`, of each design; `.slopes` of shape (..., places, 2, parameters)."""
-        given = self._given()
-        # beside the places
-        numbers = tuple(number[..., np.newaxis] for number in given.numbers)
-        F_0 = np.asarray(self._F_0, dtype=float)[..., np.newaxis]
-        return of_folds(given._replace(numbers=numbers), self.Omega, self.A, F_0, self._corner)
+        return of_folds(self._given().with_places(), self.Omega, self.A, self._forcing, self._corner)
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,13 +246,29 @@ class States(Batch):
 
         Computed when first asked for.
         """
-        *design, mu, zeta = (np.asarray(value, dtype=float) for value in self._designs.values.values())
         with np.errstate(all="ignore"):  # empty places
-            parameters = self._designs.mechanism.coefficients(*design)
-            beside = (np.asarray(value)[..., np.newaxis] for value in parameters)
-            h = self._designs.mechanism.averaged(self.A, *beside)[0]
-            m = np.asarray(slow_flow.friction(mu))[..., np.newaxis]
-            return frozen(slow_flow.phase(self._frequency, self.A, m, zeta[..., np.newaxis], h))
+            return frozen(slow_flow.phase(self._frequency, self.A, *self._of_designs))
+
+    @cached_property
+    def transmissibility(self) -> Floats:
+        """As of single `SteadyStates`; NaN in an empty place. Computed when first asked for."""
+        with np.errstate(all="ignore"):
+            force = self._forcing
+            if self._designs.excitation != "force":
+                force = inertia.force(self._frequency, force)
+            return frozen(slow_flow.transmissibility(self._frequency, self.A, force, *self._of_designs))
+
+    def gradient(self) -> Gradient:
+        """As of single `SteadyStates`, of each design; `.slopes` of shape (..., places, 3, parameters)."""
+        given = self._given().with_places()
+        return of_states(given, self._frequency, self.A, self._forcing, self.phi, self.transmissibility)
+
+    @cached_property
+    def _of_designs(self) -> tuple[Floats, Floats, Floats]:
+        """m, zeta and h at each place."""
+        mechanism, (*design, mu, zeta), _ = self._whose().with_places()
+        with np.errstate(all="ignore"):
+            return slow_flow.friction(mu), zeta, mechanism.averaged(self.A, *mechanism.coefficients(*design))[0]
 
     @cached_property
     def remarks(self) -> remarks.Codes:
