@@ -56,6 +56,12 @@ def compiled_model(
     return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)
 
 
+def prepared(native: Any) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
+    """4 mu/pi, the breakpoints and the jumps at these of an oscillator as the compiled solvers take it."""
+    found: tuple[float, tuple[float, ...], tuple[float, ...]] = solver().prepared(native)
+    return found
+
+
 def solver() -> ModuleType:
     """The compiled solvers, where a model is known to have been made by them."""
     if SOLVER is None:

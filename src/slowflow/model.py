@@ -69,19 +69,21 @@ class Model:
     def __post_init__(self) -> None:
         if self.inertial and self.zeta == 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
+        damping = self.mu, self.zeta
+        native = (
+            None if self.inertial else backend.compiled_model(self.mechanism, self.parameters, damping, self.design)
+        )
+        m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
+        self.__dict__.update(flow=flow_of(*damping), m=m, breakpoints=breakpoints, jumps=jumps, native=native)
+
+    def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
+        """m, breakpoints and jumps, where the compiled solvers do not tell."""
         ends = map(float, self.mechanism.breakpoints(*self.parameters))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
-        self.__dict__.update(
-            flow=flow_of(self.mu, self.zeta),
-            m=float(general_flow.friction(self.mu)),
-            breakpoints=tuple(end for end, _ in kept),
-            jumps=tuple(jump for _, jump in kept),
-            native=None
-            if self.inertial
-            else backend.compiled_model(self.mechanism, self.parameters, (self.mu, self.zeta), self.design),
-        )
+        m = float(general_flow.friction(self.mu))
+        return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.design, self.excitation)

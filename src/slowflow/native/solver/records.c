@@ -105,7 +105,28 @@ static PyObject *new_model(PyObject *self, PyObject *args)
     return NULL;
 }
 
+static PyObject *tuple_of(const double *values, int n)
+{
+    PyObject *tuple = PyTuple_New(n);
+    for (int i = 0; tuple != NULL && i < n; i++) {
+        PyObject *value = PyFloat_FromDouble(values[i]);
+        if (value == NULL || PyTuple_SetItem(tuple, i, value) < 0)
+            Py_CLEAR(tuple);
+    }
+    return tuple;
+}
+
+static PyObject *prepared(PyObject *self, PyObject *capsule)
+{
+    const sf_model *model = sf_model_in(capsule);
+    (void)self;
+    if (model == NULL)
+        return NULL;
+    return Py_BuildValue("dNN", model->m, tuple_of(model->b, model->breaks), tuple_of(model->jump, model->breaks));
+}
+
 static PyMethodDef functions[] = {
+    {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
     {"model", new_model, METH_VARARGS, "(record, parameters, damping, design) -> an oscillator"},
     {NULL, NULL, 0, NULL},
 };
