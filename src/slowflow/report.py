@@ -33,6 +33,8 @@ EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", 
 MAPPED, REACH = 60, 0.5
 #: amplitudes of what
 EXCITATION = {"force": "force", "base": "motion of the base", "unbalance": "unbalance"}
+#: columns that tables leave out: words beside them have them
+UNSHOWN = ("message", "remarks")
 #: questions about shocks
 SHOCKS = ("transient", "shock_spectrum")
 #: what a cell of words begins with until it is written, and how much of a formula is shown
@@ -67,13 +69,14 @@ nav ul { display: flex; flex-wrap: wrap; gap: .25rem 1.25rem; list-style: none; 
 table { border-collapse: collapse; overflow-wrap: normal; }
 .wide { overflow-x: auto; margin: 1rem 0; }
 th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
-th { background: var(--head); } td:first-child, th:first-child, .words { text-align: left; }
+th { background: var(--head); white-space: normal; } td:first-child, th:first-child, .words { text-align: left; }
 .words { white-space: normal; min-width: 9rem; }
 caption { text-align: left; font-weight: 600; padding: .5rem 0; width: max-content; max-width: 90vw; }
 figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
 a { color: inherit; }
 @media print { body { max-width: none; } nav { display: none; } figure, table { break-inside: avoid; }
-               h2, caption { break-after: avoid; } .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
+               h2, caption { break-after: avoid; } table { font-size: 9pt; }
+               .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
                figure svg { max-width: 30rem; } body { font-size: 11pt; } }
 """
 
@@ -259,7 +262,8 @@ def _shocks(scene: Scene) -> Iterator[str]:
     if found:
         units = {"acceleration": "m/s^2", "duration": "s"} if isinstance(scene.oscillator, Physical) else {}
         pulses = [{head(name, units): value for name, value in one.numbers().items()} for one in asked]
-        yield _table("Shocks of the base, by the equation of motion", *found, beside=pulses)
+        more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
+        yield _table("Shocks of the base, by the equation of motion", *found, beside=pulses, left_out=more)
         worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
         ax = pictures.history(_axes(), found[worst], "below")
         yield _figure(
@@ -442,14 +446,17 @@ def _axes() -> Any:
     return plt.subplots(figsize=(5.4, 4.4), layout="constrained")[1]
 
 
-def _table(caption: str, *answers: Answer, beside: Sequence[Mapping[str, Any]] = ()) -> str:
+def _table(
+    caption: str, *answers: Answer, beside: Sequence[Mapping[str, Any]] = (), left_out: Sequence[str] = UNSHOWN
+) -> str:
     """Columns of answers to one question, one below the other, and what is said beside them.
 
-    beside -- numbers to put before the rows of each, by default its forcing
+    beside   -- numbers to put before the rows of each, by default its forcing
+    left_out -- columns that are not shown
     """
     columns = [answer.columns() for answer in answers]
     units = answers[0].units_of_columns()
-    kept = [name for name in columns[0] if name not in ("message", "remarks")]
+    kept = [name for name in columns[0] if name not in left_out]
     before = beside or [_beside(answer, kept) for answer in answers]
     heads = [head(name, units) for name in (*before[0], *kept)]
     rows = [
