@@ -119,6 +119,29 @@ def test_the_compiled_solvers_give_the_same_answers(stop, compiled):
     assert one.saddle_node_onset().F_SN == pytest.approx(other.saddle_node_onset().F_SN, rel=4e-15)
 
 
+#: powers of the units of length and of frequency in each number: another unit makes another such oscillator
+LENGTH = {"gap": 1, "mu": 1, "F_0": 1, "A": 1, "F_SN": 1, "F_cr": 1, "u_cr": 1}
+FREQUENCY = {"k_1": 2, "k_2": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F_SN": 2, "F_cr": 2, "Omega_cr": 1}
+
+
+@COMPILED
+def test_gradients_hold_what_other_units_say(stop, compiled):
+    """Euler's theorem, on both paths; attached, on the stop, and where the stop is."""
+    for osc in (stop(**NUMBERS), compiled(**NUMBERS)):
+        onset, detachment = osc.saddle_node_onset(), osc.detachment()
+        found = [onset, detachment, osc.peak(0.04), osc.saddle_nodes(0.04), osc.amplitudes(Omega=[0.7, 1.1], F_0=0.04)]
+        for answer in found:
+            moves = answer.gradient()
+            assert moves.message == ""
+            for x in moves.of:
+                value = np.asarray(getattr(answer, x))
+                for powers in (LENGTH, FREQUENCY):
+                    known = {**NUMBERS, "F_0": 0.04, "Omega": getattr(answer, "Omega", None)}
+                    terms = [powers.get(by, 0) * known[by] * moves[x, by] for by in moves.by]
+                    size = sum(map(abs, terms)) + abs(value)
+                    assert np.all(abs(sum(terms) - powers.get(x, 0) * value) < 1e-11 * size), (x, answer)
+
+
 @pytest.mark.slow
 def test_its_exact_motion_returns_by_another_integrator(stop):
     """From the state that is given an integration of the force as it is typed here comes back after a period."""
