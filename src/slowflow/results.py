@@ -566,7 +566,8 @@ class SaddleNodeOnset(Single):
     def gradient(self) -> Gradient:
         """How F_SN, Omega and A move with the parameters, exactly; on a breakpoint with that.
 
-        Where two folds and more are born together there is no gradient, and `.status` and `.message` say so.
+        Where more than two folds are born together there is no gradient, and `.status` and `.message` say so. Of two
+        onsets at one forcing, which it does not look for, it is that of the one which is given.
         """
         kind = OnsetKind[self.kind.upper() or "NO"]
         return moves.of_onset(_given(self._model), self.F_SN, self.Omega, self.A, kind)
