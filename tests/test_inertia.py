@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
+from slowflow.averaged.reference import answers
 from slowflow.paper import example
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
@@ -82,6 +83,36 @@ def test_an_onset_is_where_folds_come():
             assert len(osc.saddle_nodes(onset.F_SN * (1 + 1e-4))) >= 2
 
 
+def test_compiled_solvers_and_those_on_numpy_agree():
+    for case in CASES[::3]:
+        osc, F_0 = oscillator(case), case["F_0"][1]
+        model = osc.model
+        with np.errstate(all="ignore"):
+            others = answers.saddle_nodes(model, F_0), answers.peak(model, F_0), answers.onset(model)
+        folds, peak, onset = osc.saddle_nodes(F_0), osc.peak(F_0), osc.saddle_node_onset()
+        assert folds.kind.tolist() == others[0].kind.tolist()
+        assert np.allclose(folds.A, others[0].A, rtol=1e-12, atol=0)
+        assert (peak.A, onset.F_SN) == pytest.approx((others[1].A, others[2].F_SN), rel=1e-11)
+        assert onset.kind == others[2].kind
+
+
+def test_every_state_is_found_that_a_fine_grid_of_amplitudes_shows():
+    rng = np.random.default_rng(20)
+    A = np.concatenate((np.geomspace(1e-6, 1e3, 100001), [0.0]))[:-1]
+    for _ in range(40):
+        mu, zeta, beta = rng.choice([0, 10 ** rng.uniform(-4, -1.5)]), 10 ** rng.uniform(-2.5, -0.3), rng.uniform(-3, 8)
+        osc = Duffing(rng.choice([1.0, 0.3, -0.5]), beta, mu, zeta, excitation="base")
+        Y = 10 ** rng.uniform(-2.5, 0)
+        model = osc.model
+        up_to = np.inf if osc.closes(Y) else 10 * Y
+        h = model.averaged(A)[0]
+        for Omega in np.exp(rng.uniform(np.log(0.1), np.log(4), 4)):
+            F = (A * Omega**2 + h) ** 2 + (2 * zeta * A * Omega + model.m) ** 2 - (Y * Omega**2) ** 2
+            shown = A[1:][((F[:-1] < 0) != (F[1:] < 0)) & (A[1:] < up_to)]
+            found = osc.amplitudes(Omega=Omega, F_0=Y).A
+            assert np.count_nonzero(found < up_to) == shown.size
+
+
 def test_the_linear_mount_has_its_closed_forms():
     alpha, zeta, Y = 0.8, 0.07, 0.3
     osc = Duffing(alpha, 0.0, zeta=zeta, excitation="base")
@@ -139,6 +170,12 @@ def test_a_hardening_spring_on_a_shaking_base_does_not_close_above_4_zeta_over_t
     assert "does not close" in above.message
     assert osc.peak(1.02 * limit).A is None
     assert "does not close" in osc.peak(1.02 * limit).message
+    # with negative stiffness the level falls all the way to that limit: folds of any amplitude come ever lower
+    bistable = Duffing(-0.5, beta, zeta=zeta, excitation="base")
+    assert bistable.saddle_node_onset().F_SN is None
+    assert "no lowest amplitude" in bistable.saddle_node_onset().message
+    assert len(bistable.saddle_nodes(0.99 * limit)) == 0
+    assert len(bistable.saddle_nodes(1.01 * limit)) == 1
 
 
 @pytest.mark.parametrize("Omega", [0.6, 1.3, 3.0])

@@ -43,16 +43,24 @@ EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions run on SciP
 NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
 
 
-def record_of(mechanism: Mechanism) -> Any:
-    """The compiled record of a mechanism, None where there is none of this very one: its solvers are NumPy's then."""
-    return SOLVER.RECORDS.get(mechanism.name) if SOLVER is not None and mechanism.is_generated else None
+def record_of(mechanism: Mechanism, inertial: bool = False) -> Any:
+    """The compiled record of a mechanism, None where there is none of this very one: its solvers are NumPy's then.
+
+    inertial -- whether it is excited by inertia
+    """
+    record = SOLVER.RECORDS.get(mechanism.name) if SOLVER is not None and mechanism.is_generated else None
+    return SOLVER.inertial(record) if SOLVER is not None and inertial and record is not None else record
 
 
 def compiled_model(
-    mechanism: Mechanism, parameters: tuple[float, ...], damping: tuple[float, float], design: tuple[float, ...]
+    mechanism: Mechanism,
+    parameters: tuple[float, ...],
+    damping: tuple[float, float],
+    design: tuple[float, ...],
+    inertial: bool,
 ) -> Any:
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism."""
-    record = record_of(mechanism)
+    record = record_of(mechanism, inertial)
     return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)
 
 

@@ -70,9 +70,7 @@ class Model:
         if self.inertial and self.zeta == 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
         damping = self.mu, self.zeta
-        native = (
-            None if self.inertial else backend.compiled_model(self.mechanism, self.parameters, damping, self.design)
-        )
+        native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
         self.__dict__.update(flow=flow_of(*damping), m=m, breakpoints=breakpoints, jumps=jumps, native=native)
 

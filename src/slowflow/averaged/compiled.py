@@ -42,14 +42,23 @@ def _check(status: int, model: Model, F_0: float | None = None) -> None:
 
 
 def _remark(model: Model, F_0: float) -> str:
+    if model.inertial:
+        status, A_max = backend.solver().amplitude_bound(model.native, F_0)
+        return words.does_not_close(A_max)[1] if status == Status.UNBOUNDED else ""
     return words.cut(model, F_0)[1] if model.zeta == 0 else ""
+
+
+def closes(model: Model, F_0: float) -> bool:
+    """Whether the response to an excitation by inertia is known to have a highest amplitude."""
+    return not _remark(model, F_0)
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.native, F_0)
     _check(status, model, F_0)
-    message = _remark(model, F_0) if A.size or undecided else words.NO_FOLD.format(F_0)
+    remark = _remark(model, F_0)
+    message = remark if A.size or undecided or (remark and model.inertial) else words.NO_FOLD.format(F_0)
     beside = Remark.UNDECIDED if undecided else Remark(0)
     return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model, remarks=beside)
 
@@ -61,7 +70,8 @@ def onset(model: Model) -> SaddleNodeOnset:
     if status == Status.OK:
         found = SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], "")
     elif status == Status.UNBOUNDED:
-        return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m))
+        said = words.OPEN if model.inertial else words.NO_LOWEST.format(model.m)
+        return SaddleNodeOnset(None, None, None, "", said)
     else:
         found = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
     return words.with_folds_at_rest(found, at_rest)
@@ -71,7 +81,8 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = backend.solver().detachment(model.native)
     if status == Status.NONE:
-        return Detachment(None, None, None, words.NO_DETACHMENT)
+        said = words.NOT_REACHED.format(model.breakpoints[0]) if model.breakpoints else words.NO_DETACHMENT
+        return Detachment(None, None, None, said)
     return Detachment(F_cr, Omega_cr, u_cr, "")
 
 
@@ -80,7 +91,9 @@ def peak(model: Model, F_0: float) -> Peak:
     status, A, Omega = backend.solver().peak(model.native, F_0)
     _check(status, model, F_0)
     if status == Status.UNBOUNDED:
-        return Peak(None, None, F_0, words.NO_PEAK)
+        return Peak(None, None, F_0, _remark(model, F_0) if model.inertial else words.NO_PEAK)
+    if status == Status.NONE:
+        return Peak(None, None, F_0, words.NO_TOP.format(F_0))
     return Peak(A, Omega, F_0, "")
 
 
@@ -109,6 +122,8 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     answer = backend.solver().frequency_response(model.native, F_0, samples, *window)
     status, Omega, A, stable, branch, isola, undecided = answer
     _check(status, model, F_0)
+    moves = A > 0  # where the response to an excitation by inertia begins the mass is at rest
+    Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
     message = _remark(model, F_0)
     if not A.size:
         message = joined(message, words.empty_window(window))
@@ -121,6 +136,7 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     status, at, A, stable, undecided = backend.solver().steady_states(model.native, F_0, Omega)
     _check(status, model, F_0)
     message = joined(_remark(model, F_0), words.without_a_state(np.setdiff1d(Omega, undecided), at))
+    message = joined(message, words.sticks_below(model, F_0, Omega))
     message = joined(message, words.undecided_at(undecided))
     beside = Remark.UNDECIDED if undecided.size else Remark(0)
     return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=beside)

@@ -453,7 +453,7 @@ class Designs:
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
-        record = backend.record_of(self.mechanism) if self.excitation == "force" else None
+        record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
         if backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             # what the solvers do not take as it is, long doubles

@@ -32,15 +32,8 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question]) -> Question
     return cast(Question, ask)
 
 
-def closes(model: Model, F_0: float) -> bool:
-    """Whether a response to an excitation by inertia is known to have a highest amplitude."""
-    from slowflow.averaged.reference import bounds
-
-    with np.errstate(all="ignore"):
-        return not bounds.amplitude_bound(model, F_0)[1]
-
-
 amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes)
+closes = _either(compiled.closes, lambda: _reference().closes)
 detachment = _either(compiled.detachment, lambda: _reference().detachment)
 extrema = _either(compiled.extrema, lambda: _reference().extrema)
 fold_locus = _either(compiled.fold_locus, lambda: _reference().fold_locus)

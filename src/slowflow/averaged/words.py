@@ -52,7 +52,7 @@ def sticks(model: Model, F_0: float) -> str:
 def unresolved(model: Model, F_0: float) -> str:
     """That branches coincide within rounding, and why where F_0 hardly moves the mass."""
     said = f"the response is unresolved at F_0 = {F_0:.17g}: branches coincide within rounding"
-    if F_0 <= model.m * (1 + CLOSE):
+    if not model.inertial and F_0 <= model.m * (1 + CLOSE):
         said += f", as F_0 exceeds 4 mu/pi = {model.m:.17g} by no more than rounding may make of it"
     return said
 

@@ -12,12 +12,17 @@
  *   SF_PEAK       F = F_Omega = 0                F at its two critical points in Omega
  *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
  *
+ * For an excitation by inertia SF_ISOLA and SF_PEAK are asked where the level of an amplitude is least, which is known in
+ * closed form, and SF_REST has no zeros.
+ *
  * The functions are generated, for numbers and for intervals: derivations/along.py eliminates Omega.
  */
 #ifndef SF_ALONG_H
 #define SF_ALONG_H
 
 #include "cells.h"
+#include "inertia_intervals.h"
+#include "inertial.h"
 #include "slow_flow_intervals.h"
 #include "slow_flow_mu0_intervals.h"
 #include "slow_flow_zeta0_intervals.h"
@@ -248,9 +253,36 @@ static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sampl
 }
 
 /* open: which channels are wanted, 1 and 2; of SF_CUSP and SF_PEAK others are not asked */
+/* Both at x = 1/Omega where the level is least; the peak is the pair's that is the upper one. */
+static inline void sf_ask_inertial(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = asked->model;
+    const double x = sf_least_x(model, at);
+    const int channel = asked->question == SF_PEAK;
+    double found[2];
+    if (asked->question == SF_REST || x == 0)
+        return;
+    if (asked->question == SF_PEAK)
+        inertia_peak(x, at->A, asked->F_0, model->m, model->zeta, at->h, at->h_A, found);
+    else
+        inertia_isola(x, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, found);
+    out->exists[channel] = 1;
+    out->Omega[channel] = 1 / x;
+    out->y[channel] = found[0], out->dy[channel] = found[1];
+}
+
+/* Whether a question is another one for an excitation by inertia. */
+static inline int sf_is_of_inertia(const sf_asked *asked) {
+    return sf_inertial(asked->model) &&
+           (asked->question == SF_ISOLA || asked->question == SF_PEAK || asked->question == SF_REST);
+}
+
 static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, sf_answer *out) {
     const sf_model *model = asked->model;
     memset(out, 0, sizeof *out);
+    if (sf_is_of_inertia(asked)) {
+        sf_ask_inertial(asked, at, out);
+        return;
+    }
     switch (asked->question) {
     case SF_STIFFNESS:
         sf_ask_stiffness(at, out);
@@ -282,6 +314,10 @@ static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, 
 /* Whether the level has a minimum along the fold locus at a cusp or an isola point, from its second derivative. */
 static inline int sf_is_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w) {
     const double m = model->m, zeta = model->zeta;
+    if (sf_inertial(model) && question == SF_ISOLA)
+        return sf_half_F_AA(model, at, w) > 0 && inertia_hessian(w, at->A, m, zeta, at->h, at->h_A, at->h_AA) > 0;
+    if (sf_inertial(model))
+        return inertia_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
     if (question == SF_ISOLA)
         return slow_flow_isola_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA) > 0;
     return slow_flow_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
@@ -566,9 +602,39 @@ static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cel
     sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);
 }
 
+/* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so that
+ * a peak exceeds F_0; and below the least amplitude that is looked at the force is its slope, where nothing vanishes. */
+static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
+    const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
+    sf_range *own = &out[asked->question == SF_PEAK];
+    sf_interval terms[3], x, found[2];
+    out[0].where = out[1].where = SF_NOWHERE;
+    if (asked->question == SF_REST || cell->A.hi <= SF_FIRST || (asked->question == SF_PEAK && cell->A.hi < asked->F_0))
+        return;
+    if (cell->A.lo == 0) {
+        own->where = SF_PARTLY, own->y = own->dy = sfi_of(-HUGE_VAL, HUGE_VAL), own->edge = 0;
+        return;
+    }
+    inertia_intervals_terms(cell->A, m, zeta, cell->h, terms);
+    own->where = sf_where_positive(terms[0]);
+    if (own->where == SF_NOWHERE)
+        return;
+    x.lo = terms[0].lo > 0 ? inertia_least(terms[0].lo, terms[1].hi, terms[2].hi) * (1 - SF_DOUBT) : 0;
+    x.hi = inertia_least(terms[0].hi, terms[1].lo, terms[2].lo) * (1 + SF_DOUBT);
+    if (asked->question == SF_PEAK)
+        inertia_intervals_peak(x, cell->A, asked->terms.F_0, m, zeta, cell->h, cell->h_A, found);
+    else
+        inertia_intervals_isola(x, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, found);
+    sf_range_simple(found[0], found[1], own->where, own);
+}
+
 /* open: which channels are wanted */
 static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_model *model = asked->model;
+    if (sf_is_of_inertia(asked)) {
+        sf_range_inertial(asked, cell, out);
+        return;
+    }
     switch (asked->question) {
     case SF_STIFFNESS:
         sf_range_stiffness(cell, out);

@@ -15,7 +15,8 @@ typedef enum {
     SF_CUT,       /* all arcs end: an end of the range, or a jump */
     SF_PAIR_LOW,  /* the two lowest of the richer side meet at Omega */
     SF_PAIR_HIGH, /* the two highest */
-    SF_TO_ZERO    /* the lowest of the richer side ends at Omega = 0 */
+    SF_TO_ZERO,   /* the lowest of the richer side ends at Omega = 0 */
+    SF_TO_INFINITY /* the highest of the richer side ends at Omega = inf */
 } sf_event_kind;
 
 /* gain: by how much the number of roots changes, where it is known */

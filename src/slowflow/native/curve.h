@@ -27,26 +27,41 @@ static int sf_is_biquadratic(const sf_model *model, double F_0, double A) {
     return q.exist && q.w1 == 0;
 }
 
+/* For an excitation by inertia, before an event at A: that a frequency comes from or goes to inf at A = F_0. */
+static void sf_add_infinity(const sf_model *model, double F_0, double A, int *passed, sf_graph *graph) {
+    sf_sample at;
+    if (*passed || A < F_0)
+        return;
+    *passed = 1;
+    sf_sample_at(model, F_0, &at);
+    sf_add_event(graph, F_0, HUGE_VAL, SF_TO_INFINITY, sf_least_x(model, &at) > 0 ? 1 : -1);
+}
+
 /* Needs the pieces of work. */
 static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
     const sf_curve curve = {model, F_0};
     sf_graph *graph = &work->response;
     sf_zeros *zeros = &work->zeros;
-    int i, k;
+    int i, k, passed = !sf_inertial(model);
     graph->events = 0, graph->status = SF_OK;
-    sf_add_event(graph, 0, HUGE_VAL, SF_CUT, 0);
+    sf_add_event(graph, 0, sf_inertial(model) ? sqrt(model->m / F_0) : HUGE_VAL, SF_CUT, 0);
     for (i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(zeros);
         sf_ask_all(model, SF_PEAK, F_0, &work->pieces.at[i], zeros);
         sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], zeros);
         sf_sort_zeros(zeros);
-        for (k = 0; k < zeros->n; k++)
-            sf_add_response_event(&zeros->at[k], sf_is_biquadratic(model, F_0, zeros->at[k].A), graph);
+        for (k = 0; k < zeros->n; k++) {
+            sf_add_infinity(model, F_0, zeros->at[k].A, &passed, graph);
+            sf_add_response_event(&zeros->at[k], !sf_inertial(model) && sf_is_biquadratic(model, F_0, zeros->at[k].A), graph);
+        }
         if (zeros->status != SF_OK)
             graph->status = zeros->status;
-        if (i + 1 < work->pieces.n)
+        if (i + 1 < work->pieces.n) {
+            sf_add_infinity(model, F_0, model->b[i], &passed, graph);
             sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
+        }
     }
+    sf_add_infinity(model, F_0, work->A_max, &passed, graph);
     sf_add_event(graph, work->A_max, 0, SF_CUT, 0);
     sf_merge_events(graph);
     if (graph->status == SF_OK)
@@ -171,7 +186,7 @@ static double sf_polish_amplitude(const sf_model *model, double F_0, double Omeg
     sf_quartic s;
     double step;
     s.kind = SF_RESPONSE;
-    s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
+    s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = sf_force(model, F_0, Omega);
     step = 0.5 * sf_value_fine(&s, Omega) / sf_half_F_A(model, at, Omega);
     return fabs(step) < SF_LAST_STEP * at->A ? at->A - step : at->A;
 }
@@ -184,7 +199,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
     int i;
     if (Omega == segment->Omega[0] || Omega == segment->Omega[1])
         return Omega == segment->Omega[0] ? lo : hi;
-    if (lo == 0) {
+    if (lo == 0 && segment->Omega[0] == HUGE_VAL) {
         lo = sf_tail_amplitude(model, F_0, segment, Omega);
         A = lo;
     } else {
@@ -201,7 +216,7 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
             lo = A;
         else
             hi = A;
-        slope = slow_flow_Omega_A(w, A, model->m, model->zeta, at.h, at.h_A);
+        slope = (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
         next = A - (w - Omega) / slope;
         moved = fabs(next - A);
         if (moved <= 0x1p-50 * A || !(lo < hi))

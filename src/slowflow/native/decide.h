@@ -22,7 +22,8 @@ static double sf_doubt_of_F(const sf_model *model, const sf_sample *at, double F
 }
 
 static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    return fabs(slow_flow_F(w, at->A, F_0, model->m, model->zeta, at->h)) <= sf_doubt_of_F(model, at, F_0, w);
+    const double force = sf_force(model, F_0, w);
+    return fabs(slow_flow_F(w, at->A, force, model->m, model->zeta, at->h)) <= sf_doubt_of_F(model, at, force, w);
 }
 
 /* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
@@ -32,17 +33,22 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double b, doubl
     double w[3], size;
     int i, n;
     sf_sample_at(model, b, &at);
-    size = sf_size_at(&at, F_0);
     if (fabs(J) <= SF_CLOSE * b * (1 + fabs(at.h_A)))
         return 1;
-    n = sf_peak_roots(b, at.h, m, zeta, w);
+    if (sf_inertial(model)) {
+        w[0] = sf_last_stationary(model, &at);
+        n = w[0] > 0;
+    } else {
+        n = sf_peak_roots(b, at.h, m, zeta, w);
+    }
     w[n++] = 0;
     for (i = 0; i < n; i++)
         if (sf_is_F_close(model, &at, F_0, w[i]))
             return 1;
-    n = sf_response_roots(b, at.h, m, zeta, F_0, w);
-    for (i = 0; i < n; i++) {
+    n = sf_frequencies(model, &at, F_0, w);
+    for (i = 0; i < n && w[i] < HUGE_VAL; i++) {
         const double R = slow_flow_R(w[i], b, at.h), slope = b * fabs(sf_half_F_A(model, &at, w[i]));
+        size = sf_size_at(&at, sf_force(model, F_0, w[i]));
         if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
             return 1;
     }
@@ -63,7 +69,7 @@ static int sf_are_corners_close(const sf_model *model, const sf_given *given, do
 
 /* Whether F_0 exceeds the forcing that leaves the mass at rest by no more than rounding may make of it. */
 static int sf_nearly_sticks(const sf_model *model, double F_0) {
-    return F_0 <= model->mechanism->dissipation(0, 0, model->damping) * (1 + SF_CLOSE);
+    return !sf_inertial(model) && F_0 <= model->mechanism->dissipation(0, 0, model->damping) * (1 + SF_CLOSE);
 }
 
 /* A fold in the middle of its enclosure; which way a sweep leaves it doubles say where the proof does not. */

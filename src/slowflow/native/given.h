@@ -20,11 +20,11 @@ typedef struct {
     sf_exactly exactly;
 } sf_given;
 
-/* 0 where no proof is possible: the mechanism has no form on intervals, or a breakpoint cannot be told from 0. What has such a
- * form has one in pairs too. */
+/* 0 where no proof is possible: the mechanism has no form on intervals, the excitation is no force, or a breakpoint cannot be
+ * told from 0. What has such a form has one in pairs too. */
 static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
     int i;
-    if (mechanism->averaged_within == NULL)
+    if (mechanism->averaged_within == NULL || mechanism->inertial)
         return 0;
     out->mechanism = mechanism;
     if (!sf_make_exact(mechanism, design, mu, zeta, &out->exactly))

@@ -10,15 +10,20 @@
 #include "scan.h"
 #include "work.h"
 
-/* The last Omega > 0 at which sqrt(R^2 + I^2) is stationary, its minimum over Omega > 0; 0 if there is none. */
+/* The last Omega > 0 at which the level is stationary, its minimum over Omega > 0; 0 if there is none. */
 static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
     sf_quartic cubic;
     double w[2];
-    const int n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
+    int n;
+    if (sf_inertial(model)) {
+        const double x = sf_least_x(model, at);
+        return x > 0 ? 1 / x : 0;
+    }
+    n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
     return n > 0 ? sf_polish_cubic(&cubic, w[n - 1]) : 0;
 }
 
-/* The lowest F_0 for which A is a steady state: the minimum over Omega >= 0 of sqrt(R^2 + I^2), and where it lies. */
+/* The lowest F_0 for which A is a steady state: the minimum of its level over Omega >= 0, and where it lies. */
 static double sf_least_forcing(const sf_model *model, const sf_sample *at, double *Omega) {
     const double last = sf_last_stationary(model, at);
     const double at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);
@@ -42,25 +47,60 @@ static int sf_bounds(const sf_model *model, double F_0, double A) {
     return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
 }
 
-/* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow. */
+/* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive on all
+ * that follow if its slopes are; the third is a sum of h_AAA, which is monotone, and of a number. */
+static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
+    sf_sample at, far;
+    double lost[2] = {0.5, 0.5}, values[4];
+    int i;
+    sf_sample_at(model, A, &at);
+    sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
+    /* zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise */
+    if (at.k >= 0 && at.h_AA <= 0 && fmax(at.h_AAA, far.h_AAA) <= 0 && at.h < 0)
+        lost[1] = fmin(model->zeta * model->zeta * A / fabs(at.h), 0.5);
+    for (i = 0; i < 2; i++) {
+        inertia_bound(A, F_0, model->zeta, at.h, at.h_A, at.h_AA, fmin(at.h_AAA, far.h_AAA), lost[i], values);
+        if (values[0] > 0 && values[1] > 0 && values[2] > 0 && values[3] > 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether the spring is far from its slope at rest, and an amplitude that is much less is reached: where a response is cut
+ * that does not close. */
+static int sf_is_far(const sf_model *model, double F_0, double A) {
+    sf_sample at, rest, less;
+    sf_sample_at(model, A, &at);
+    sf_sample_at(model, 0, &rest);
+    sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
+    return -at.h / A >= SF_STATIC_MULTIPLE * (fabs(rest.h_A) + model->zeta * model->zeta) && less.A > F_0 &&
+           sf_inertial_count(model, &less, F_0) == 2;
+}
+
+/* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow; SF_UNBOUNDED where a
+ * response does not close, with an amplitude at which to cut it. */
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
-    double A = F_0, step = 2;
+    double A = F_0, step = 2, cut = model->mechanism->reach;
     int i;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (i = 0; i < SF_RUNGS; i++) {
-        if (sf_bounds(model, F_0, A)) {
+        if ((sf_inertial(model) ? sf_inertial_bounds : sf_bounds)(model, F_0, A)) {
             *A_max = A;
             return SF_OK;
         }
+        if (sf_inertial(model) && !(cut < HUGE_VAL) && (sf_is_far(model, F_0, A) || i + 1 == SF_RUNGS))
+            cut = A;
         A *= step;
         if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
             step *= 2;
     }
-    return SF_NO_BOUND;
+    *A_max = cut;
+    return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
 
-/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0. */
+/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0, or, with
+ * SF_UNBOUNDED, where a response is cut that does not close. */
 static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     if (model->zeta > 0)
         return sf_amplitude_bound(model, F_0, A_max);
@@ -93,12 +133,16 @@ static double sf_fold_branch(const sf_model *model, const sf_sample *at, int cou
 
 static int sf_response_count(const sf_model *model, const sf_sample *at, double F_0) {
     sf_isolated q;
+    if (sf_inertial(model))
+        return sf_inertial_count(model, at, F_0);
     sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
     return sf_count(&q);
 }
 
 static double sf_response_branch(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
     sf_isolated q;
+    if (sf_inertial(model))
+        return sf_inertial_root(model, at, F_0, count, index);
     sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
     return sf_wanted_root(&q, count, index);
 }
@@ -156,6 +200,10 @@ static int sf_lower_pair(const sf_curve *curve, const sf_event *event, const sf_
     *Omega = event->Omega;
     if (event->kind == SF_PAIR_LOW || event->kind == SF_PAIR_HIGH)
         return event->kind == SF_PAIR_LOW;
+    if (sf_inertial(model) && curve->F_0 >= 0) {
+        *Omega = 1 / sf_least_x(model, at);
+        return 0;
+    }
     if (curve->F_0 < 0)
         sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
     else
@@ -180,8 +228,12 @@ static void sf_link(const sf_curve *curve, sf_graph *graph, int k) {
         sf_end_all(curve, graph, &at, k, 0);
         return;
     }
-    if (lost % 2 == 1)
+    if (event->kind == SF_TO_INFINITY && lost == 1) {
+        gone = graph->count[poor];
+        sf_end(graph, first_rich + gone, rich_end, event->A, HUGE_VAL);
+    } else if (lost % 2 == 1) {
         sf_end(graph, first_rich, rich_end, event->A, 0);
+    }
     if (lost >= 2) {
         double Omega;
         const int lower = sf_lower_pair(curve, event, &at, &Omega) && lost == 2;
@@ -212,9 +264,9 @@ static void sf_trace_arcs(const sf_curve *curve, sf_graph *graph) {
     if (graph->event[0].A > 0 || curve->F_0 < 0) {
         sf_sample_at(curve->model, graph->event[0].A, &at);
         sf_end_all(curve, graph, &at, 0, 0);
-    } else { /* the response comes from A = 0, Omega = inf */
+    } else { /* the response comes from A = 0, at one frequency */
         for (k = 0; k < graph->count[0]; k++)
-            sf_end(graph, k, 0, 0, HUGE_VAL);
+            sf_end(graph, k, 0, 0, graph->event[0].Omega);
     }
     sf_sample_at(curve->model, graph->event[graph->events - 1].A, &at);
     sf_end_all(curve, graph, &at, graph->events - 2, 1);
@@ -228,15 +280,20 @@ static void sf_ask_all(const sf_model *model, sf_question question, double F_0, 
     sf_find_zeros(&asked, piece, found);
 }
 
+/* undecided: whether rounding may hide some at which the level turns */
 static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_zeros *found) {
+    int undecided;
     sf_clear_zeros(found);
     sf_ask_all(model, SF_STIFFNESS, 0, piece, found);
+    found->undecided = 0;
     if (model->zeta == 0) {
         sf_ask_all(model, SF_UNDAMPED, 0, piece, found);
     } else {
         sf_ask_all(model, SF_ISOLA, 0, piece, found);
         sf_ask_all(model, SF_CUSP, 0, piece, found);
+        undecided = found->undecided;
         sf_ask_all(model, SF_TURN, 0, piece, found);
+        found->undecided = undecided;
     }
     sf_sort_zeros(found);
 }
@@ -277,6 +334,7 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
                 sf_add_zero(&work->extrema, *zero);
         }
         sf_add_event(graph, piece->last.A, 0, SF_CUT, 0);
+        work->extrema.undecided |= work->zeros.undecided;
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
     }
@@ -299,11 +357,17 @@ static void sf_add_fold(sf_folds *folds, double Omega, double A, int up, int cor
     folds->at[i].Omega = Omega, folds->at[i].A = A, folds->at[i].up = up, folds->at[i].corner = corner;
 }
 
+/* All frequencies at an amplitude, by their size; returns their number. */
+static int sf_frequencies(const sf_model *model, const sf_sample *at, double F_0, double Omega[3]) {
+    return sf_inertial(model) ? sf_inertial_roots(model, at, F_0, Omega)
+                              : sf_response_roots(at->A, at->h, model->m, model->zeta, F_0, Omega);
+}
+
 /* Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I. */
 static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sample *at, double Omega) {
     double w[3], nearest = HUGE_VAL;
     int i, n, place = 0;
-    n = sf_response_roots(at->A, at->h, model->m, model->zeta, F_0, w);
+    n = sf_frequencies(model, at, F_0, w);
     if (n == 0) /* beyond the tip of the curve by rounding: Omega from F_A = 0 after all */
         n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
     for (i = 0; i < n; i++)
@@ -319,6 +383,8 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
 static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
     const sf_asked asked = sf_asked_of(SF_FOLD_AT, model, F_0);
     sf_answer fold;
+    if (sf_inertial(model))
+        return sf_half_F_A(model, at, w) > 0;
     sf_ask(&asked, 1, at, &fold);
     if (fold.exists[0] && fabs(fold.Omega[0] - w) < SF_NEAR_END * w) {
         const double R = slow_flow_R(w, at->A, at->h);
@@ -338,14 +404,68 @@ static void sf_corner_folds(const sf_model *model, double F_0, double A_max, sf_
         if (model->jump[k] == 0 || !(model->b[k] < A_max))
             continue;
         sf_sample_at(model, model->b[k], &at);
-        n = sf_response_roots(at.A, at.h, model->m, model->zeta, F_0, w);
-        for (i = 0; i < n; i++) {
+        n = sf_frequencies(model, &at, F_0, w);
+        for (i = 0; i < n && w[i] < HUGE_VAL; i++) {
             const double R = slow_flow_R(w[i], at.A, at.h);
             const int stable_below = sf_is_stable_below(model, F_0, &at, w[i]), stable_above = R * model->jump[k] > 0;
             if (stable_below != stable_above)
                 sf_add_fold(folds, w[i], at.A, stable_below, 1);
         }
     }
+}
+
+/* The level on an arc of the fold locus less F_0. */
+static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, double A, double *Omega) {
+    sf_sample at;
+    sf_sample_at(model, A, &at);
+    *Omega = A == arc->A[0] ? arc->Omega[0] : A == arc->A[1] ? arc->Omega[1] : sf_fold_branch(model, &at, arc->count, arc->index);
+    return *Omega > 0 ? sf_level(model, &at, *Omega) - F_0 : HUGE_VAL;
+}
+
+/* Where the level, which is monotone along the arc, passes F_0: regula falsi (Illinois), and halves where that is slow. */
+static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc *arc, double low, double high, double *Omega) {
+    double a = arc->A[0], b = arc->A[1], f_a = low, f_b = high;
+    int i;
+    for (i = 0; i < 400; i++) {
+        double A = b - f_b * ((b - a) / (f_b - f_a)), f;
+        if (!(A > a && A < b) || i % 4 == 3)
+            A = sf_amid(0, a, b);
+        if (!(A > a && A < b) || b - a <= 0x1p-52 * b)
+            break;
+        f = sf_excess(model, F_0, arc, A, Omega);
+        if ((f < 0) == (low < 0)) {
+            a = A, f_a = f, f_b *= 0.5;
+        } else {
+            b = A, f_b = f, f_a *= 0.5;
+        }
+        if (f == 0)
+            break;
+    }
+    sf_excess(model, F_0, arc, fabs(f_a) < fabs(f_b) ? a : b, Omega);
+    return fabs(f_a) < fabs(f_b) ? a : b;
+}
+
+/* The folds of an excitation by inertia inside of pieces: where the level passes F_0 along the arcs of the fold locus. */
+static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
+    const sf_status status = sf_fold_locus(model, work->A_max, work);
+    int i;
+    if (status != SF_OK)
+        return status;
+    folds->undecided |= work->extrema.undecided;
+    for (i = 0; i < work->locus.arcs; i++) {
+        const sf_arc *arc = &work->locus.arc[i];
+        double Omega, A;
+        const double low = sf_excess(model, F_0, arc, arc->A[0], &Omega), high = sf_excess(model, F_0, arc, arc->A[1], &Omega);
+        sf_sample at;
+        folds->undecided |= fabs(low) <= SF_CLOSE * F_0 || fabs(high) <= SF_CLOSE * F_0;
+        if (!sf_opposite(low, high))
+            continue;
+        A = sf_level_crossing(model, F_0, arc, low, high, &Omega);
+        sf_sample_at(model, A, &at);
+        Omega = sf_settled_Omega(model, F_0, &at, Omega);
+        sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
+    }
+    return SF_OK;
 }
 
 /* Every fold at F_0 > m, by rising Omega; the pieces up to the largest amplitude stay in work. */
@@ -357,8 +477,15 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
     if (sf_sticks(model, F_0))
         return SF_STICKS;
     status = sf_range_at(model, F_0, &work->A_max);
-    if (status != SF_OK)
+    if (status != SF_OK && status != SF_UNBOUNDED)
         return status;
+    if (sf_inertial(model)) {
+        status = sf_locus_folds(model, F_0, work, folds);
+        if (status != SF_OK)
+            return status;
+        sf_corner_folds(model, F_0, work->A_max, folds);
+        return folds->status;
+    }
     sf_stretches_up_to(model, work->A_max, &work->pieces);
     for (i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(found);
@@ -389,6 +516,8 @@ static double sf_extremum_level(const sf_model *model, const sf_zero *zero, cons
         return sf_level(model, at, zero->Omega);
     memset(&answer, 0, sizeof answer);
     sf_ask_cusp(model, 1 << zero->channel, at, &answer);
+    if (sf_inertial(model))
+        return answer.level[zero->channel] / (zero->Omega * zero->Omega);
     /* by what the record's excitation differs from a force */
     return answer.level[zero->channel] *
            (sf_level(model, at, zero->Omega) / slow_flow_level(zero->Omega, at->A, model->m, model->zeta, at->h));
@@ -403,7 +532,8 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     out.F_0 = sf_extremum_level(model, zero, &at);
     out.minimum = sf_is_minimum(model, zero->question, &at, out.Omega);
     out.saddle = zero->question == SF_ISOLA &&
-                 slow_flow_hessian(out.Omega, at.A, model->m, model->zeta, at.h, at.h_A, at.h_AA) < 0;
+                 (sf_inertial(model) ? inertia_hessian : slow_flow_hessian)(out.Omega, at.A, model->m, model->zeta, at.h,
+                                                                            at.h_A, at.h_AA) < 0;
     out.isola = zero->question == SF_ISOLA;
     return out;
 }

@@ -14,7 +14,7 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 5, /* of the record below; one of another form is refused */
+    SF_FORM = 6, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -58,8 +58,10 @@ typedef struct sf_mechanism {
     /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
     double (*dissipation)(double Omega, double A, const double *damping);
 
-    /* Excitation: the forcing for which (Omega, A) is a steady state (24). */
+    /* Excitation: the amplitude F_0 for which (Omega, A) is a steady state (24), and whether that stands for a force
+     * F_0 Omega^2, of inertia. */
     double (*level)(double Omega, double A, const double *damping, double h);
+    int inertial;
 
     /* Mean B of the motion u = B + A cos psi; |B| + A is the largest displacement. */
     double (*mean_offset)(double A, const double *p);

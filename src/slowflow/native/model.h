@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "conventions.h"
+#include "inertia.h"
 #include "isolate.h"
 #include "mechanism.h"
 #include "slow_flow.h"
@@ -81,14 +82,21 @@ static inline double sf_quarter_F_OmegaOmega(const sf_model *model, const sf_sam
     return 0.25 * slow_flow_F_OmegaOmega(w, at->A, model->zeta, at->h);
 }
 
-/* The forcing for which (Omega, A) is a steady state. */
+static inline int sf_inertial(const sf_model *model) { return model->mechanism->inertial; }
+
+/* Amplitude of the force at an amplitude of the excitation. */
+static inline double sf_force(const sf_model *model, double F_0, double w) {
+    return sf_inertial(model) ? inertia_force(w, F_0) : F_0;
+}
+
+/* The amplitude of the excitation for which (Omega, A) is a steady state. */
 static inline double sf_level(const sf_model *model, const sf_sample *at, double w) {
     return model->mechanism->level(w, at->A, model->damping, at->h);
 }
 
-/* Whether the forcing leaves the mass at rest (27). */
+/* Whether the excitation leaves the mass at rest at every frequency (27). */
 static inline int sf_sticks(const sf_model *model, double F_0) {
-    return !(F_0 > model->mechanism->dissipation(0, 0, model->damping));
+    return !sf_inertial(model) && !(F_0 > model->mechanism->dissipation(0, 0, model->damping));
 }
 
 static inline int sf_opposite(double a, double b) { return (a < 0) != (b < 0); }

@@ -16,7 +16,10 @@ static sf_status sf_detachment(const sf_model *model, double *F_cr, double *Omeg
     sf_sample_at(model, model->b[0], &at);
     *u_cr = at.A + fabs(model->mechanism->mean_offset(at.A, model->p));
     *F_cr = sf_least_forcing(model, &at, Omega_cr);
-    return SF_OK;
+    if (*F_cr < HUGE_VAL)
+        return SF_OK;
+    *F_cr = *Omega_cr = *u_cr = NAN; /* tended to as Omega tends to inf */
+    return SF_NONE;
 }
 
 static void sf_consider(double level, double Omega, double A, sf_onset_kind kind, sf_onset *best) {
@@ -47,11 +50,13 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
     sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
     double most = best->F_SN;
     int i;
-    if (!sf_only_falls(piece)) {
+    if (sf_inertial(model)) { /* at Omega = 0 the level is infinite */
+        sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
+    } else if (!sf_only_falls(piece)) {
         sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     }
-    cusps.most = &most;
+    cusps.most = sf_inertial(model) ? NULL : &most; /* which is a force */
     sf_find_zeros(&cusps, piece, zeros);
     best->undecided |= zeros->undecided;
     for (i = 0; i < zeros->n; i++) {
@@ -69,6 +74,23 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
 /* Whether the level falls towards the point (b, w) of the fold locus along the piece below. */
 static int sf_falls_from_below(const sf_model *model, const sf_sample *at, double w) {
     return slow_flow_level_rise(w, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA) < 0;
+}
+
+/* The same for an excitation by inertia: all that may bound the level of folds on the breakpoint, none of it lower than they
+ * are; J = 0 where only the slope of the force jumps. */
+static void sf_consider_inertial(const sf_model *model, const sf_sample *at, double J, sf_onset *best) {
+    const double x = sf_least_x(model, at);
+    double w[3];
+    const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
+    int i;
+    for (i = 0; i < n; i++)
+        sf_consider(sf_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
+    if (J != 0 && x > 0 && sf_half_F_A(model, at, 1 / x) * slow_flow_R(1 / x, at->A, at->h) * J < 0)
+        sf_consider(sf_level(model, at, 1 / x), 1 / x, at->A, SF_CORNER_KIND, best);
+    if (J < 0 && at->h < 0) {
+        w[0] = slow_flow_backbone(at->A, at->h);
+        sf_consider(sf_level(model, at, w[0]), w[0], at->A, SF_CORNER_KIND, best);
+    }
 }
 
 /* The least forcing on breakpoint i, where the force jumps by J. Folds sit on it where F_A has there the other sign than
@@ -113,15 +135,16 @@ static void sf_consider_bend(const sf_model *model, const sf_sample *at, const s
  * one. */
 static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first, sf_work *work, sf_onset *best) {
     double F_0 = best->F_SN, A_max;
+    sf_status bounded = SF_OK;
     sf_stretch piece;
     int i;
     piece.last = *first;
     if (!(F_0 < HUGE_VAL))
         F_0 = SF_RAISE * fmax(model->m, 1e-6);
     for (i = 0; i < SF_RAISES; i++) {
-        const sf_status status = sf_amplitude_bound(model, F_0, &A_max);
-        if (status != SF_OK)
-            return status;
+        bounded = sf_amplitude_bound(model, F_0, &A_max);
+        if (bounded != SF_OK && bounded != SF_UNBOUNDED)
+            return bounded;
         if (A_max > piece.last.A) { /* what lies below has been looked through */
             piece.first = piece.last;
             sf_sample_at(model, A_max, &piece.last);
@@ -132,11 +155,16 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
             if (work->zeros.status != SF_OK)
                 return work->zeros.status;
         }
-        if (best->F_SN <= F_0)
-            return SF_OK;
+        if (best->F_SN <= F_0 || bounded == SF_UNBOUNDED)
+            break;
         F_0 = best->F_SN < HUGE_VAL ? best->F_SN : SF_RAISE * F_0;
     }
-    return SF_NONE;
+    /* where the response does not close folds of any amplitude may be lower */
+    if (bounded == SF_UNBOUNDED && best->F_SN < HUGE_VAL)
+        return sf_amplitude_bound(model, best->F_SN, &A_max);
+    if (bounded == SF_UNBOUNDED)
+        return bounded;
+    return best->F_SN <= F_0 ? SF_OK : SF_NONE;
 }
 
 static sf_status sf_onset_undamped(const sf_model *model, sf_work *work) {
@@ -169,7 +197,9 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
     for (k = 0; k < model->breaks; k++) { /* first what leaves less to search */
         sf_sample_at(model, model->b[k], &piece.last);
         sf_sample_above(model, k, &piece.first);
-        if (model->jump[k] != 0)
+        if (sf_inertial(model))
+            sf_consider_inertial(model, &piece.last, model->jump[k], best);
+        else if (model->jump[k] != 0)
             sf_consider_jump(model, &piece.last, model->jump[k], best);
         else
             sf_consider_bend(model, &piece.last, &piece.first, best);
@@ -188,6 +218,8 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
         best->kind = SF_NO_KIND;
         status = SF_UNRESOLVED;
     }
+    if (status == SF_UNBOUNDED) /* no lowest amplitude of the excitation is attained */
+        best->kind = SF_NO_KIND, best->Omega = best->A = NAN;
     if (best->kind == SF_NO_KIND) {
         best->F_SN = NAN;
         return status == SF_OK ? SF_NONE : status;

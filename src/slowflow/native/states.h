@@ -50,7 +50,8 @@ static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactl
     for (i = 0; i < work->skeleton.segments; i++) {
         const sf_segment *segment = &work->skeleton.segment[i];
         const int is_end = Omega == segment->Omega[0] || Omega == segment->Omega[1];
-        if (sf_holds(segment, Omega))
+        const int is_at_rest = is_end && Omega == segment->Omega[0] && segment->A[0] == 0;
+        if (sf_holds(segment, Omega) && !is_at_rest)
             n = sf_add_state(is_end ? sf_amplitude_on(model, F_0, segment, Omega)
                                     : sf_settled_amplitude(model, exactly, F_0, segment, Omega),
                              segment->stable, is_end, n, A, stable);

@@ -1,5 +1,6 @@
 """The answers of the NumPy solvers, in one place: a model in, results out."""
 
+from slowflow.averaged.reference.bounds import closes
 from slowflow.averaged.reference.folds import saddle_nodes
 from slowflow.averaged.reference.locus import extrema, fold_locus
 from slowflow.averaged.reference.onset import detachment, onset, peak
@@ -7,6 +8,7 @@ from slowflow.averaged.reference.response import amplitudes, frequency_response
 
 __all__ = [
     "amplitudes",
+    "closes",
     "detachment",
     "extrema",
     "fold_locus",

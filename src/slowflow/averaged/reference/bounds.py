@@ -56,3 +56,8 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     if not bounds.any():
         raise OverflowError(f"no amplitude bounds the response at F_0 = {F_0:.17g}")
     return float(rungs[np.argmax(bounds)]), ""
+
+
+def closes(model: Model, F_0: float) -> bool:
+    """Whether the response to an excitation by inertia is known to have a highest amplitude."""
+    return not amplitude_bound(model, F_0)[1]

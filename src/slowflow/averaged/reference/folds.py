@@ -42,7 +42,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     up = np.concatenate((up, corner_up))
     corner = np.arange(A.size) >= A.size - corner_A.size
     order = np.argsort(Omega, kind="stable")
-    message = remark if A.size or undecided else words.NO_FOLD.format(F_0)
+    message = remark if A.size or undecided or (remark and model.inertial) else words.NO_FOLD.format(F_0)
     kind = np.where(up, "jump-up", "jump-down")[order]
     beside = Remark.UNDECIDED if undecided else Remark(0)
     return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=beside)

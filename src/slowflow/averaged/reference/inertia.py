@@ -129,10 +129,14 @@ def bound(model: Model, F_0: float, rungs: Floats) -> float | None:
 
 
 def cut(model: Model, F_0: float, rungs: Floats) -> float:
-    """Where a response is cut that does not close: at the reach, or where the spring is far from its slope at rest."""
+    """Where a response is cut that does not close: at the reach, or far from the spring's slope at rest.
+
+    Amplitudes that are much less are reached there.
+    """
     if np.isfinite(model.reach):
         return model.reach
     at = samples_at(model, rungs)
     steep = -at.h / at.A >= STATIC_MULTIPLE * (abs(samples_at(model, 0.0).h_A[0]) + model.zeta**2)
-    far = steep & (rungs >= STATIC_MULTIPLE * F_0)
+    less = rungs / STATIC_MULTIPLE
+    far = steep & (less > F_0) & (Roots(model, F_0).count(less) == 2)
     return float(rungs[np.argmax(far)]) if far.any() else float(rungs[-1])

@@ -167,13 +167,15 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, 1e-6)
     for _ in range(RAISES):
         A_max, cut = amplitude_bound(model, F_0)
-        best.open = bool(cut)
         if A_max > first.A[0]:  # what lies below has been looked through
             last = samples_at(model, A_max)
             if first.A[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
                 return  # linear
             _consider_pieces(model, [Stretch(first, last, base)], best)
             first = last
+        if cut:  # where the response does not close folds of any amplitude may be lower
+            best.open = not best.kind or bool(amplitude_bound(model, best.F_SN)[1])
+            return
         if best.F_SN <= F_0:
             return
         F_0 = best.F_SN if best.kind else RAISE * F_0

@@ -1,6 +1,7 @@
 /* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
+ *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
  *   model(record, parameters, damping, design)  an oscillator, prepared for the questions about one; what is proved of it is
  *                                               proved of the design, () where that is not known
  *
@@ -36,6 +37,50 @@ const sf_mechanism *sf_record_in(PyObject *capsule)
         return NULL;
     }
     return record;
+}
+
+/* Its damping, which has to be viscous too. */
+static int inertial_damping_of(const double *given, double *damping)
+{
+    if (!(given[0] >= 0 && given[0] < HUGE_VAL && given[1] > 0 && given[1] < HUGE_VAL))
+        return 0;
+    damping[0] = slow_flow_friction(given[0]);
+    damping[1] = given[1];
+    return 1;
+}
+
+static double inertial_level(double Omega, double A, const double *damping, double h)
+{
+    return inertia_level(Omega, A, damping[0], damping[1], h);
+}
+
+/* A record is never let go, as batches keep its address: the cache holds one for each mechanism. */
+static PyObject *inertial(PyObject *cache, PyObject *capsule)
+{
+    const sf_mechanism *record = sf_record_in(capsule);
+    if (record == NULL)
+        return NULL;
+    PyObject *address = PyLong_FromVoidPtr((void *)record);
+    if (address == NULL)
+        return NULL;
+    PyObject *found = PyDict_GetItemWithError(cache, address);
+    Py_XINCREF(found);
+    if (found == NULL && !PyErr_Occurred()) {
+        sf_mechanism *made = malloc(sizeof *made);
+        if (made != NULL) {
+            *made = *record;
+            made->inertial = 1, made->level = inertial_level, made->damping_of = inertial_damping_of;
+            found = PyCapsule_New(made, SF_RECORD, NULL);
+            if (found == NULL || PyDict_SetItem(cache, address, found) < 0) {
+                Py_CLEAR(found);
+                free(made);
+            }
+        } else {
+            PyErr_NoMemory();
+        }
+    }
+    Py_DECREF(address);
+    return found;
 }
 
 /* What the capsule of a model points to. */
@@ -131,13 +176,19 @@ static PyMethodDef functions[] = {
     {NULL, NULL, 0, NULL},
 };
 
+static PyMethodDef of_inertia = {"inertial", inertial, METH_O, "record -> the same mechanism excited by inertia"};
+
 int sf_add_records(PyObject *module)
 {
     const sf_solvers *solvers = sf_here();
     PyObject *records = PyDict_New();
     if (records == NULL)
         return -1;
-    int failed = PyModule_AddFunctions(module, functions) < 0;
+    PyObject *cache = PyDict_New(), *function = cache == NULL ? NULL : PyCFunction_New(&of_inertia, cache);
+    int failed = PyModule_AddFunctions(module, functions) < 0 || function == NULL ||
+                 PyModule_AddObjectRef(module, of_inertia.ml_name, function) < 0;
+    Py_XDECREF(cache);
+    Py_XDECREF(function);
     for (int i = 0; i < solvers->count && !failed; i++) {
         PyObject *capsule = PyCapsule_New((void *)solvers->records[i], SF_RECORD, NULL);
         failed = capsule == NULL || PyDict_SetItemString(records, solvers->records[i]->name, capsule) < 0;

@@ -1,0 +1,84 @@
+/* Excitation by inertia, F_0 Omega^2: in go a sample and an amplitude of the excitation, out come the frequencies there.
+ *
+ * The level of an amplitude, the F_0 for which it is a steady state at Omega, falls from inf at Omega = 0 to its least and
+ * rises from there to A as Omega tends to inf; or it only falls to A. So an amplitude below F_0 has one frequency, and one
+ * above it two or none (derivations/inertia.py).
+ */
+#ifndef SF_INERTIAL_H
+#define SF_INERTIAL_H
+
+#include "model.h"
+
+/* x = 1/Omega where the level is least; 0 where it only falls. */
+static inline double sf_least_x(const sf_model *model, const sf_sample *at) {
+    double terms[3];
+    inertia_terms(at->A, model->m, model->zeta, at->h, terms);
+    return at->A > 0 && terms[0] > 0 ? inertia_least(terms[0], terms[1], terms[2]) : 0;
+}
+
+/* How many frequencies there are at A. */
+static inline int sf_inertial_count(const sf_model *model, const sf_sample *at, double F_0) {
+    double peak[2], x;
+    if (at->A < F_0)
+        return 1;
+    x = sf_least_x(model, at);
+    if (x == 0)
+        return 0;
+    inertia_peak(x, at->A, F_0, model->m, model->zeta, at->h, 0, peak);
+    return peak[0] < 0 ? (at->A > F_0 ? 2 : 1) : 0;
+}
+
+/* Newton's steps in x = 1/Omega, kept in the bracket; F rises with x for +1 and falls for -1. */
+static inline double sf_inertial_solve(const sf_model *model, const sf_sample *at, double F_0, double x, double lo, double hi,
+                                       double rising) {
+    int i;
+    x = fmin(fmax(x, lo), hi);
+    for (i = 0; i < 200; i++) {
+        const double Omega = 1 / x, F = inertia_F(Omega, at->A, F_0, model->m, model->zeta, at->h);
+        const double slope = inertia_level_slope(Omega, at->A, model->m, model->zeta, at->h);
+        double next = x + F / (Omega * slope);
+        const double before = x;
+        if (rising * F < 0)
+            lo = x;
+        else
+            hi = x;
+        if (!(next >= lo && next <= hi))
+            next = 0.5 * (lo + hi);
+        x = next;
+        if (fabs(x - before) <= 0x1p-52 * before)
+            break;
+    }
+    return 1 / x;
+}
+
+/* Frequency number `index` of `count`; where rounding hides a pair, the place where it meets. Without its cubic term, which
+ * only raises F, F over Omega^4 is a quadratic in x^2, whose roots lie outside of those of F. */
+static inline double sf_inertial_root(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
+    const double A = at->A, h = at->h, m = model->m, zeta = model->zeta, least = sf_least_x(model, at);
+    const double fall = -A * (h + 2 * zeta * zeta * A), square = h * h + m * m;
+    const double inner = F_0 * F_0 * square - m * A * (m * A) + 4 * zeta * zeta * A * A * A * (h + zeta * zeta * A);
+    const double root = sqrt(fmax(inner, 0)), over = (A - F_0) * (A + F_0);
+    const int high = count == 2 && index == 1, shown = sf_inertial_count(model, at, F_0);
+    double x;
+    if (high && A <= F_0)
+        return HUGE_VAL;
+    if (shown < (high ? 2 : 1))
+        return 1 / least;
+    if (high) {
+        x = sqrt(fmax(over, 0) / (root + fall)) * (1 - 0x1p-40);
+        return sf_inertial_solve(model, at, F_0, x, x, least, -1);
+    }
+    x = sqrt(fall > 0 ? (root + fall) / square : -over / (root - fall)) * (1 + 0x1p-40);
+    return sf_inertial_solve(model, at, F_0, x, least, x, 1);
+}
+
+/* All of them, by their size; returns their number. */
+static inline int sf_inertial_roots(const sf_model *model, const sf_sample *at, double F_0, double Omega[3]) {
+    const int n = sf_inertial_count(model, at, F_0);
+    int i;
+    for (i = 0; i < n; i++)
+        Omega[i] = sf_inertial_root(model, at, F_0, n, i);
+    return n;
+}
+
+#endif
