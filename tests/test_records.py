@@ -112,6 +112,7 @@ def test_a_record_knows_damping_excitation_and_that_an_odd_force_is_centred(name
     assert record.dissipation(0.9, 0.4, damping) == slow_flow.I(0.9, 0.4, m, zeta)
     assert record.dissipation(0.0, 0.0, damping) == m
     assert record.level(0.9, 0.4, damping, -0.3) == slow_flow.level(0.9, 0.4, m, zeta, -0.3)
+    assert record.inertial == 0
     assert record.mean_offset(0.4, p) == 0
 
 
