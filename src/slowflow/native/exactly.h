@@ -22,11 +22,11 @@ typedef struct {
     sf_pair A, h[4]; /* h, h_A, h_AA, h_AAA */
 } sf_exact_sample;
 
-/* 0 where the mechanism has no form in pairs. */
+/* 0 where the mechanism has no form in pairs, or its excitation is no force, which the forms in pairs are about. */
 static inline int sf_make_exact(const sf_mechanism *mechanism, const double *design, double mu, double zeta,
                                 sf_exactly *out) {
     out->mechanism = mechanism;
-    if (mechanism->averaged_in_pairs == NULL)
+    if (mechanism->averaged_in_pairs == NULL || mechanism->inertial)
         return 0;
     out->m = slow_flow_pairs_friction(sfp_point(mu)), out->zeta = sfp_point(zeta);
     mechanism->parameters_in_pairs(design, out->p);

@@ -24,7 +24,7 @@ typedef struct {
  * told from 0. What has such a form has one in pairs too. */
 static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
     int i;
-    if (mechanism->averaged_within == NULL || mechanism->inertial)
+    if (mechanism->averaged_within == NULL)
         return 0;
     out->mechanism = mechanism;
     if (!sf_make_exact(mechanism, design, mu, zeta, &out->exactly))
