@@ -58,6 +58,30 @@ def test_a_bad_frequency_is_named(Omega):
         isolator().amplitudes(Omega=Omega, F_0=0.04)
 
 
+MASKED = np.ma.masked_array([0.5, 0.9], mask=[False, True])
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda: isolator().amplitudes(Omega=MASKED, F_0=0.04),
+        lambda: isolator().saddle_nodes(np.ma.masked),
+        lambda: isolator().limit_envelope(Omega=0.9, F_0=MASKED),
+        lambda: Isolator.many(lam=3, r=MASKED, delta_h=0.1).detachment(),
+        lambda: Isolator.many(lam=3, r=2, delta_h=0.1).peak(MASKED),
+    ],
+)
+def test_a_masked_number_is_no_number(ask):
+    """What lies under a mask was marked as wrong: it is neither computed with nor left out in silence."""
+    with pytest.raises(ValueError, match="masked"):
+        ask()
+
+
+def test_an_array_of_which_nothing_is_masked_is_an_array():
+    found = isolator().amplitudes(Omega=np.ma.masked_array([0.5, 0.9]), F_0=0.04)
+    assert found == isolator().amplitudes(Omega=[0.5, 0.9], F_0=0.04)
+
+
 @pytest.mark.parametrize("window", [(1.0, 0.5), (0.5, 0.5), (-0.1, 1.0), 1.0, (0.5, math.nan), (0.1, 0.2, 0.3)])
 def test_a_bad_window_is_named(window):
     with pytest.raises(ValueError, match="Omega"):

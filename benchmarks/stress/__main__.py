@@ -19,13 +19,17 @@ from typing import Any
 
 from benchmarks import environment
 from benchmarks.document import DOCS, RESULTS
-from benchmarks.stress import answers, baseline, counts, instead, kernels, page, proofs, roots
+from benchmarks.stress import answers, baseline, counts, instead, kernels, page, proofs, roots, scale
 from tests.oracles.kernels import scene_of
 
 #: what can be measured apart
-PARTS = ("answers", "counts", "counts on NumPy", "proofs", "roots", "instead", "kernels", "extremes")
+OF_COUNTS = ("counts", "counts on NumPy", "counts against proofs")
+PARTS = ("answers", *OF_COUNTS, "proofs", "roots", "instead", "kernels", "extremes")
 #: shares into which answers and counts are cut
 SHARES = 8
+#: oscillators of each share of the counts against proofs: with one forcing, and with many frequencies
+FOLDS = {"rod_spring": 150_000, "duffing": 400_000}
+STATES = {"rod_spring": 1_000, "duffing": 3_000}
 #: points shown of each kernel and kind in a picture
 SHOWN = 40
 Job = tuple[Callable[..., Any], tuple[Any, ...]]
@@ -51,6 +55,12 @@ def jobs(size: float) -> dict[str, list[Job]]:
         "counts on NumPy": [
             (counts.on_numpy, (mechanism, 100, many(4 if mechanism == "rod_spring" else 12)))
             for mechanism in counts.ORACLES
+        ],
+        "counts against proofs": [
+            (count, (kind, part, many(number)))
+            for count, numbers in ((scale.folds, FOLDS), (scale.states, STATES))
+            for kind, number in numbers.items()
+            for part in range(SHARES)
         ],
         "proofs": [(proofs.stress, (part, many(125))) for part in range(SHARES)],
         "roots": [(roots.stress, (kind, family, many(4000, 50), many(1500))) for kind, family in roots.jobs()],
@@ -119,6 +129,8 @@ def main() -> None:
         found, cost = measure(options.size, options.only)
         if "proofs" in found:  # its pieces are of no use apart; and Table 2 is timed with nothing beside
             found["proofs"] = [proofs.summed(found["proofs"])]
+        if "counts against proofs" in found:
+            found["counts against proofs"] = scale.summed(found["counts against proofs"])
         about = {"environment": environment.describe(), "cost": {**known.get("cost", {}), **cost}}
         known = {**known, **about, **plain(found)}
         baseline.save(results, known)

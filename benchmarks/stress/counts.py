@@ -37,7 +37,7 @@ FREQUENCIES = 4
 #: share of the forcings that is asked without compiled code, which takes a hundred times longer
 ON_NUMPY = 0.1
 #: what is counted
-NUMBERS = ("cases", "undecided", "wrong undecided", "said", "unproved")
+NUMBERS = ("cases", "undecided", "wrong undecided", "wrong undecided unsaid", "said", "unproved")
 #: of them go to what one would write instead
 COMPARED = 1
 
@@ -142,6 +142,7 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, compar
     if given != number:
         if undecided:
             row["wrong undecided"] += 1
+            row["wrong undecided unsaid"] += not said
         else:
             row["wrong, said" if said else "wrong"].append((at, given, number, *distance))
     if compared and not undecided:

@@ -10,7 +10,7 @@ from typing import Any
 import matplotlib as mpl
 
 from benchmarks.document import environment_lines, table
-from benchmarks.stress import answers, counts, domains, kernels, proofs, roots
+from benchmarks.stress import answers, counts, domains, kernels, proofs, roots, scale
 from derivations.emit.proved import stored
 
 mpl.use("Agg")
@@ -85,7 +85,17 @@ def by_kernel(found: list[Numbers]) -> Rows:
 KERNELS = ("kernel", "points", "error / u(1+κ)", "NumPy there", "1 + κ there", "where")
 ROOTS = ("roots", "family", "cases", "wrong number", "error / u(1+κ)", "1 + κ there", "where")
 ANSWERS = ("force", "answer", "answers", "error / u(1+κ)", "1 + κ there", "alone", "where")
-COUNTS = ("asked", "cases", "wrong, decided", "wrong, said", "wrong, undecided", "refused", "not proved")
+COUNTS = (
+    "asked",
+    "cases",
+    "wrong, decided",
+    "wrong, said",
+    "wrong, undecided",
+    "unsaid",
+    "refused",
+    "not proved",
+)
+SCALE = ("asked", "cases", "differ, unsaid", "said to be undecided", "not proved, unsaid", "refused")
 
 
 def by_group(found: list[Numbers]) -> Rows:
@@ -184,12 +194,35 @@ def by_count(found: list[Numbers], backend: str = "") -> Rows:
                     f"{total['cases']:,}",
                     f"{len(total['wrong'])} of {decided:,}",
                     f"{total['said wrong']} of {total['said']:,}",
-                    f"{total['wrong undecided']} of {total['undecided']:,}",
+                    f"{total['wrong undecided']:,} of {total['undecided']:,}",
+                    f"{total['wrong undecided unsaid']:,}",
                     str(len(total["refused"])),
                     str(total["unproved"]),
                 )
             )
     return rows
+
+
+def scale_lines(found: list[Numbers]) -> list[str]:
+    """Counts against proofs, and some of the cases that differ or that nothing proves."""
+    rows = [(f"{t['mechanism']}, {t['kind']}", *(f"{t[name]:,}" for name in scale.COUNTED)) for t in found]
+    named = []
+    for t in found:
+        names = answers.NAMES[t["mechanism"]]
+        names = names if t["kind"] == "states" else names[:-1]
+        named += [(f"{t['mechanism']}, {t['kind']}", what, where(names, at)) for what, at in t["named"]]
+    return [
+        "### By the million, against proofs in intervals",
+        "",
+        "Oscillators and forcings of `tests/oracles/draws.py`: many decades of damping, with and without friction;",
+        "most frequencies lie beside folds, from an ulp on. *Differ* are numbers of which others are proved, in answers",
+        "that do not say that doubles do not decide. Where only the proof is at a loss balls agree with the answer",
+        "wherever they were asked (`tests/test_undecided.py`).",
+        "",
+        *table(SCALE, rows),
+        "",
+        *(["Some of these:", "", *table(("asked", "what", "where"), named), ""] if named else []),
+    ]
 
 
 def wrong_counts(found: list[Numbers]) -> Rows:
@@ -323,6 +356,10 @@ def in_short(numbers: Numbers) -> list[str]:
     totals = [t for kind in ("states", "folds") for t in summed(numbers["counts"], kind).values()]
     cases, undecided, said = (sum(t[name] for t in totals) for name in ("cases", "undecided", "said"))
     wrong = sum(len(t["wrong"]) for t in totals)
+    unsaid = sum(t["wrong undecided unsaid"] for t in totals)
+    many, differ, open_, unproved = (
+        sum(t[name] for t in numbers["counts against proofs"]) for name in ("asked", "differ", "undecided", "unproved")
+    )
     lines = [
         f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} keep to it; "
         + (f"{len(beyond)} miss it, named below." if beyond else "none misses it."),
@@ -332,8 +369,9 @@ def in_short(numbers: Numbers) -> list[str]:
         f"kinds keep to it{'; the others are marked below' if missed else ''}.",
         f"- **Counts, target none wrong of 10^7**: {wrong:,} wrong of "
         f"{cases - undecided - said:,} that doubles decide; {said:,} answers say that doubles do not; "
-        f"{undecided:,} more lie within {counts.UNDECIDED:g} u (1 + κ) of a level and were asked too. "
-        f"{cases:,} is what was tried, not 10^7.",
+        f"{undecided:,} more lie within {counts.UNDECIDED:g} u (1 + κ) of a level and were asked too, of which "
+        f"{unsaid:,} are wrong without a word. Balls judged these. Of {many:,} more {differ:,} differ from a proof in "
+        f"intervals without a word, {open_:,} say that they are undecided, and for {unproved:,} there is no proof.",
         f"- **Proofs, target 99 % of folds by doubles alone, at most twice the time**: "
         f"{share(numbers['proofs'][0], 'folds')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
         "`saddle_nodes`, median.",
@@ -434,6 +472,7 @@ def page(numbers: Numbers) -> str:
         *table(COUNTS, by_count(numbers["counts"]) + by_count(numbers["counts on NumPy"], " (NumPy)")),
         "",
         *wrong_lines(numbers),
+        *scale_lines(numbers["counts against proofs"]),
         "## Proofs at run time",
         "",
         *proof_lines(numbers["proofs"][0]),

@@ -38,6 +38,7 @@ def number(
     most: float = math.inf,
 ) -> float:
     """A finite real number in the given range, as a float."""
+    _is_not_masked(name, value)
     if not _is_number(value):
         raise _refuse(name, value, _range(above, least, below, most))
     try:
@@ -60,6 +61,12 @@ def _is_number(value: Any) -> bool:
     if isinstance(value, (float, int, Real, np.floating, np.integer)):
         return True
     return isinstance(value, np.ndarray) and value.ndim == 0 and value.dtype.kind in "fiu"
+
+
+def _is_not_masked(name: str, value: Any) -> None:
+    """What a mask hides was marked as wrong: it is no number to compute with."""
+    if isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
+        raise ValueError(f"{name} is not allowed: {int(np.ma.getmaskarray(value).sum())} of its numbers are masked")
 
 
 def _range(above: float, least: float, below: float, most: float) -> str:
@@ -113,6 +120,7 @@ def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
 
 def _array(name: str, value: Any, allowed: str) -> npt.NDArray[Any]:
     """Real numbers of any shape, as they are."""
+    _is_not_masked(name, value)
     try:
         array = np.asarray(value)
     except ValueError:
