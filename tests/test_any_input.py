@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator, cli, sizing
@@ -214,6 +214,9 @@ def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
 
 
 @settings(max_examples=100, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@example(1.7e308, 1.0, 1.0, "mu")
+@example(0.0, 1.0, 1e-160, "mu")
+@example(0.0, 1.0, 5e-324, "mu")
 @given(anything, anything, anything, st.sampled_from(["mu", "zeta", "r", "delta_h", "what"]))
 def test_sizing_is_answered_or_refused_in_words(part, F_0, bound, name):
     isolator = Isolator(lam=3, r=2, delta_h=0.1, mu=0.01, zeta=0.02)

@@ -107,7 +107,10 @@ def fit(
         measured = _amplitudes(subject, {"f": f, "F": F} if subject.mount else {"Omega": Omega, "F_0": F_0}, A)
     damping = "c" if "c" in subject.nominal else "zeta"
     default = ["friction", damping, "k_h", "preload"] if subject.mount else ["mu", "zeta", "r", "delta_h"]
-    return _fitted(subject, measured, default if free is None else list(free))
+    with np.errstate(
+        over="ignore", divide="ignore", invalid="ignore"
+    ):  # numbers at the ends of the range: words follow
+        return _fitted(subject, measured, default if free is None else list(free))
 
 
 @dataclass(frozen=True)

@@ -244,10 +244,13 @@ def meet(
     search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, shock), seed)
     if not search.wanted or not free:
         raise ValueError("meet needs at least one requirement and one free number")
-    x = search.nearest()
+    # ranges as narrow as rounding, requirements as large as numbers are
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        x = search.nearest()
+        answers = search.answers(x.reshape(-1, 1), search.names)
+        binding, message = search.binding(x)
     numbers = dict(zip(free, x.tolist(), strict=True))
-    reached = {name: float(values[0]) for name, values in search.answers(x.reshape(-1, 1), search.names).items()}
-    binding, message = search.binding(x)
+    reached = {name: float(values[0]) for name, values in answers.items()}
     return Met(subject.of.replace(**numbers), not binding, numbers, reached, binding, message)
 
 
