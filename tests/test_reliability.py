@@ -279,3 +279,24 @@ def test_a_motion_within_its_residual_or_a_refusal(place):
             else:
                 assert found.residual <= 1e-9 * max(found.A, F_0)
             assert time.process_time() - start < 60
+
+
+@native_only
+@pytest.mark.parametrize("force", ["truncated", "untruncated"])
+@pytest.mark.parametrize("gap", [1e-2, 1e-4, 1e-8, 2.0**-52])
+def test_a_motion_next_to_the_largest_preload_is_within_its_residual_or_refused(force, gap):
+    """delta_h next to 1: where the springs detach the force as geometry gives it is as steep as 1/(1 - delta_h)."""
+    oscillator = Isolator(lam=3, r=0.25, delta_h=1 - gap, mu=0.005, zeta=0.02, force=force)
+    answered = 0
+    for F_0 in (0.05, 0.2, 0.6):
+        for Omega in (0.3, 0.6, 0.9, 1.2):
+            start = time.process_time()
+            try:
+                found = oscillator.steady_state(Omega=Omega, F_0=F_0)
+            except ArithmeticError as refusal:
+                assert "integration" in str(refusal) or "residual" in str(refusal)
+            else:
+                answered += 1
+                assert found.residual <= 1e-9 * max(found.A, F_0)
+            assert time.process_time() - start < 60
+    assert answered > 3
