@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import math
 import random
+import re
 
 import numpy as np
 import pytest
@@ -60,7 +61,8 @@ def own(tmp_path_factory):
 
 
 def test_every_mechanism_of_the_derivation_has_its_record():
-    assert NATIVE.RECORDS.keys() == MECHANISMS.keys()
+    # programs of other tests in this process may have stated more, whose names end in a digest
+    assert {name for name in NATIVE.RECORDS if not re.search("_[0-9a-f]{12}$", name)} == MECHANISMS.keys()
 
 
 @pytest.mark.parametrize("name", MECHANISMS)
