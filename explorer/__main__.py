@@ -32,10 +32,16 @@ MOST = 1_500_000
 
 
 def sources() -> list[Path]:
-    """All that the page is made of, but for the records in `about`."""
-    headers = [path for folder in INCLUDED for path in sorted(folder.glob("*.h"))]
+    """All that the page is made of but for the package's data: its parts, and the headers that explorer.c includes."""
     parts = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
-    return headers + parts
+    headers: set[Path] = set()
+    left = [HERE / "explorer.c"]
+    while left:
+        wanted = re.findall(r'#include "([^"]+)"', left.pop().read_text())
+        found = {folder / name for name in wanted for folder in INCLUDED if (folder / name).exists()} - headers
+        headers |= found
+        left += found
+    return sorted(headers) + parts
 
 
 def digest() -> str:

@@ -34,7 +34,7 @@ def block(latex: str) -> str:
         for row in rows
     )
     number = f'<span class="number">({escape(tag[1])})</span>' if tag else ""
-    math = f'<math display="block"><mtable columnalign="right left" displaystyle="true">{table}</mtable></math>'
+    math = f'<math display="block"><mtable displaystyle="true">{table}</mtable></math>'
     return f'<div class="equation"><div class="wide">{math}</div>{number}</div>'
 
 
