@@ -189,6 +189,46 @@ def test_averaged_states_are_near_the_exact_motions(Omega):
     assert "not measured" in found.validity.message
 
 
+def test_what_a_linear_mount_passes_on_has_its_closed_form_and_no_harmonics():
+    alpha, zeta, Y, Omega = 0.8, 0.07, 0.3, 1.7
+    passed = Duffing(alpha, 0.0, zeta=zeta, excitation="base").steady_state(Omega=Omega, F_0=Y).transmitted()
+    below = (alpha - Omega**2) ** 2 + (2 * zeta * Omega) ** 2
+    absolute = math.sqrt((alpha**2 + (2 * zeta * Omega) ** 2) / below)
+    assert passed.first == pytest.approx(absolute, rel=1e-12)
+    assert passed.peak == pytest.approx(absolute, rel=1e-10)
+    assert passed.rms == pytest.approx(absolute / math.sqrt(2), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("Omega", "excitation", "F_0"), [(0.35, "force", 0.04), (0.9, "force", 0.04), (1.4, "base", 0.03)]
+)
+def test_what_a_motion_with_stops_passes_on_is_the_force_less_inertia(Omega, excitation, F_0):
+    iso = Isolator(**example.TABLE_1, excitation=excitation)
+    motion = iso.steady_state(Omega=Omega, F_0=F_0)
+    passed = motion.transmitted()
+    # from the velocity alone: the force less the acceleration, by differences
+    tau, _, v = motion.series(40000)
+    step = tau[1] - tau[0]
+    force = motion.F_0 * np.cos(Omega * tau) - (np.roll(v, -1) - np.roll(v, 1)) / (2 * step)
+    first = 2 * np.mean(force * np.exp(-1j * Omega * tau))
+    assert passed.first == pytest.approx(abs(first) / motion.F_0, rel=1e-4)
+    assert passed.rms == pytest.approx(math.sqrt(np.mean(force**2)) / motion.F_0, rel=1e-3)
+    assert passed.peak == pytest.approx(np.abs(force).max() / motion.F_0, rel=1e-2)
+    averaged = iso.amplitudes(Omega=Omega, F_0=F_0)
+    nearest = np.argmin(np.abs(averaged.A - motion.A))
+    assert averaged.transmissibility[nearest] == pytest.approx(passed.first, rel=0.05)
+
+
+def test_transmissibility_tends_to_its_floor():
+    iso = Isolator(**example.TABLE_1)
+    far = iso.amplitudes(Omega=1e5, F_0=0.04).transmissibility
+    assert far == pytest.approx(iso.transmissibility_floor(0.04), rel=1e-3)
+    assert iso.transmissibility_floor(0.04) == pytest.approx(4 * iso.mu / (math.pi * 0.04), rel=1e-15)
+    shaken = iso.replace(excitation="base")
+    assert shaken.transmissibility_floor(0.04) == 0
+    assert shaken.amplitudes(Omega=1e5, F_0=0.04).transmissibility < 1e-5
+
+
 def test_batches_answer_as_single_oscillators_do():
     zeta = np.array([0.01, 0.05, 0.0])
     designs = Isolator.many(**{**example.TABLE_1, "zeta": zeta}, excitation="base")

@@ -33,6 +33,7 @@ from slowflow.results import (
     SteadyStates,
     joined,
 )
+from slowflow_kernels import slow_flow
 
 State = TypeVar("State", FrequencyResponse, SteadyStates)
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
@@ -217,6 +218,17 @@ class Averaged:
         if planned.model is None:
             return Peak(None, None, F_0, words.sticks(self.model, F_0), _model=self.model)
         return self._remarked(solvers.peak(planned.model, F_0), F_0)
+
+    def transmissibility_floor(self, F_0: float) -> float:
+        """What transmissibility tends to as Omega tends to inf: 4 mu/(pi F_0) for a force, 0 for one of inertia.
+
+        There A Omega vanishes, or does beside a force that grows with Omega^2: friction is all that a constant force
+        leaves. Raises ValueError for F_0 <= 0.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        if self.model.inertial:
+            return 0.0
+        return min(1.0, float(slow_flow.transmissibility(1.0, 0.0, F_0, self.model.m, self.zeta, 0.0)))
 
     def closes(self, F_0: float) -> bool:
         """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import minimize_scalar
 
 from slowflow.answer import Answer
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator
@@ -28,10 +29,19 @@ Array = NDArray[np.float64]
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
 HALF_TURNS = (1, 2, 3, 4, 6)  # lengths of a cycle that are tried: the forcing's period, then subharmonics
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
+PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
 
 
 class NotSettled(ArithmeticError):
     """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
+
+
+class Transmitted(NamedTuple):
+    """What a motion passes on, over the amplitude of the force: at the forcing's frequency, at most, root mean square."""
+
+    first: float
+    peak: float
+    rms: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,6 +133,47 @@ class SteadyState(Answer):
         total *= 2.0 / whole
         total[0] *= 0.5
         return total
+
+    def transmitted(self) -> Transmitted:
+        """What spring, damper and friction pass on to the base, all harmonics of it, over the amplitude of the force.
+
+        On a base that shakes it is as well the acceleration of the mass over that of the base.
+        """
+        nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
+        whole = self.cycle.half_turns * math.pi
+        square, first, peak = 0.0, 0j, 0.0
+        for phase in self.phases:
+            half = 0.5 * (phase.end - phase.theta)
+            at = phase.theta + half * (1.0 + nodes)
+            passed = self._passed_on(phase, at)
+            square += half * float(weights @ passed**2)
+            first += half * complex((weights * passed) @ np.exp(-1j * at))
+            peak = max(peak, self._highest_passed_on(phase))
+        return Transmitted(2.0 * abs(first) / whole / self.F_0, peak / self.F_0, math.sqrt(square / whole) / self.F_0)
+
+    def _passed_on(self, phase: Phase, theta: Array) -> Array:
+        """f(u) + 2 zeta v + friction, which at rest holds against all of the force."""
+        if phase.slip == 0:
+            return np.asarray(self.F_0 * np.cos(theta))
+        u, v = self._within(phase, theta).T
+        drive = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator).drive(phase.slip)
+        of_spring = self.cycle.system.force.pieces[abs(phase.region)](u)
+        return np.asarray(of_spring + 2.0 * drive.zeta * v + drive.friction)
+
+    def _highest_passed_on(self, phase: Phase) -> float:
+        """The largest size of that within a phase, its ends included."""
+        grid = np.linspace(phase.theta, phase.end, PEAK_SAMPLES)
+        sizes = np.abs(self._passed_on(phase, grid))
+        top = int(np.argmax(sizes))
+        if top in (0, sizes.size - 1):
+            return float(sizes[top])
+        found = minimize_scalar(
+            lambda theta: -abs(float(self._passed_on(phase, np.array([theta]))[0])),
+            bounds=(grid[top - 1], grid[top + 1]),
+            method="bounded",
+            options={"xatol": 1e-9},
+        )
+        return max(float(sizes[top]), -float(found.fun))
 
     def _within(self, phase: Phase, theta: Array) -> Array:
         if phase.slip == 0:
