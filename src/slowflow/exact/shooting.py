@@ -37,7 +37,7 @@ class NotSettled(ArithmeticError):
 
 
 class Transmitted(NamedTuple):
-    """What a motion passes on, over the amplitude of the force: at the forcing's frequency, at most, root mean square."""
+    """What a motion passes on over the amplitude of the force: at its frequency, at most, and root mean square."""
 
     first: float
     peak: float
