@@ -23,7 +23,7 @@ KINDS = {"rod_spring": (Isolator, drawn_isolators), "duffing": (Duffing, drawn_s
 #: frequencies beside each fold, and anywhere
 BESIDE, ANYWHERE = 120, 60
 COUNTED = ("asked", "differ", "undecided", "unproved", "refused")
-#: cases named of each that differ or that nothing proves
+#: cases named of each kind that differ or that nothing proves
 NAMED = 3
 Tally = dict[str, Any]
 Flags = npt.NDArray[np.bool_]
@@ -93,4 +93,7 @@ def summed(found: list[Tally]) -> list[Tally]:
         for name in COUNTED:
             total[name] += share[name]
         total["named"] += share["named"]
+    for total in totals.values():
+        kinds = dict.fromkeys(name for name, _ in total["named"])
+        total["named"] = [one for kind in kinds for one in [n for n in total["named"] if n[0] == kind][:NAMED]]
     return list(totals.values())
