@@ -56,6 +56,7 @@ ALONG = {
     "F_A": ("F_AA", "F_AOmega"),
     "F_AA": ("F_AAA", "F_AAOmega"),
     "F_Omega": ("F_AOmega", "F_OmegaOmega"),
+    "F_OmegaOmega": ("F_AOmegaOmega", "F_OmegaOmegaOmega"),
 }
 
 

@@ -200,8 +200,9 @@ static inline void slow_flow_pairs_detachment_step(sf_pair Omega, sf_pair A, sf_
     const sf_pair t2 = sfp_times(4.0, A);
     const sf_pair F_Omega = sfp_mul(t2, sfp_add(sfp_mul(I_, zeta), sfp_mul(Omega, R)));
     const sf_pair F_OmegaOmega = sfp_mul(t2, sfp_add(sfp_add(R, sfp_times(2.0, t0)), sfp_mul(t1, sfp_square(zeta))));
+    const sf_pair F_OmegaOmegaOmega = sfp_times(24.0, sfp_mul(sfp_square(A), Omega));
     out[0] = sfp_neg(sfp_div(F_Omega, F_OmegaOmega));
-    out[1] = sfp_point(0.0);
+    out[1] = sfp_neg(sfp_div(sfp_mul(F_Omega, F_OmegaOmegaOmega), sfp_square(F_OmegaOmega)));
 }
 
 #endif

@@ -79,8 +79,8 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) ->
     said = []  # few have any, and to add up flags takes longer than to look for them
     if model.negative_stiffness:
         said.append(Remark.NEGATIVE_STIFFNESS)
-    forces = model.force(F_0, Omega)
-    if np.any(validity.is_near_sticking(model.mu, forces)):
+    near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
+    if near.any() if isinstance(near, np.ndarray) else near:
         said.append(Remark.NEAR_STICKING)
     if highest > model.reach:
         said.append(Remark.BEYOND_REACH)
