@@ -152,7 +152,15 @@ def test_every_question_has_a_plan():
         assert callable(getattr(iso, name))
         assert len(iso.explain(name, F_0).steps) >= 2 and iso.explain(name, F_0).question == name
     # the rest are formulas, numbers, and what proves, draws and says
-    formulas = {"backbone", "limit_envelope", "equivalent_damping", "stability", "force", "stiffness"}
+    formulas = {
+        "backbone",
+        "limit_envelope",
+        "transmissibility_floor",
+        "equivalent_damping",
+        "stability",
+        "force",
+        "stiffness",
+    }
     beside = {"certify", "explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
     beside |= {"measured_states", "measured_folds", "states", "curve", "folds", "closes", "only_for_a_force"}
     public = {name for name in dir(type(iso)) if not name.startswith("_") and callable(getattr(type(iso), name))}

@@ -65,7 +65,7 @@ UNANSWERED = {
         "its folds are not explicit in A, as averaging's are; saddle_nodes(F_0) finds those of a forcing",
     ),
     **dict.fromkeys(
-        ("backbone", "limit_envelope", "equivalent_damping", "stability"),
+        ("backbone", "limit_envelope", "transmissibility_floor", "equivalent_damping", "stability"),
         "it is a formula of the slow flow alone; averaging has it",
     ),
     "certify": "what is proved is proved of the averaged equations",
