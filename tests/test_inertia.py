@@ -113,6 +113,18 @@ def test_every_state_is_found_that_a_fine_grid_of_amplitudes_shows():
             assert np.count_nonzero(found < up_to) == shown.size
 
 
+def test_folds_at_the_corner_of_a_heavily_damped_mount_come_ever_lower_as_the_frequency_rises():
+    iso = Isolator(lam=3.0, r=2.9, delta_h=0.0912, mu=0.003, zeta=0.734, excitation="unbalance")
+    assert iso.saddle_node_onset().F_SN is None
+    assert "no lowest amplitude" in iso.saddle_node_onset().message
+    found = [iso.saddle_nodes(iso.u_cr * (1 + above)) for above in (1e-1, 1e-2, 1e-3)]
+    assert all(len(folds) == 2 and folds.corner.sum() == 1 for folds in found)
+    assert found[0].Omega[0] < found[1].Omega[0] < found[2].Omega[0]
+    assert len(iso.saddle_nodes(iso.u_cr * (1 - 1e-3))) == 0
+    with np.errstate(all="ignore"):
+        assert answers.onset(iso.model).F_SN is None
+
+
 def test_the_linear_mount_has_its_closed_forms():
     alpha, zeta, Y = 0.8, 0.07, 0.3
     osc = Duffing(alpha, 0.0, zeta=zeta, excitation="base")

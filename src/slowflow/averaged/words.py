@@ -36,7 +36,9 @@ NOT_REACHED = (
     "the amplitude u_cr = {0:g} is tended to as Omega tends to inf, at F_0 = {0:g}, and not reached below that"
 )
 NOT_CLOSED = "the response does not close: it has states of any amplitude; cut at A = {:g}"
-OPEN = "no lowest amplitude of the excitation is attained: folds of ever larger amplitude come with ever lower ones"
+OPEN = (
+    "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or Omega"
+)
 
 
 def does_not_close(A_max: float) -> tuple[float, str]:

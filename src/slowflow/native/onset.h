@@ -183,6 +183,20 @@ static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
     return best->kind == SF_NO_KIND;
 }
 
+/* Whether folds of an excitation by inertia on a breakpoint come lower than the best as Omega tends to inf. There F_A and R
+ * are positive, so that folds sit on it where the force jumps by J < 0; and where the level of that amplitude only falls, it
+ * falls to the amplitude. */
+static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
+    int k;
+    for (k = 0; k < model->breaks; k++) {
+        sf_sample at;
+        sf_sample_at(model, model->b[k], &at);
+        if (model->jump[k] < 0 && model->b[k] < best->F_SN && sf_least_x(model, &at) == 0)
+            return 1;
+    }
+    return 0;
+}
+
 /* The lowest forcing at which folds are born. */
 static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {
     sf_stretch piece;
@@ -218,6 +232,8 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
         best->kind = SF_NO_KIND;
         status = SF_UNRESOLVED;
     }
+    if (sf_inertial(model) && (status == SF_OK || status == SF_NONE) && sf_falls_at_break(model, best))
+        status = SF_UNBOUNDED;
     if (status == SF_UNBOUNDED) /* no lowest amplitude of the excitation is attained */
         best->kind = SF_NO_KIND, best->Omega = best->A = NAN;
     if (best->kind == SF_NO_KIND) {

@@ -69,11 +69,21 @@ def onset(model: Model) -> SaddleNodeOnset:
         best = _lowest(model)
     if best.undecided and _is_beside_breakpoint(model, best):
         raise ArithmeticError("the response is unresolved")
-    if best.open:
+    if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
         return SaddleNodeOnset(None, None, None, "", words.OPEN)
     if not best.kind:
         return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), best.rest)
     return words.with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
+
+
+def _falls_at_breakpoint(model: Model, best: _Best) -> bool:
+    """Whether folds of an excitation by inertia on a breakpoint come lower than the best as Omega tends to inf.
+
+    There F_A and R are positive, so that folds sit on it where the force jumps by J < 0; and where the level of that
+    amplitude only falls, it falls to the amplitude.
+    """
+    ends = zip(model.breakpoints, model.jumps, strict=True)
+    return any(jump < 0 and b < best.F_SN and not stationary_at(model, b).size for b, jump in ends)
 
 
 def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
