@@ -32,13 +32,12 @@ from slowflow.paper.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow
 from tests import backends
 from tests.native import clones
+from tests.oracles.kernels import is_of_gradients
 
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
 #: modules that serve any kind of number, or arrays as they are
 GENERIC = ("frequencies", "motion")
-#: what gradients ask
-OF_GRADIENTS = ("beside", "by_parameter", "by_design")
 #: of a mechanism: its own averages one by one, and the slow flow's functions with these put in
 CALLS_ONLY = (
     *("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"),
@@ -80,7 +79,7 @@ def kernels_of(module) -> list[str]:
     record = getattr(module, "MECHANISM", None)
     pieces = {function.__name__ for law in record.pieces for function in law[:2]} if record else set()
     names = [name for name in module.__all__ if callable(getattr(module, name)) and name not in pieces]
-    return [name for name in names if name not in OF_GRADIENTS and not name.startswith("moves_of_")]
+    return [name for name in names if not is_of_gradients(name)]
 
 
 def outputs(result) -> list[np.ndarray]:

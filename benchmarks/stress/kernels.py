@@ -44,12 +44,12 @@ def loaded() -> dict[str, dict[str, Any]]:
 
 @functools.cache
 def named() -> dict[tuple[str, str], tuple[str, ...]]:
-    """Every kernel by module and name, with its arguments' names."""
+    """Every kernel by module and name, with its arguments' names; those of gradients are judged elsewhere."""
     found = {}
     for module, functions in loaded()["numpy"].items():
         for name in functions.__all__ if exact.knows(module) else ():
             function = getattr(functions, name)
-            if callable(function) and hasattr(function, "__code__"):
+            if callable(function) and hasattr(function, "__code__") and not exact.is_of_gradients(name):
                 found[module, name] = tuple(inspect.signature(function).parameters)
     return found
 

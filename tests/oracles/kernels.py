@@ -96,6 +96,11 @@ def _slope_of_frequency(*x: Any) -> Any:
     return -definitions.slope_of_response(1, *x) / definitions.SLOW_FLOW["F_Omega"][1](*x[:5])[0]
 
 
+def is_of_gradients(kernel: str) -> bool:
+    """Whether a kernel is one of the gradients', which differences of answers judge (`tests/test_gradients.py`)."""
+    return kernel in ("beside", "by_parameter", "by_design") or kernel.startswith("moves_of_")
+
+
 def knows(module: str) -> bool:
     """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none."""
     base, _ = scene_of(module)
