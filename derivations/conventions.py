@@ -111,7 +111,7 @@ MOVES = Table(
         Word("NOTHING", "there is no answer"),
         Word("MEETS", "it meets another one there: beyond it there is none, and before it moves without bound"),
         Word("TURNS", "it comes to a breakpoint there: on either side it moves in its own way"),
-        Word("BOUNDLESS", "a number is not finite, as at the end of a parameter's domain"),
+        Word("BOUNDLESS", "a slope is not finite, or a forcing 0, as at the end of a parameter's domain"),
     ),
     "_MOVES",
 )

@@ -321,6 +321,20 @@ def test_at_the_end_of_a_domain_a_number_that_is_not_finite_is_said():
     assert moves.status == [MovesStatus.BOUNDLESS]
 
 
+def test_a_forcing_of_zero_has_no_gradient_and_says_so():
+    """Without friction and damping the backbone needs none; with either it does."""
+    moves = Isolator(lam=3, r=2, delta_h=0.1).detachment().gradient()
+    assert moves.status == MovesStatus.BOUNDLESS
+    assert "a forcing is 0" in moves.message
+
+
+def test_a_fold_that_is_next_to_a_breakpoint_keeps_no_gradient_that_rounding_has_spoilt():
+    """Of two folds so near to each other that A - u_cr has two digits."""
+    numbers = {"lam": 3.0, "r": 3.005406622627307, "delta_h": 0.0017304662034615412, "mu": 0.001032537769234336}
+    corner, smooth = Isolator(**numbers).saddle_nodes(0.04869972786923327).gradient().status
+    assert (corner, smooth) == (MovesStatus.OK, MovesStatus.TURNS)
+
+
 def test_answers_of_another_approximation_have_no_gradient_of_averaging():
     iso = example.isolator()
     with pytest.raises(ValueError, match="averaged answers"):

@@ -56,7 +56,7 @@ typedef enum {
     SF_NOTHING_MOVES = 1, /* there is no answer */
     SF_MEETS_MOVES = 2, /* it meets another one there: beyond it there is none, and before it moves without bound */
     SF_TURNS_MOVES = 3, /* it comes to a breakpoint there: on either side it moves in its own way */
-    SF_BOUNDLESS_MOVES = 4 /* a number is not finite, as at the end of a parameter's domain */
+    SF_BOUNDLESS_MOVES = 4 /* a slope is not finite, or a forcing 0, as at the end of a parameter's domain */
 } sf_moves_status;
 
 /* highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it */

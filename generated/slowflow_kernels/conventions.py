@@ -98,7 +98,7 @@ class MovesStatus(IntEnum):
     1  NOTHING              there is no answer
     2  MEETS                it meets another one there: beyond it there is none, and before it moves without bound
     3  TURNS                it comes to a breakpoint there: on either side it moves in its own way
-    4  BOUNDLESS            a number is not finite, as at the end of a parameter's domain
+    4  BOUNDLESS            a slope is not finite, or a forcing 0, as at the end of a parameter's domain
     """
 
     OK = 0

@@ -18,8 +18,8 @@ WITHOUT_GRADIENT = {
     MovesStatus.MEETS: "it meets another answer there, as at a fold, a cusp or an isola point: beyond it there is "
     "none, and next to it its slope has no bound",
     MovesStatus.TURNS: "it comes to a breakpoint of the force there: on either side it moves in its own way",
-    MovesStatus.BOUNDLESS: "a parameter is at the end of its domain, where the force changes without bound, or numbers "
-    "are beyond the range of doubles",
+    MovesStatus.BOUNDLESS: "a parameter is at the end of its domain, where a slope has no bound or a forcing is 0, or "
+    "numbers are beyond the range of doubles",
 }
 
 

@@ -19,7 +19,7 @@ from slowflow import backend
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Mechanism
 from slowflow_kernels import inertia, slow_flow
-from slowflow_kernels.conventions import CLOSE, MEETING, SAME, MovesStatus, OnsetKind, Pinned
+from slowflow_kernels.conventions import CLOSE, COINCIDE, MEETING, SAME, MovesStatus, OnsetKind, Pinned
 from slowflow_kernels.domains import DAMPING
 
 Codes = npt.NDArray[np.int8]
@@ -132,7 +132,7 @@ def _of_kind(
         np.array([np.broadcast_to(value, A.shape) for value in function(*parameters)]).reshape(-1, A.size)
         for function in (mechanism.breakpoints, mechanism.jumps)
     )
-    there = (A > 0) & (A < np.inf) & (Omega >= 0) & (Omega < np.inf) & (F_0 > 0) & (F_0 < np.inf)
+    there = (A > 0) & (A < np.inf) & (Omega >= 0) & (Omega < np.inf) & (F_0 >= 0) & (F_0 < np.inf)
     piece = np.zeros(A.shape, int)
     if kind in ON_BREAK:
         there &= (ends > 0).any(axis=0)
@@ -140,12 +140,16 @@ def _of_kind(
             piece = np.abs(np.where(ends > 0, ends, np.inf) - A).argmin(axis=0)
             A = ends[piece, np.arange(A.size)]
     else:
-        comes = (ends > 0) & (np.abs(A - ends) <= SAME * ends)
-        if kind in (Pinned.STATE, Pinned.PEAK):
+        first = kind in (Pinned.STATE, Pinned.PEAK)
+        comes = (ends > 0) & (np.abs(A - ends) <= (SAME if first else COINCIDE) * ends)
+        if first:
             comes &= jumps != 0
         status[comes.any(axis=0)] = MovesStatus.TURNS
     h, h_A, h_AA, h_AAA = mechanism.averaged(A, *parameters)
     beside = [np.asarray(value) for value in kernels.beside(Omega, A, F_0, m, zeta, h, h_A)]
+    if kind >= Pinned.CUSP:  # those before are at a forcing
+        force = F_0 if kernels is slow_flow else inertia.force(Omega, F_0)
+        status[_vanishes(force, beside[5], MEETING)] = MovesStatus.BOUNDLESS
     if kind is Pinned.CORNER_FOLD:
         turns = _vanishes(beside[0], beside[1], CLOSE) | _vanishes(beside[4], beside[5], CLOSE)
         status[turns] = MovesStatus.TURNS

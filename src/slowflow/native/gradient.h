@@ -39,15 +39,20 @@ static int sf_is_on_break(sf_pinned kind) {
            kind == SF_CORNER_BACKBONE_PINNED || kind == SF_CORNER_REST_PINNED;
 }
 
-/* Whether an answer that is on no breakpoint has come to one: where the force jumps h_A does, which every answer asks
- * for, and where its slope jumps h_AA does. */
+/* Whether an answer that is on no breakpoint has come to one. States and peaks ask for h_A, which jumps there where the force
+ * does; the others for h_AA, which grows without bound next to it too. */
 static int sf_comes_to_break(const sf_model *model, sf_pinned kind, double A) {
+    const int first = kind == SF_STATE_PINNED || kind == SF_PEAK_PINNED;
     int k;
     for (k = 0; k < model->breaks; k++)
-        if (fabs(A - model->b[k]) <= SF_SAME * model->b[k] &&
-            (model->jump[k] != 0 || (kind != SF_STATE_PINNED && kind != SF_PEAK_PINNED)))
+        if (fabs(A - model->b[k]) <= (first ? SF_SAME : SF_COINCIDE) * model->b[k] && (!first || model->jump[k] != 0))
             return 1;
     return 0;
+}
+
+/* Whether the forcing is one of the numbers found. */
+static int sf_finds_forcing(sf_pinned kind) {
+    return kind >= SF_CUSP_PINNED; /* those before are at a forcing */
 }
 
 static int sf_nearest_break(const sf_model *model, double A) {
@@ -126,6 +131,8 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *design, 
     }
     sf_sample_at(model, A, &at);
     slow_flow_beside(Omega, at.A, F_0, model->m, model->zeta, at.h, at.h_A, beside);
+    if (sf_finds_forcing(kind) && sf_vanishes(F_0, beside[5], SF_MEETING))
+        return SF_BOUNDLESS_MOVES; /* neither friction nor damping: a level at 0 rises with either */
     if (kind == SF_CORNER_FOLD_PINNED &&
         (sf_vanishes(beside[0], beside[1], SF_CLOSE) || sf_vanishes(beside[4], beside[5], SF_CLOSE)))
         return SF_TURNS_MOVES;
@@ -179,7 +186,7 @@ static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const pt
             design[i] = sf_input(args, steps, i, k);
         for (i = 0; i < rows * columns; i++)
             out[i] = NAN;
-        if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && Omega >= 0 && Omega < HUGE_VAL && F_0 > 0 && F_0 < HUGE_VAL &&
+        if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && Omega >= 0 && Omega < HUGE_VAL && F_0 >= 0 && F_0 < HUGE_VAL &&
             sf_design_at(mechanism, args, steps, k, &model))
             status = sf_gradient(&model, design, (sf_pinned)sf_input(args, steps, first + 3, k), Omega, A, F_0, rows,
                                  columns, out);
