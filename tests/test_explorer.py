@@ -59,7 +59,7 @@ def cases() -> list[tuple[Oscillator, float]]:
 def browser() -> Iterator[Any]:
     """Chromium, once for all tests of a process."""
     if CHROMIUM is None or importlib.util.find_spec("playwright") is None:
-        pytest.skip("no Chromium or no Playwright here: the explorer is not tried in a browser")
+        pytest.skip("no Chromium or no Playwright (slowflow[browser]) here: the explorer is not tried in a browser")
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
