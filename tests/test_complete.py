@@ -13,6 +13,7 @@ from slowflow.averaged.reference import bounds
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
+from tests.oracles.answers import Nearby
 from tests.test_solver_paths import random_designs
 
 pytestmark = pytest.mark.both_backends
@@ -342,3 +343,25 @@ def test_a_fold_lies_where_F_A_vanishes_and_not_on_the_other_side_of_the_curve(o
 
         A, Omega = mpmath.findroot(both, (mpmath.mpf(folds.A[0]), mpmath.mpf(folds.Omega[0])), verify=False)
         assert abs(folds.A[0] / A - 1) < 1e-9 and abs(folds.Omega[0] / Omega - 1) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("numbers", "Omega", "F_0", "near"),
+    [
+        # NumPy had 3.0013
+        (
+            {"lam": 1.0, "r": 0.8395718794272566, "delta_h": 0.2341626889359597, "mu": 0.0, "zeta": 0.4},
+            0.95,
+            3.0,
+            3.9154,
+        ),
+        # 1e-6 above sticking NumPy had none
+        ({"lam": 3.0, "r": 2.0, "delta_h": 0.1, "mu": 0.01, "zeta": 0.02}, 0.9, 0.04 / np.pi * (1 + 1e-6), 3.5365e-7),
+    ],
+)
+def test_the_one_state_is_the_exact_one_on_either_path(numbers, Omega, F_0, near):
+    """By Newton's method in 420 bits, from a number nearby."""
+    state, condition = Nearby("rod_spring", **numbers).state(Omega, near, F_0)
+    (A,) = Isolator(**numbers).amplitudes(Omega=Omega, F_0=F_0).A
+    rounding = 2.0**-53 * (1 + condition.inputs["A"] + condition.kernel["A"])
+    assert abs(A / float(state.A) - 1) <= 8 * rounding
