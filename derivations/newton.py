@@ -11,7 +11,6 @@ Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the
     cusp         F_A = F_AA = 0      Omega and A, and with them F_0
     isola        F_A = F_Omega = 0   Omega and A, and with them F_0
     corner       F = 0               Omega at F_0, A being a breakpoint
-    detachment   F_Omega = 0         Omega, and with it F_0, A being a breakpoint
 
 Evaluated with more digits than a double has, a step from an answer that is nearly right leaves its rounding alone.
 """
@@ -48,7 +47,6 @@ EQUATIONS = {
     "cusp": (("F_A", "F_AA"), (Omega, A), "F_AA"),
     "isola": (("F_A", "F_Omega"), (Omega, A), "F_A"),
     "corner": (("F",), (Omega,), "F"),
-    "detachment": (("F_Omega",), (Omega,), "F_Omega"),
 }
 #: derivatives of these along A and along Omega
 ALONG = {
@@ -56,7 +54,6 @@ ALONG = {
     "F_A": ("F_AA", "F_AOmega"),
     "F_AA": ("F_AAA", "F_AAOmega"),
     "F_Omega": ("F_AOmega", "F_OmegaOmega"),
-    "F_OmegaOmega": ("F_AOmegaOmega", "F_OmegaOmegaOmega"),
 }
 
 

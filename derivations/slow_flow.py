@@ -36,7 +36,7 @@ class SlowFlow:
     m             -- (23): friction's share of I, in mu; everything else is in the symbol m
     R, I          -- (23): -F_0 cos phi, -F_0 sin phi at a fixed point
     F             -- (24): response, R^2 + (I - F_0)(I + F_0), in R and I
-    F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_AAOmega, F_OmegaOmega, F_OmegaOmegaOmega -- its derivatives, in R, I, h and
+    F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_AAOmega, F_OmegaOmega -- its derivatives, in R, I, h and
         the derivatives of h
     phase         -- (25): phi, in R and I, in its quadrant
     backbone      -- (26): Omega on the backbone
@@ -60,7 +60,6 @@ class SlowFlow:
     F_AOmega: sp.Expr
     F_AAOmega: sp.Expr
     F_OmegaOmega: sp.Expr
-    F_OmegaOmegaOmega: sp.Expr
     phase: sp.Expr
     backbone: sp.Expr
     limit_envelope: sp.Expr
@@ -147,7 +146,6 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
         F_AOmega=sp.factor_terms(by_Omega(F_A)),
         F_AAOmega=sp.factor_terms(by_Omega(F_AA)),
         F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
-        F_OmegaOmegaOmega=sp.factor_terms(by_Omega(by_Omega(F_Omega))),
         phase=sp.atan2(-I, -R),
         backbone=backbone,
         limit_envelope=envelope[0] if envelope else sp.oo,

@@ -102,6 +102,7 @@ static inline void duffing_harmonics(double A, const double *p, double *out)
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
    Equation from (20)-(22), (31). Domain: A > 0.
    Operations: 6 structured, 6 common subexpressions, 5 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51
  */
 static inline void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
@@ -122,6 +123,7 @@ static inline void duffing_by_parameter(double A, double h, double h_A, double h
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
    Equation (5), (7). Domain: any design.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0
  */
 static inline void duffing_by_design(double alpha, double beta, double *out)
 {

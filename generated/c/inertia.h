@@ -16,6 +16,7 @@
 /* Amplitude of the force on the mass.
    Equation beside (3). Domain: Omega >= 0.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
+   Proved, error / u (1 + kappa): 0.51
  */
 static inline double inertia_force(double Omega, double F_0)
 {
@@ -50,6 +51,7 @@ static inline double inertia_F(double Omega, double A, double F_0, double m, dou
 /* Omega^5 times the derivative of level^2 by Omega.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 15 structured, 13 common subexpressions, 13 power chains
+   Proved, error / u (1 + kappa): 5.26
  */
 static inline double inertia_level_slope(double Omega, double A, double m, double zeta, double h)
 {
@@ -76,6 +78,7 @@ static inline double inertia_Omega_A(double Omega, double A, double m, double ze
 /* What the least level of an amplitude follows from; it has one where the first, fall, is positive.
    Equation from (24). Domain: A > 0.
    Operations: 11 structured, 11 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 1.61, 0.76, 0.67
  */
 static inline void inertia_terms(double A, double m, double zeta, double h, double *out)
 {
@@ -186,6 +189,7 @@ static inline double inertia_hessian(double Omega, double A, double m, double ze
 /* Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.
    Equation from (24). Domain: A > 0, h < 0, lost <= 1/2.
    Operations: 34 structured, 21 common subexpressions, 20 power chains
+   Proved, error / u (1 + kappa): 14.01, 14.01, 12.01, 10.01
  */
 static inline void inertia_bound(double A, double F_0, double zeta, double h, double h_A, double h_AA, double h_AAA, double lost, double *out)
 {
@@ -203,6 +207,7 @@ static inline void inertia_bound(double A, double F_0, double zeta, double h, do
 /* A_p, Omega_p, F_0_p of a steady state; with Omega = 0 a peak at rest; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 61 structured, 49 common subexpressions, 46 power chains
+   Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
  */
 static inline void inertia_moves_of_state(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -279,6 +284,7 @@ static inline void inertia_moves_of_fold(double Omega, double A, double F_0, dou
 /* A_p, Omega_p, F_0_p of a fold at a forcing, on a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 63 structured, 46 common subexpressions, 43 power chains
+   Proved, error / u (1 + kappa): 0.0, -, 0.0, 4.67, -, 0.0, 0.0
  */
 static inline void inertia_moves_of_corner_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -453,6 +459,7 @@ static inline void inertia_moves_of_isola(double Omega, double A, double F_0, do
 /* A_p, Omega_p, F_0_p of the least forcing on a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 98 structured, 69 common subexpressions, 67 power chains
+   Proved, error / u (1 + kappa): 0.0, -, -, 3.56, -, 0.0, 0.0
  */
 static inline void inertia_moves_of_corner_top(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -533,6 +540,7 @@ static inline void inertia_moves_of_corner_end(double Omega, double A, double F_
 /* A_p, Omega_p, F_0_p of where the backbone meets a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 47 structured, 39 common subexpressions, 36 power chains
+   Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
  */
 static inline void inertia_moves_of_corner_backbone(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -567,6 +575,7 @@ static inline void inertia_moves_of_corner_backbone(double Omega, double A, doub
 /* A_p, Omega_p, F_0_p of at Omega = 0 on a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 44 structured, 39 common subexpressions, 36 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
  */
 static inline void inertia_moves_of_corner_rest(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {

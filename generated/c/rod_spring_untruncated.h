@@ -3459,6 +3459,7 @@ static inline void rod_spring_untruncated_harmonics(double A, const double *p, d
 /* d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
    Equation from (20)-(22), (31). Domain: A > 0.
    Operations where passed_0: 6 structured, 7 common subexpressions, 7 power chains
+   Proved where passed_0, error / u (1 + kappa): 0.0, 0.0, 0.0, 2.34, 3.01, 0.67, 0.0, 0.0, 0.0
    Operations where passed_1: 48 structured, 44 common subexpressions, 44 power chains
    Operations where passed_1_far_1: 148 structured, 90 common subexpressions, 87 power chains
  */
@@ -3564,6 +3565,7 @@ static inline void rod_spring_untruncated_by_parameter(double A, double h, doubl
 /* d/d of each number of the design: of each parameter in turn, then of each breakpoint.
    Equation (5), (7). Domain: any design that has a breakpoint.
    Operations: 17 structured, 13 common subexpressions, 13 power chains
+   Proved, error / u (1 + kappa): 0.34, 0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, -
  */
 static inline void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out)
 {

@@ -185,24 +185,4 @@ static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair
     out[1] = sfp_neg(sfp_div(sfp_mul(F, F_OmegaOmega), sfp_square(F_Omega)));
 }
 
-/* By what Omega of a detachment change, and how far that is from linear.
-   Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_detachment_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, sf_pair *out)
-{
-    (void)(F_0);
-    (void)(h_A);
-    (void)(h_AA);
-    (void)(h_AAA);
-    const sf_pair t0 = sfp_mul(A, sfp_square(Omega));
-    const sf_pair R = sfp_add(h, t0);
-    const sf_pair t1 = sfp_times(2.0, A);
-    const sf_pair I_ = sfp_add(sfp_mul(sfp_mul(Omega, t1), zeta), m);
-    const sf_pair t2 = sfp_times(4.0, A);
-    const sf_pair F_Omega = sfp_mul(t2, sfp_add(sfp_mul(I_, zeta), sfp_mul(Omega, R)));
-    const sf_pair F_OmegaOmega = sfp_mul(t2, sfp_add(sfp_add(R, sfp_times(2.0, t0)), sfp_mul(t1, sfp_square(zeta))));
-    const sf_pair F_OmegaOmegaOmega = sfp_times(24.0, sfp_mul(sfp_square(A), Omega));
-    out[0] = sfp_neg(sfp_div(F_Omega, F_OmegaOmega));
-    out[1] = sfp_neg(sfp_div(sfp_mul(F_Omega, F_OmegaOmegaOmega), sfp_square(F_OmegaOmega)));
-}
-
 #endif

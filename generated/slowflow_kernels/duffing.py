@@ -150,6 +150,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta):
 
     Equation from (20)-(22), (31). Domain: A > 0.
     Operations: 6 structured, 6 common subexpressions, 5 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51
     """
     A, h, h_A, h_AA, alpha, beta = floats(A, h, h_A, h_AA, alpha, beta)
     A2 = A * A
@@ -170,6 +171,7 @@ def by_design(alpha, beta):
 
     Equation (5), (7). Domain: any design.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0
     """
     alpha, beta = floats(alpha, beta)
     arguments = (alpha, beta)

@@ -50,6 +50,7 @@ def force(Omega, F_0):
 
     Equation beside (3). Domain: Omega >= 0.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Proved, error / u (1 + kappa): 0.51
     """
     Omega, F_0 = floats(Omega, F_0)
     return F_0 * Omega * Omega
@@ -87,6 +88,7 @@ def level_slope(Omega, A, m, zeta, h):
 
     Equation from (24). Domain: Omega > 0, A > 0.
     Operations: 15 structured, 13 common subexpressions, 13 power chains.
+    Proved, error / u (1 + kappa): 5.26
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
@@ -115,6 +117,7 @@ def terms(A, m, zeta, h):
 
     Equation from (24). Domain: A > 0.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
+    Proved, error / u (1 + kappa): 1.61, 0.76, 0.67
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     arguments = (A, m, zeta, h)
@@ -246,6 +249,7 @@ def bound(A, F_0, zeta, h, h_A, h_AA, h_AAA, lost):
 
     Equation from (24). Domain: A > 0, h < 0, lost <= 1/2.
     Operations: 34 structured, 21 common subexpressions, 20 power chains.
+    Proved, error / u (1 + kappa): 14.01, 14.01, 12.01, 10.01
     """
     A, F_0, zeta, h, h_A, h_AA, h_AAA, lost = floats(A, F_0, zeta, h, h_A, h_AA, h_AAA, lost)
     t0 = F_0 * F_0
@@ -267,6 +271,7 @@ def moves_of_state(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 61 structured, 49 common subexpressions, 46 power chains.
+    Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -338,6 +343,7 @@ def moves_of_corner_fold(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap,
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 63 structured, 46 common subexpressions, 43 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, 0.0, 4.67, -, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -500,6 +506,7 @@ def moves_of_corner_top(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, 
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 98 structured, 69 common subexpressions, 67 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, -, 3.56, -, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -574,6 +581,7 @@ def moves_of_corner_backbone(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 47 structured, 39 common subexpressions, 36 power chains.
+    Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
     """
     t0 = 2.0 * A * Omega
     I = m + t0 * zeta
@@ -603,6 +611,7 @@ def moves_of_corner_rest(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap,
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 44 structured, 39 common subexpressions, 36 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     R = A * Omega2 + h

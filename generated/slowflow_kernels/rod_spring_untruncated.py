@@ -3740,6 +3740,7 @@ def harmonics(A, alpha, beta, delta_h):
 
 def _by_parameter_passed_0(A, h, h_A, h_AA, alpha, beta, delta_h):
     # operations: 6 structured, 7 common subexpressions, 7 power chains
+    # proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 2.34, 3.01, 0.67, 0.0, 0.0, 0.0
     t0 = 1.0 / beta
     return (
         -A,
@@ -3842,6 +3843,7 @@ def by_design(lam, r, delta_h):
 
     Equation (5), (7). Domain: any design that has a breakpoint.
     Operations: 17 structured, 13 common subexpressions, 13 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, -
     """
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r

@@ -748,6 +748,7 @@ def moves_of_state(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 51 structured, 39 common subexpressions, 39 power chains.
+    Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -814,6 +815,7 @@ def moves_of_corner_fold(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap,
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 47 structured, 35 common subexpressions, 35 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, 0.0, 3.67, -, 0.0, 0.0
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -963,6 +965,7 @@ def moves_of_corner_top(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, 
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 76 structured, 53 common subexpressions, 53 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, -, 2.67, -, 0.0, 0.0
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1032,6 +1035,7 @@ def moves_of_corner_backbone(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 37 structured, 29 common subexpressions, 29 power chains.
+    Proved, error / u (1 + kappa): 0.0, 4.34, 17.67, 0.34, 0.34, 0.0, 0.0
     """
     t0 = 2.0 * A * Omega
     I = m + t0 * zeta
@@ -1058,6 +1062,7 @@ def moves_of_corner_rest(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap,
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 34 structured, 29 common subexpressions, 29 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
     """
     t0 = Omega * Omega
     R = A * t0 + h

@@ -130,11 +130,9 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
     for (k = 0; k < dimensions[0]; k++) {
         sf_model model;
         double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
-        sf_exactly exactly;
         sf_status status = SF_INVALID;
         if (sf_design_at(mechanism, args, steps, k, &model))
-            status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
-                                           &F_cr, &Omega_cr, &u_cr);
+            status = sf_detachment(&model, &F_cr, &Omega_cr, &u_cr);
         sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, u_cr, status);
     }
 }

@@ -88,12 +88,10 @@ static void sf_loop_second_detachment(char **args, const ptrdiff_t *dimensions, 
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
         sf_model model;
-        sf_exactly exactly;
         double first[3] = {NAN, NAN, NAN}, F_cr = NAN, Omega_cr = NAN;
         sf_status status = SF_INVALID;
         if (sf_design_at(mechanism, args, steps, k, &model) && sf_has_second(&model))
-            status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
-                                           &first[0], &first[1], &first[2]);
+            status = sf_detachment(&model, &first[0], &first[1], &first[2]);
         if (status == SF_OK && sf_second_detach(&model, first[0], first[1], first[2], &F_cr, &Omega_cr) != SF_OK_SECOND)
             status = SF_NONE, F_cr = Omega_cr = NAN;
         sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, first[2], status);

@@ -92,8 +92,8 @@ static inline void sf_settle_numbers(sf_step step, int wanted, const sf_exactly 
         *level = sf_settled_level(exactly, &at, of.Omega);
 }
 
-/* Omega on breakpoint i, and unless NULL the forcing there. */
-static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, double F_0, double *Omega, double *level) {
+/* Omega on breakpoint i. */
+static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, double F_0, double *Omega) {
     sf_exact_sample at;
     sf_pair w = sfp_point(*Omega), out[3];
     double before = HUGE_VAL;
@@ -107,11 +107,8 @@ static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, 
             return;
         w = sfp_add(w, out[0]), before = size;
     }
-    if (!last)
-        return;
-    *Omega = w.high;
-    if (level != NULL)
-        *level = sf_settled_level(exactly, &at, w);
+    if (last)
+        *Omega = w.high;
 }
 
 /* The breakpoint that an amplitude is. */
@@ -131,7 +128,7 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
         const double high = i + 1 < folds->n ? folds->at[i + 1].Omega : HUGE_VAL;
         double Omega = fold->Omega, A = fold->A;
         if (fold->corner)
-            sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, A), F_0, &Omega, NULL);
+            sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, A), F_0, &Omega);
         else
             sf_settle_numbers(slow_flow_pairs_fold_step, 2, exactly, model, F_0, &Omega, &A, NULL);
         if (low <= Omega && Omega <= high)
@@ -162,14 +159,6 @@ static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactl
     const sf_status status = sf_peak(model, F_0, work, A, Omega);
     if (status == SF_OK)
         sf_settle_numbers(slow_flow_pairs_peak_step, 2, exactly, model, F_0, Omega, A, NULL);
-    return status;
-}
-
-static sf_status sf_settled_detachment(const sf_model *model, const sf_exactly *exactly, double *F_cr, double *Omega_cr,
-                                       double *u_cr) {
-    const sf_status status = sf_detachment(model, F_cr, Omega_cr, u_cr);
-    if (status == SF_OK && model->zeta > 0) /* undamped, F_cr is that of dry friction */
-        sf_settle_on(slow_flow_pairs_detachment_step, exactly, 0, 0, Omega_cr, F_cr);
     return status;
 }
 
