@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +17,18 @@ from tests.native import headers
 # what is derived in tests and examples, in this process and in those that it starts
 os.environ.setdefault("SLOWFLOW_DERIVED", tempfile.mkdtemp(prefix="slowflow-derived-"))
 
+# figures are drawn, none is shown
+os.environ.setdefault("MPLBACKEND", "Agg")
+
 Once = Callable[[str, Callable[[Path], object]], Path]
+
+
+@pytest.fixture(autouse=True)
+def no_figure_stays_open() -> Iterator[None]:
+    """pyplot keeps what it has made, and warns of it after twenty."""
+    yield
+    if "matplotlib.pyplot" in sys.modules:
+        sys.modules["matplotlib.pyplot"].close("all")
 
 
 @pytest.fixture(scope="session")

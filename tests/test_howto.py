@@ -35,7 +35,7 @@ NEEDED = {
 def test_the_code_of_a_page_runs(page: Path) -> None:
     blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
     if page.stem == "gallery":
-        pytest.importorskip("matplotlib").use("Agg")
+        pytest.importorskip("matplotlib")
     if page.stem == "own_mechanism":
         pytest.importorskip("flint", reason="what derives is not installed")
     exec("\n".join(blocks), {"__name__": page.stem})
