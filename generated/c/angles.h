@@ -16,7 +16,8 @@
    angles of a triangle are asked for.
 
    t, the quotient of the smaller and the larger of |x| and |y|, is rounded once; t + t e is within 0.028 u of
-   atan(t), u = 2^-53. No branches, no 0/0. */
+   atan(t), u = 2^-53. No branches, no 0/0: a sum, as compilers make of a choice two quotients, of which the one by 1
+   overflows further on. */
 
 /* The angle of (x, y) from -pi to pi; signed zeros and infinities as in C99's atan2, NaN if either is NaN. */
 static inline double angles_atan2(double y, double x)
@@ -24,9 +25,9 @@ static inline double angles_atan2(double y, double x)
     const double a = fabs(x), b = fabs(y);
     const double larger = b > a ? b : a;
     const double smaller = b > a ? a : b;
-    const int infinite = (a > DBL_MAX) & (b > DBL_MAX);
+    const int infinite = smaller > DBL_MAX;
     const double above = infinite ? 1.0 : smaller;
-    const double below = infinite | (larger == 0.0) ? 1.0 : larger;
+    const double below = infinite ? 1.0 : larger + (larger == 0.0);
     const double t = above / below;
     const double w = t * t - 0.5;
     const double e0_0 = -0.1295802486328968 + w * -0.20375308470043654;
@@ -72,9 +73,9 @@ static inline double angles_atan2_swapped(double y, double x)
     const double a = fabs(x), b = fabs(y);
     const double larger = b > a ? b : a;
     const double smaller = b > a ? a : b;
-    const int infinite = (a > DBL_MAX) & (b > DBL_MAX);
+    const int infinite = smaller > DBL_MAX;
     const double above = infinite ? 1.0 : smaller;
-    const double below = infinite | (larger == 0.0) ? 1.0 : larger;
+    const double below = infinite ? 1.0 : larger + (larger == 0.0);
     const double t = above / below;
     const double w = t * t - 0.5;
     const double e0_0 = -0.1295802486328968 + w * -0.20375308470043654;
