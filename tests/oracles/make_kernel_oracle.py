@@ -6,7 +6,8 @@ Out: {module: {kernel: [{"at": arguments, "is": values, "scale": |f| + sum |x df
 
 The routes: the averaged force by quadrature of the piecewise force, its derivatives and those of F by numerical
 differentiation, coefficients of polynomials by interpolation, resultants as Sylvester determinants over the rationals,
-the Jacobian by differentiating the averaged equations of motion, Den Hartog's solution from its four linear conditions.
+the Jacobian by differentiating the averaged equations of motion, Den Hartog's solution from its four linear conditions,
+moves of answers by solving what defines them for parameters on either side.
 
 u * scale is the error that rounding the arguments and the result once each would cause: error/scale is measured in u.
 
@@ -476,6 +477,109 @@ UNDAMPED: dict[str, tuple[str, Function, int]] = {
 }
 
 
+# --- how answers move with a parameter -------------------------------------------------------------------------------
+
+AT = "Omega A F_0 m zeta h h_A h_AA h_AAA"
+CAUSES = "h_p h_Ap h_AAp m_p zeta_p end_p forcing_p frequency_p"
+ASIDE = mpf(10) ** -40
+#: by the kind of answer: what is given of it or vanishes there, by orders in A and Omega; and the partial derivatives
+#: that must not vanish
+PINNED: dict[str, tuple[tuple, tuple]] = {
+    "state": (("forcing", "frequency"), ((1, 0),)),
+    "fold": (("forcing", (1, 0)), ((2, 0), (0, 1))),
+    "corner_fold": (("forcing", "end"), ((0, 1),)),
+    "peak": (("forcing", (0, 1)), ((1, 0), (0, 2))),
+    "cusp": (((1, 0), (2, 0)), ((3, 0), (1, 1))),
+    "isola": (((1, 0), (0, 1)), ("hessian",)),
+    "corner_top": (("end", (0, 1)), ((0, 2),)),
+    "corner_end": (("end", (1, 0)), ((1, 1),)),
+    "corner_backbone": (("end", "R"), ("R",)),
+    "corner_rest": (("end", "frequency"), ()),
+}
+
+
+def moves(kind, Omega, A, F_0, m, zeta, *others):
+    """Of the answer of a spring that changes with t: solved for at t on either side of 0.
+
+    What is to vanish at t = 0 need not, of arguments at random: F is taken less these terms of its Taylor series.
+    """
+    (h, *slopes), (h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p) = others[:4], others[4:]
+    if kind == "corner_backbone":
+        h = -A * Omega**2
+    conditions, kept = PINNED[kind]
+    gone = [orders for orders in conditions if isinstance(orders, tuple)]
+    terms_gone = list(zip(gone, partials(gone, Omega, A, m, zeta, h, *slopes), strict=True))
+    level_gone = response(Omega, A, F_0, m, zeta, h)
+
+    def answer(t):
+        local = near(A, (h + t * h_p, slopes[0] + t * h_Ap, slopes[1] + t * h_AAp, slopes[2]))
+
+        def F(a, w, f):
+            value = response(w, a, f, m + t * m_p, zeta + t * zeta_p, local(a)) - level_gone
+            for (i, j), c in terms_gone:
+                value -= c * (a - A) ** i * (w - Omega) ** j / (mp.factorial(i) * mp.factorial(j))
+            return value
+
+        def equations(a, w, f):
+            found = [F(a, w, f)]
+            for condition in conditions:
+                if isinstance(condition, tuple):
+                    found.append(mp.diff(lambda x, y: F(x, y, f), (a, w), condition))
+                else:
+                    given = {"forcing": f - F_0 - t * forcing_p, "frequency": w - Omega - t * frequency_p}
+                    given |= {"end": a - A - t * end_p, "R": balances(w, a, 0, 0, local(a))[0]}
+                    found.append(given[condition])
+            return found
+
+        return list(mp.findroot(equations, (A, Omega, F_0), tol=mpf(10) ** -100))
+
+    with mp.workdps(120):
+        below, above = answer(-ASIDE), answer(ASIDE)
+        moved = [mp.chop((b - a) / (2 * ASIDE), tol=mpf(10) ** -45) for a, b in zip(below, above, strict=True)]
+    pivots = []
+    for one in kept:
+        value, size = (must_not_vanish(one, Omega, A, m, zeta, *map(sign, (h, *slopes))) for sign in (mpf, abs))
+        pivots += [value[0] - value[1], size[0] + size[1]] if one == "hessian" else [value, size]
+    return [*moved, *pivots, *[mpf(1)] * (4 - len(pivots))]
+
+
+def must_not_vanish(one, Omega, A, m, zeta, *values):
+    """A derivative of F, what F's Hessian is the difference of, or R's slope; of h's sizes no term has a sign."""
+    if one == "R":
+        return mp.diff(lambda w: balances(w, A, 0, 0, values[0])[0], Omega)
+    if one != "hessian":
+        return partials([one], Omega, A, m, zeta, *values)[0]
+    F_AA, F_AOmega, F_OmegaOmega = partials([(2, 0), (1, 1), (0, 2)], Omega, A, m, zeta, *values)
+    return F_AA * F_OmegaOmega, F_AOmega**2
+
+
+def beside_point(Omega, A, m, zeta, h, h_A):
+    """F_A, F_Omega and R, each with its size."""
+    pairs = [
+        [*partials([(1, 0), (0, 1)], Omega, A, m, zeta, *values), balances(Omega, A, 0, 0, values[0])[0]]
+        for values in ((h, h_A), (abs(h), abs(h_A)))
+    ]
+    return [value for pair in zip(*pairs, strict=True) for value in pair]
+
+
+def moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_p, F_0_p):
+    """Of a state that moves along a line, by differentiating the phase and the transmissibility along it."""
+
+    def at(t):
+        own = Omega + t * Omega_p, A + t * A_p
+        damping, force = (m + t * m_p, zeta + t * zeta_p), h + t * (h_p + h_A * A_p)
+        return phase(*own, *damping, force), transmissibility(*own, F_0 + t * F_0_p, *damping, force)
+
+    return [mp.diff(lambda t, k=k: at(t)[k], 0) for k in (0, 1)]
+
+
+GRADIENTS: dict[str, tuple[str, Function]] = {
+    **{f"moves_of_{kind}": (f"{AT} {CAUSES}", functools.partial(moves, kind)) for kind in PINNED},
+    "beside": ("Omega A F_0 m zeta h h_A", lambda w, A, F_0, *x: beside_point(w, A, *x)),
+    "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", moves_of_phase),
+}
+
+
 # --- resultants: Sylvester determinants over the rationals -----------------------------------------------------------
 
 
@@ -759,6 +863,46 @@ def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
         row["scale"] = [max(pair, key=mpf) for pair in zip(row["scale"][:4], row["scale"][4:], strict=True)] * 2
         rows.append(row)
     return rows
+
+
+def changes_table(name: str, amplitudes: Amplitudes) -> list:
+    """How h, h_A and h_AA change with each parameter, at amplitudes of every regime; h and its slopes are given."""
+    rows = []
+    for A, p in amplitudes:
+        if A == 0:
+            continue
+        passed = passed_by(name, A, p)
+        given = [float(value) for value in family(name, passed, False, mpf(A), *map(mpf, p))[:3]]
+        rows.append(
+            entry(lambda A, h, h_A, h_AA, *q, n=passed: changes(name, n, A, (h, h_A, h_AA), *q), [A, *given, *p])
+        )
+    return rows
+
+
+def changes(name: str, passed: int, A, given: Sequence, *p) -> list:
+    """By quadratures for parameters on either side. The untruncated force is linear but for what beta multiplies:
+    of beta by what that adds to the averages given, which the kernel is a function of.
+    """
+    found = []
+    for k, value in enumerate(p):
+        if name == "rod_spring_untruncated" and k == 1:
+            rest = [-(1 if passed else p[0]) * linear for linear in (A, 1, 0)]
+            found += [(whole - own) / value for whole, own in zip(given, rest, strict=True)]
+            continue
+        with mp.workdps(200):
+            before, ctx.prec = ctx.prec, 600
+            step = ASIDE * (abs(value) or 1)
+            low, high = (
+                harmonic_by_quadrature(name, 1, passed, A, *p[:k], value + side, *p[k + 1 :])[:3]
+                for side in (-step, step)
+            )
+            ctx.prec = before
+            # what rounding leaves of a zero
+            found += [
+                (b - a) / (2 * step) if abs(b - a) > abs(a) * mpf(10) ** -130 else mpf(0)
+                for a, b in zip(low, high, strict=True)
+            ]
+    return found
 
 
 def second_approximation_table(rng: random.Random) -> dict:
@@ -1085,6 +1229,10 @@ RANGES = {
     "nu": (10.0, 1000.0),
     **dict.fromkeys(("tail", "p_low", "q_low"), (-1e-21, 1e-21)),
     "k": (0.04, 4.0),
+    # what a parameter does, and what an answer does then
+    **dict.fromkeys(("h_p", "h_Ap", "m_p", "zeta_p", "end_p", "forcing_p", "frequency_p"), (-1.0, 1.0)),
+    **dict.fromkeys(("A_p", "Omega_p", "F_0_p"), (-1.0, 1.0)),
+    "h_AAp": (-5.0, 5.0),
 }
 
 TABLE_1 = tuple(float(published.TABLE_1[name]) for name in ("lam", "r", "delta_h"))
@@ -1183,6 +1331,8 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
                 for k in with_it:
                     x[k] *= -1
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
+    for name, (names, f) in ({} if scene else GRADIENTS).items():
+        table[name] = [entry(f, x) for x in points(rng, names, 6)]
     return table
 
 
@@ -1336,6 +1486,22 @@ def scale_of(name: str, p: Sequence[float]) -> float:
     return ends[-1] if ends else 1.0
 
 
+def by_design(name: str, coefficients: Callable, *design) -> list:
+    """Derivatives of each parameter, then of each breakpoint, by each number of a design."""
+
+    def all_of(*x):
+        parameters = coefficients(*x)
+        return [*parameters, *pieces(name, parameters)[1]]
+
+    count = len(all_of(*design))
+    orders = [tuple(int(k == n) for n in range(len(design))) for k in range(len(design))]
+    return [
+        mp.chop(mp.diff(lambda *x, j=j: all_of(*x)[j], design, order), tol=mpf(10) ** -42)
+        for j in range(count)
+        for order in orders
+    ]
+
+
 def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]) -> dict:
     """Parameters, breakpoints, jumps and the force itself."""
     other = stated(name)
@@ -1343,6 +1509,7 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
     # the Duffing's design is its parameters
     given = parameters if name == "duffing" else designs
     table: dict[str, list] = {"coefficients": [entry(lambda *x: coefficients(*x), x) for x in given]}
+    table["by_design"] = [entry(functools.partial(by_design, name, coefficients), x) for x in given]
     table["breakpoints"] = [entry(lambda *q: list(pieces(name, q)[1]), p) for p in parameters]
 
     def jumps(*q):
@@ -1442,7 +1609,11 @@ def mechanism_tables(name: str, designs, parameters, amplitudes: Amplitudes, som
         if name != "rod_spring_untruncated":  # its average is no polynomial: there is no resultant
             own |= resultant_table(rng, name, parameters)
         own |= family_table(name, amplitudes) | data_table(name, designs, parameters)
-        return own | {"harmonics": harmonics_table(name, amplitudes)}
+        # of some amplitudes in each regime
+        return own | {
+            "harmonics": harmonics_table(name, amplitudes),
+            "by_parameter": changes_table(name, amplitudes[1::3]),
+        }
 
     return {name: table}
 
