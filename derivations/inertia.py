@@ -22,6 +22,7 @@ import sympy as sp
 
 from .mechanisms import EXCITATIONS as stated
 from .oscillator import F, groups, m, omega, omega_n
+from .slopes import hessian
 from .slow_flow import I, R, SlowFlow, slope
 from .slow_flow import m as friction
 from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
@@ -56,7 +57,8 @@ class Inertia:
     terms, least -- fall, linear, rest; and the x at which an amplitude's level is least in these, for fall > 0
     peak        -- level there less F_0, and its slope along A: R follows from I, and nothing cancels
     isola       -- what that slope vanishes with, and its own slope along A
-    level_rise, cusp_bend, hessian -- along the fold locus, as in `Slopes`
+    level_rise, cusp_bend -- along the fold locus, as in `Slopes`
+    hessian     -- as there, at an isola point, in its lets
     bound       -- 4 zeta^2 A^2 (1 - lost) - F_0^2 |h|/A and three derivatives, each times powers of A: while it is
                    positive no state above F_0 has the amplitude A if zeta^2 A is at most lost |h|
     """
@@ -75,6 +77,7 @@ class Inertia:
     isola: tuple[sp.Expr, ...]
     level_rise: sp.Expr
     cusp_bend: sp.Expr
+    hessian_lets: tuple[Let, ...]
     hessian: sp.Expr
     bound: tuple[sp.Expr, ...]
 
@@ -117,6 +120,10 @@ def inertia(flow: SlowFlow) -> Inertia:
     terms, least = _least(quadratic)
     peak_lets, peak, isola = _peak(flow, slope_of_level, falls)
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
+    # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
+    hessian_lets, of_force = hessian(flow)
+    determinant = of_force - 3 * flow.F_Omega * F_AA / Omega
+    _vanishes((determinant.subs(hessian_lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole), "the determinant")
     return Inertia(
         force=force,
         level=level,
@@ -134,7 +141,8 @@ def inertia(flow: SlowFlow) -> Inertia:
         # along F_A = 0: dOmega/dA = -F_AA/F_AOmega
         level_rise=-slope_of_level * F_AA * F_AOmega,
         cusp_bend=-slope_of_level * flow.F_AAA * F_AOmega,
-        hessian=bend / Omega * F_AA - F_AOmega**2,
+        hessian_lets=hessian_lets,
+        hessian=determinant,
         bound=_bound(G),
     )
 

@@ -70,7 +70,7 @@ def slopes(flow: SlowFlow) -> Slopes:
         return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
 
     rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
-    hessian_lets, hessian = _hessian(flow)
+    hessian_lets, determinant = hessian(flow)
     isola = sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2)
     of_hessian, remainder = sp.div(isola, _in_symbols(sp.hessian(_F, (A, Omega)).det()), F_AA)
     if remainder != 0:
@@ -89,8 +89,8 @@ def slopes(flow: SlowFlow) -> Slopes:
         Omega_A=_in_symbols(on_response),
         level=rise * F_AOmega**2,
         cusp=sp.factor(bend.subs(F_AA, 0) * F_AOmega**2 / A),
-        isola=of_hessian * hessian,
-        hessian=hessian,
+        isola=of_hessian * determinant,
+        hessian=determinant,
         hessian_lets=hessian_lets,
         # the root of a product, which SymPy would take apart
         tail_lets=((_square, (F_0 - m) * (F_0 + m)),),
@@ -98,7 +98,7 @@ def slopes(flow: SlowFlow) -> Slopes:
     )
 
 
-def _hessian(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:
+def hessian(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:
     """Without the squares that cancel where R is small.
 
     F/2 has the second derivatives G + S: G of the slopes of R and I alone, whose determinant is the square of theirs,

@@ -169,21 +169,31 @@ static inline double inertia_cusp_bend(double Omega, double A, double m, double 
 
 /* At an isola point: negative where the level has a saddle in (A, Omega).
    Equation from (24), (30). Domain: Omega > 0, A > 0.
-   Operations: 47 structured, 36 common subexpressions, 36 power chains
+   Operations: 83 structured, 55 common subexpressions, 55 power chains
  */
 static inline double inertia_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
-    const double t1 = A * Omega;
-    const double t2 = 2.0 * t1;
+    const double t1 = 2.0 * A;
+    const double t2 = Omega * t1;
     const double I_ = m + t2 * zeta;
-    const double t3 = zeta * zeta;
-    const double t4 = h_A + t0;
-    const double t5 = 4.0 * t3;
-    const double t6 = I_ * zeta + Omega * R + t1 * t4 + t2 * t3;
-    return -8.0 * A * (2.0 * Omega * h + 3.0 * m * zeta + t1 * t5) * (R * h_AA + t0 * t5 + t4 * t4) / Omega -
-        16.0 * t6 * t6;
+    const double t3 = h_A + t0;
+    const double t4 = zeta * zeta;
+    const double t5 = 4.0 * t4;
+    const double t6 = t0 * t5 + t3 * t3;
+    const double G_AOmega = A * Omega * t5 + t2 * t3;
+    const double t7 = A * A;
+    const double G_OmegaOmega = 4.0 * t0 * t7 + t5 * t7;
+    const double t8 = R * h_AA;
+    const double t9 = I_ * zeta;
+    const double t10 = Omega * R;
+    const double S_AOmega = 2.0 * t10 + 2.0 * t9;
+    const double S_OmegaOmega = R * t1;
+    const double t11 = 4.0 * S_OmegaOmega;
+    const double t12 = -h_A + t0;
+    return -24.0 * A * (t10 + t9) * (t6 + t8) / Omega - 8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t8 -
+        4.0 * S_AOmega * S_AOmega + t11 * t6 + t11 * t8 + 16.0 * t12 * t12 * t4 * t7;
 }
 
 /* Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A.

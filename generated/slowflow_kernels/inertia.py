@@ -226,21 +226,31 @@ def hessian(Omega, A, m, zeta, h, h_A, h_AA):
     """At an isola point: negative where the level has a saddle in (A, Omega).
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
-    Operations: 47 structured, 36 common subexpressions, 36 power chains.
+    Operations: 83 structured, 55 common subexpressions, 55 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
     t0 = Omega * Omega
     R = A * t0 + h
-    t1 = A * Omega
-    t2 = 2.0 * t1
+    t1 = 2.0 * A
+    t2 = Omega * t1
     I = m + t2 * zeta
-    t3 = zeta * zeta
-    t4 = h_A + t0
-    t5 = 4.0 * t3
-    t6 = I * zeta + Omega * R + t1 * t4 + t2 * t3
+    t3 = h_A + t0
+    t4 = zeta * zeta
+    t5 = 4.0 * t4
+    t6 = t0 * t5 + t3 * t3
+    G_AOmega = A * Omega * t5 + t2 * t3
+    t7 = A * A
+    G_OmegaOmega = 4.0 * t0 * t7 + t5 * t7
+    t8 = R * h_AA
+    t9 = I * zeta
+    t10 = Omega * R
+    S_AOmega = 2.0 * t10 + 2.0 * t9
+    S_OmegaOmega = R * t1
+    t11 = 4.0 * S_OmegaOmega
+    t12 = -h_A + t0
     return (
-        -8.0 * A * (2.0 * Omega * h + 3.0 * m * zeta + t1 * t5) * (R * h_AA + t0 * t5 + t4 * t4) / Omega - 16.0 * t6
-        * t6
+        -24.0 * A * (t10 + t9) * (t6 + t8) / Omega - 8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t8 - 4.0 *
+        S_AOmega * S_AOmega + t11 * t6 + t11 * t8 + 16.0 * t12 * t12 * t4 * t7
     )
 
 

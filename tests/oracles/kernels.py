@@ -102,7 +102,10 @@ def is_of_gradients(kernel: str) -> bool:
 
 
 def knows(module: str) -> bool:
-    """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none."""
+    """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none.
+
+    Those of an excitation by inertia have exact values at the points of `make_kernel_oracle` alone.
+    """
     base, _ = scene_of(module)
     return base in (*definitions.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
 

@@ -99,10 +99,13 @@ def inertia_module(results: Results) -> Module:
                 of.cusp_bend,
                 "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
             ),
-            on_locus(
+            plain(
                 "hessian",
+                (Omega, A, *damped, h, h_A, h_AA),
                 of.hessian,
                 "At an isola point: negative where the level has a saddle in (A, Omega).",
+                "from (24), (30)",
+                lets=[(R, flow.R), (I, flow.I), *of.hessian_lets],
             ),
             plain(
                 "bound",
