@@ -25,7 +25,7 @@ static inline double angles_atan2(double y, double x)
     const double a = fabs(x), b = fabs(y);
     const double larger = b > a ? b : a;
     const double smaller = b > a ? a : b;
-    const int infinite = smaller > DBL_MAX;
+    const int infinite = (a > DBL_MAX) & (b > DBL_MAX);
     const double above = infinite ? 1.0 : smaller;
     const double below = infinite ? 1.0 : larger + (larger == 0.0);
     const double t = above / below;
@@ -73,7 +73,7 @@ static inline double angles_atan2_swapped(double y, double x)
     const double a = fabs(x), b = fabs(y);
     const double larger = b > a ? b : a;
     const double smaller = b > a ? a : b;
-    const int infinite = smaller > DBL_MAX;
+    const int infinite = (a > DBL_MAX) & (b > DBL_MAX);
     const double above = infinite ? 1.0 : smaller;
     const double below = infinite ? 1.0 : larger + (larger == 0.0);
     const double t = above / below;
