@@ -52,9 +52,6 @@ class ManyMargins(Batch):
     sticks: Codes
     status: Codes
 
-    def _found(self) -> tuple[Any, Any, Any]:
-        return _no_state(self.status)
-
 
 @dataclass(frozen=True, eq=False)
 class ManyBands(Batch):
@@ -70,9 +67,6 @@ class ManyBands(Batch):
     count: Codes
     status: Codes
 
-    def _found(self) -> tuple[Any, Any, Any]:
-        return _no_state(self.status)
-
 
 @dataclass(frozen=True, eq=False)
 class ManyIsolations(Batch):
@@ -87,14 +81,6 @@ class ManyIsolations(Batch):
     A: Floats
     at_fold: Codes
     status: Codes
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return _no_state(self.status)
-
-
-def _no_state(status: Codes) -> tuple[Any, Any, Any]:
-    none = np.full((*status.shape, 1), np.nan)
-    return none, none, False
 
 
 def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:

@@ -83,8 +83,12 @@ class Batch(Answer):
         return np.asarray(self._F_0, dtype=float)[..., np.newaxis]
 
     def _found(self) -> tuple[Any, Any, Any]:
-        """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner."""
-        raise NotImplementedError
+        """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner.
+
+        None at all, but for those that say so.
+        """
+        none = np.full((*self.status.shape, 1), np.nan)
+        return none, none, False
 
     @property
     def has_rows(self) -> bool:
@@ -189,7 +193,20 @@ class Onsets(Batch):
 
 
 @dataclass(frozen=True, eq=False)
-class Folds(Batch):
+class Counted(Batch):
+    """What answers share whose number rounding may decide."""
+
+    if TYPE_CHECKING:  # each has it as a column
+        undecided: Codes
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """As of all batches, and `Remark.UNDECIDED`."""
+        return frozen(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
+
+
+@dataclass(frozen=True, eq=False)
+class Folds(Counted):
     """The folds at one forcing, for each design; Omega, A and kind have one more axis, with `places` places.
 
     Omega, A -- by rising Omega, then NaN
@@ -206,11 +223,6 @@ class Folds(Batch):
     undecided: Codes
     status: Codes
 
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """As of all batches, and `Remark.UNDECIDED`."""
-        return frozen(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
-
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega, self.A, self._corner
 
@@ -224,7 +236,7 @@ class Folds(Batch):
 
 
 @dataclass(frozen=True, eq=False)
-class States(Batch):
+class States(Counted):
     """The steady states at one frequency and forcing, for each design; A, stable and phi have one more axis, of places.
 
     A      -- by rising A, then NaN
@@ -270,11 +282,6 @@ class States(Batch):
         with np.errstate(all="ignore"):
             return slow_flow.friction(mu), zeta, mechanism.averaged(self.A, *mechanism.coefficients(*design))[0]
 
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """As of all batches, and `Remark.UNDECIDED`."""
-        return frozen(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
-
     def _asked_at(self) -> dict[str, Any]:
         return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
 
@@ -316,10 +323,6 @@ class Proofs(Batch):
     count: Codes
     proved: Codes
     status: Codes
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        none = np.full((*self.status.shape, 1), np.nan)
-        return none, none, False
 
 
 class Designs:

@@ -67,10 +67,6 @@ class Shocks(Batch):
     detaches: Codes
     status: Codes
 
-    def _found(self) -> tuple[Any, Any, Any]:
-        none = np.full((*self.status.shape, 1), np.nan)
-        return none, none, False
-
 
 def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats) -> ShockSpectrum:
     """Pulse by pulse; shapes (n,)."""
