@@ -49,6 +49,7 @@ class Inertia:
     """Of any mechanism; outputs beside lets are in these.
 
     force       -- amplitude of the force
+    force_slopes -- its derivatives by Omega and F_0
     level       -- the F_0 for which (Omega, A) is a steady state, in R and I
     F           -- response, in R and I
     level_slope -- Omega^5 dlevel^2/dOmega, in R and I
@@ -64,6 +65,7 @@ class Inertia:
     """
 
     force: sp.Expr
+    force_slopes: tuple[sp.Expr, ...]
     level: sp.Expr
     F: sp.Expr
     level_slope: sp.Expr
@@ -126,6 +128,7 @@ def inertia(flow: SlowFlow) -> Inertia:
     _vanishes((determinant.subs(hessian_lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole), "the determinant")
     return Inertia(
         force=force,
+        force_slopes=(sp.diff(force, Omega), sp.diff(force, F_0)),
         level=level,
         F=F_value,
         level_slope=slope_of_level,

@@ -1,5 +1,6 @@
 """Excitation by inertia: certified folds, cusps and states, closed forms, the linear mount, exact motions, refusals."""
 
+import dataclasses
 import json
 import math
 import pickle
@@ -11,6 +12,7 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged.reference import answers
+from slowflow.exact.compiled import SCIPY, default_integrator
 from slowflow.paper import example
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
@@ -196,7 +198,8 @@ def test_averaged_states_are_near_the_exact_motions(Omega):
     found = osc.amplitudes(Omega=Omega, F_0=0.05)
     assert np.abs(found.measure().error).max() < 0.01
     exact = osc.steady_state(Omega=Omega, F_0=0.05)
-    assert exact.F_0 == pytest.approx(0.05 * Omega**2, rel=1e-15)
+    assert exact.F_0 == 0.05
+    assert exact.force == pytest.approx(0.05 * Omega**2, rel=1e-15)
     assert np.abs(found.A / exact.A - 1).min() < 0.01
     assert "not measured" in found.validity.message
 
@@ -221,14 +224,79 @@ def test_what_a_motion_with_stops_passes_on_is_the_force_less_inertia(Omega, exc
     # from the velocity alone: the force less the acceleration, by differences
     tau, _, v = motion.series(40000)
     step = tau[1] - tau[0]
-    force = motion.F_0 * np.cos(Omega * tau) - (np.roll(v, -1) - np.roll(v, 1)) / (2 * step)
+    force = motion.force * np.cos(Omega * tau) - (np.roll(v, -1) - np.roll(v, 1)) / (2 * step)
     first = 2 * np.mean(force * np.exp(-1j * Omega * tau))
-    assert passed.first == pytest.approx(abs(first) / motion.F_0, rel=1e-4)
-    assert passed.rms == pytest.approx(math.sqrt(np.mean(force**2)) / motion.F_0, rel=1e-3)
-    assert passed.peak == pytest.approx(np.abs(force).max() / motion.F_0, rel=1e-2)
+    assert passed.first == pytest.approx(abs(first) / motion.force, rel=1e-4)
+    assert passed.rms == pytest.approx(math.sqrt(np.mean(force**2)) / motion.force, rel=1e-3)
+    assert passed.peak == pytest.approx(np.abs(force).max() / motion.force, rel=1e-2)
     averaged = iso.amplitudes(Omega=Omega, F_0=F_0)
     nearest = np.argmin(np.abs(averaged.A - motion.A))
     assert averaged.transmissibility[nearest] == pytest.approx(passed.first, rel=0.05)
+
+
+def test_a_point_of_the_exact_curve_is_a_motion_under_the_force_that_there_is_at_its_frequency():
+    iso = Isolator(**example.TABLE_1, excitation="unbalance")
+    forced, Y = iso.replace(excitation="force"), 0.05
+    curve = iso.exact_response(Y, Omega=(0.7, 1.2))
+    assert [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
+    for k in range(0, len(curve), 25):
+        Omega = float(curve.Omega[k])
+        motion = forced.steady_state(Omega=Omega, F_0=Y * Omega**2, A=float(curve.A[k]))
+        assert motion.A == pytest.approx(curve.A[k], rel=1e-10)
+        if abs(motion.A / iso.u_cr - 1) > 1e-3:  # next to it their slope has no bound: there the force jumps
+            assert abs(motion.multipliers.sum() - curve.multipliers[k].sum()) < 1e-9
+            assert abs(motion.multipliers.prod() - curve.multipliers[k].prod()) < 1e-9
+    assert np.abs(iso.saddle_nodes(Y).measure().error).max() < 0.01
+
+
+@pytest.mark.parametrize("integrator", [default_integrator, lambda _: SCIPY], ids=["compiled", "scipy"])
+def test_derivatives_of_a_cycle_are_those_of_its_equations(integrator):
+    iso, Y, step = Isolator(**example.TABLE_1, excitation="base"), 0.05, 1e-5
+    motion = iso.steady_state(Omega=0.7, F_0=Y)
+    cycle = dataclasses.replace(motion.cycle, integrator=integrator(motion.cycle.system))
+    assert cycle.half_turns == 1  # two borders: it may come to rest, and leave the springs
+    # away from the solution: on it two turning points have the same |u|, and A a kink
+    at = np.append(motion.unknowns + 1e-3, Y)
+
+    def values(of):
+        found = cycle.equations(of[:-1], of[-1])
+        return np.array([*found.residual, found.A, *(border.margin for border in found.borders)])
+
+    found = cycle.equations(at[:-1], Y)
+    derivatives = np.array([*found.jacobian, found.of_A, *(border.gradient for border in found.borders)])
+    differences = [(values(at + step * e) - values(at - step * e)) / (2 * step) for e in np.eye(at.size)]
+    assert np.allclose(derivatives, np.array(differences).T, rtol=0, atol=1e-6)
+
+
+def test_a_sweep_jumps_at_the_exact_folds_and_rests_where_friction_holds_the_mass():
+    iso, Y = Isolator(**example.TABLE_1, excitation="base"), 0.05
+    up, down = (fold.Omega for fold in iso.exact_response(Y).folds)
+    rising, falling = (iso.sweep(Omega=np.linspace(*ends, 41), F_0=Y) for ends in ((0.4, 1.2), (1.2, 0.4)))
+    assert [low < down < high for low, high in rising.jumps] == [True]
+    assert [low > up > high for low, high in falling.jumps] == [True]
+    for found in (rising, falling):
+        assert ((found.A < 2e-4) == (found.Omega < 1.02 * math.sqrt(iso.mu / Y))).all()
+        assert found.settled.all()
+    held = rising.Omega <= math.sqrt(iso.mu / Y)
+    assert (rising.A[held] == 0).all()
+    with pytest.raises(ValueError, match=r"F_0 Omega\^2 = 0.05 0.4\^2 does not exceed mu = 0.012"):
+        iso.sweep(Omega=[0.3, 0.4], F_0=Y)
+
+
+def test_an_exact_curve_begins_where_the_base_moves_the_mass():
+    iso = Isolator(**example.TABLE_1, excitation="base")
+    curve = iso.exact_response(0.05, Omega=(0.3, 0.6))
+    assert curve.message.startswith("at this F_0 friction holds the mass up to Omega = 0.4899")
+    assert curve.A[0] < 1e-3
+    assert (curve.stops[:5] == 2).all()
+    with pytest.raises(ValueError, match="friction holds the mass"):
+        iso.exact_response(0.05, Omega=(0.3, 0.45))
+
+
+def test_a_shock_does_not_ask_what_else_the_oscillator_is_excited_by():
+    iso = Isolator(**example.TABLE_1)
+    pulse = {"acceleration": 0.3, "duration": 2.0}
+    assert iso.replace(excitation="base").transient(**pulse).A == iso.transient(**pulse).A
 
 
 def test_transmissibility_tends_to_its_floor():
@@ -279,9 +347,6 @@ def test_what_is_not_available_is_refused_in_words():
         lambda: iso.certify(0.03),
         lambda: iso.saddle_nodes(0.03, certify=True),
         lambda: iso.second_approximation,
-        lambda: iso.exact_response(0.03),
-        lambda: iso.sweep(Omega=[1.0], F_0=0.03),
-        lambda: iso.saddle_nodes(0.03).measure(),
         lambda: Isolator.many(**example.TABLE_1, excitation="base").margins(0.03),
         lambda: Isolator.many(**example.TABLE_1, excitation="base").certify(0.03),
     ]

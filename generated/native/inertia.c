@@ -20,6 +20,21 @@ static const sf_loop inertia_force_loops[] = {
     inertia_force_loop,
 };
 
+static SF_WIDE void inertia_force_slopes_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], F_0 = in[1][i];
+        double values[2];
+        inertia_force_slopes(Omega, F_0, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop inertia_force_slopes_loops[] = {
+    inertia_force_slopes_loop,
+};
+
 static SF_WIDE void inertia_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -186,6 +201,9 @@ static const sf_kernel kernels[] = {
     {"force",
      "Amplitude of the force on the mass. Equation beside (3). Domain: Omega >= 0.",
      2, 1, 1, NULL, inertia_force_loops},
+    {"force_slopes",
+     "Its slopes by Omega, F_0. Equation beside (3). Domain: Omega >= 0.",
+     2, 2, 1, NULL, inertia_force_slopes_loops},
     {"level",
      "The amplitude F_0 of the excitation for which (Omega, A) is a steady state. Equation from (24). Domain: Omega "
      "> 0, A > 0.",

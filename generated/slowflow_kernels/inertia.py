@@ -23,6 +23,7 @@ __all__ = [
     "bound",
     "cusp_bend",
     "force",
+    "force_slopes",
     "hessian",
     "isola",
     "least",
@@ -54,6 +55,21 @@ def force(Omega, F_0):
     """
     Omega, F_0 = floats(Omega, F_0)
     return F_0 * Omega * Omega
+
+
+def force_slopes(Omega, F_0):
+    """Its slopes by Omega, F_0.
+
+    Equation beside (3). Domain: Omega >= 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.34
+    """
+    Omega, F_0 = floats(Omega, F_0)
+    arguments = (Omega, F_0)
+    return (
+        2.0 * F_0 * Omega,
+        full(Omega * Omega, arguments),
+    )
 
 
 def level(Omega, A, m, zeta, h):
@@ -701,6 +717,7 @@ def moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_
 if NATIVE is not None:
     (
         force,
+        force_slopes,
         level,
         F,
         level_slope,
@@ -714,6 +731,7 @@ if NATIVE is not None:
         hessian,
         bound,
     ) = compiled(
-        (force, level, F, level_slope, Omega_A, terms, least, peak, isola, level_rise, cusp_bend, hessian, bound,),
+        (force, force_slopes, level, F, level_slope, Omega_A, terms, least, peak, isola, level_rise, cusp_bend,
+         hessian, bound,),
         NATIVE.inertia(),
     )

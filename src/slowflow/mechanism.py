@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow_kernels import duffing
+from slowflow_kernels import duffing, inertia
 from slowflow_support.record import Function, Law, Mechanism, Parameter
 
 __all__ = [
@@ -101,16 +101,31 @@ class Force:
 
 @dataclass(frozen=True)
 class EquationOfMotion:
-    """Equation (3) without its forcing: f(u), mu >= 0, zeta >= 0, all dimensionless."""
+    """Equation (3) without its forcing: f(u), mu >= 0, zeta >= 0, all dimensionless.
+
+    inertial -- whether it is excited by inertia, so that F_0 stands for a force F_0 Omega^2
+    """
 
     force: Force
     mu: float
     zeta: float
+    inertial: bool = False
 
     def __post_init__(self) -> None:
         for name, value in (("mu", self.mu), ("zeta", self.zeta)):
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"{name} = {value} must be finite and not negative")
+
+    def forcing(self, Omega: float, F_0: float) -> float:
+        """Amplitude of the force at an amplitude F_0 of the excitation."""
+        return float(inertia.force(Omega, F_0)) if self.inertial else F_0
+
+    def forcing_slopes(self, Omega: float, F_0: float) -> tuple[float, float]:
+        """Its derivatives by Omega and by F_0."""
+        if not self.inertial:
+            return 0.0, 1.0
+        by_Omega, by_F_0 = inertia.force_slopes(Omega, F_0)
+        return float(by_Omega), float(by_F_0)
 
 
 #: alpha and beta of the cubic spring that is linear

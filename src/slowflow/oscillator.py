@@ -52,7 +52,7 @@ class Oscillator(Averaged):
     design    -- the numbers that `mechanism.design` names, each within its domain
     excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
         "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
-        leave to a force what they have no answer to: proofs, the second approximation, exact response curves.
+        leave to a force what they have no answer to: proofs, the second approximation, sizing.
         A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
@@ -151,11 +151,11 @@ class Oscillator(Averaged):
         return Force.of(other, tuple(float(value) for value in other.coefficients(*self.design)))
 
     def equation_of_motion(self, which: str | None = None) -> EquationOfMotion:
-        """Equation (3) without its forcing, the force as in `restoring_force`.
+        """Equation (3) without its forcing, which it is told the kind of; the force as in `restoring_force`.
 
         Raises ValueError as `restoring_force`.
         """
-        return EquationOfMotion(self.restoring_force(which), self.mu, self.zeta)
+        return EquationOfMotion(self.restoring_force(which), self.mu, self.zeta, self.model.inertial)
 
     def steady_state(
         self, *, Omega: float, F_0: float, A: float | None = None, force: str | None = None
@@ -167,8 +167,8 @@ class Oscillator(Averaged):
                  the averaged state nearest to A settles to. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
 
-        `.F_0` of the answer is the force on the mass: F_0 Omega^2 for an excitation by inertia.
-        Raises ValueError for parameters out of range, as F_0 <= mu, ArithmeticError if nothing periodic is found.
+        `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.
+        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError if nothing periodic is found.
         """
         from slowflow.exact import questions
 
@@ -189,10 +189,10 @@ class Oscillator(Averaged):
         isolated curve needs its own, `start=steady_state(Omega=..., F_0=..., A=...)`, and where averaging knows of one
         that this is not, `.message` gives these numbers. `step` is the largest distance of neighbouring points, `force`
         as in `steady_state`. `.peak` is the highest motion of the curve.
-        Raises ValueError for parameters out of range, as F_0 <= mu, and for an excitation by inertia, ArithmeticError
-        where it cannot be followed.
+        By inertia the mass is excited so little at low frequencies that friction may hold it: the curve begins next to
+        where it moves then, and `.message` says so.
+        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where it cannot be followed.
         """
-        self.only_for_a_force("exact_response")
         from slowflow.exact import questions
 
         return questions.exact_response(self, self.equation_of_motion(force), F_0, Omega, start, step)
@@ -202,12 +202,11 @@ class Oscillator(Averaged):
 
         The motion is followed at each frequency until it is shown to tend to a stable periodic one, whose amplitude is
         given, and goes on from there; where it does not within 2000 turns of the forcing, `.settled` says so. `force`
-        as in `steady_state`. Raises ValueError for parameters out of range, as F_0 <= mu, and for an excitation by
-        inertia, ArithmeticError where the motion escapes a softening spring.
+        as in `steady_state`. Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError
+        where the motion escapes a softening spring.
         """
         from slowflow.exact import questions
 
-        self.only_for_a_force("sweep")
         return questions.sweep(self.equation_of_motion(force), Omega, F_0)
 
     def transient(
@@ -304,7 +303,6 @@ class Oscillator(Averaged):
         """See `slowflow.results.SaddleNodes.measure`."""
         from slowflow.exact import measure
 
-        self.only_for_a_force("measure")
         return measure.folds(self, self.equation_of_motion(force), found)
 
     @cached_property

@@ -1460,6 +1460,7 @@ INERTIA: dict[str, tuple[str, Function]] = {
     },
     "beside": ("Omega A F_0 m zeta h h_A", shaken_beside),
     "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", shaken_moves_of_phase),
+    "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
 }
 
 

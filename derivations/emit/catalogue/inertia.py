@@ -36,6 +36,9 @@ def inertia_module(results: Results) -> Module:
         inputs=("oscillator.py", "averaging.py", "slow_flow.py", "inertia.py", "gradients.py"),
         kernels=(
             plain("force", (Omega, F_0), of.force, "Amplitude of the force on the mass.", "beside (3)", "Omega >= 0"),
+            plain(
+                "force_slopes", (Omega, F_0), of.force_slopes, "Its slopes by Omega, F_0.", "beside (3)", "Omega >= 0"
+            ),
             of_flow(
                 "level",
                 (Omega, A, *damped, h),

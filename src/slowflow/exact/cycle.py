@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.exact.compiled import TaylorIntegrator
-from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, spend
+from slowflow.exact.integrate import PHASE_WORK, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels.exact_conventions import FAR, LOOSE, ON_TIME, TIGHT, ExtraKind
@@ -126,7 +126,7 @@ class Cycle:
         u, v, theta = float(z[0]), 0.0, float(z[1])
         residual = np.empty(k + 2)
         jacobian = np.zeros((k + 2, k + 4))
-        # derivatives of u, v, theta by the unknowns
+        # derivatives of u, v, theta by the unknowns; the last one is the amplitude of the force up to the end
         of_state = np.zeros((2, k + 4))
         of_state[0, 0] = 1.0
         of_theta = np.zeros(k + 4)
@@ -144,14 +144,14 @@ class Cycle:
                 of_theta[2 + i] = 1.0
                 of_state[1] = 0.0
                 residual[i] = push - next_slip * system.mu
-                by_theta, by_u, by_F_0 = forced.push_slopes(region, end, u)
+                by_theta, by_u, by_force = forced.push_slopes(region, end, u)
                 jacobian[i] = by_theta * of_theta + by_u * of_state[0]
-                jacobian[i, -1] += by_F_0
+                jacobian[i, -1] += by_force
                 # at break-away the push balances friction: the acceleration is continuous, only v is forgotten
                 monodromy[1] = 0.0
                 v, theta = 0.0, end
                 continue
-            piece, drive = forced.piece(region), Drive(Omega, F_0, system.zeta, slip * system.mu)
+            piece, drive = forced.piece(region), forced.drive(slip)
             rate = np.array([v, forced.acceleration(slip, region, theta, u, v)]) / Omega
             u, v, flow = integrator.advance(piece, drive, theta, u, v, end)
             of_state -= np.outer(rate, of_theta)
@@ -184,6 +184,10 @@ class Cycle:
         jacobian[k, 0] -= self.sign
         residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * self.half_turns
         jacobian[k + 1, 2:-2] = 1.0
+        if system.inertial:
+            slopes = system.forcing_slopes(Omega, F_0)
+            for derivatives in (jacobian, of_A, *(border.gradient for border in borders)):
+                _excited(derivatives, *slopes)
         return Equations(residual, jacobian, self.sign * monodromy, A, of_A, tuple(borders))
 
     def _borders(
@@ -193,9 +197,9 @@ class Cycle:
         edge = edge_ahead(self.system, slip, region)
         found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
         if next_slip != 0 and self.system.mu > 0:
-            by_theta, by_u, by_F_0 = forced.push_slopes(region, theta, u)
+            by_theta, by_u, by_force = forced.push_slopes(region, theta, u)
             slope = by_theta * of_theta + by_u * of_u
-            slope[-1] += by_F_0
+            slope[-1] += by_force
             margin = next_slip * forced.push(region, theta, u) - self.system.mu
             found.append(Border(phase, True, margin, next_slip * slope))
         return found
@@ -302,12 +306,12 @@ class Cycle:
 
     def _end(self, z: Array, F_0: float, phase: int) -> tuple[float, float]:
         """theta and u at the end of a phase, integrated over the spans."""
+        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
         theta, u, v = float(z[1]), float(z[0]), 0.0
         for i, (slip, region) in enumerate(self.signature[: phase + 1]):
             end = theta + float(z[2 + i])
             if slip != 0:
-                drive = Drive(float(z[-1]), F_0, self.system.zeta, slip * self.system.mu)
-                u, v, _ = self.integrator.advance(self.system.force.pieces[abs(region)], drive, theta, u, v, end)
+                u, v, _ = self.integrator.advance(forced.piece(region), forced.drive(slip), theta, u, v, end)
             theta = end
         return theta, u
 
@@ -469,6 +473,12 @@ class Cycle:
     def stops(self) -> int:
         """Rests in one period of the motion."""
         return sum(slip == 0 for slip, _ in self.signature) * (2 if self.sign == -1 else 1)
+
+
+def _excited(by: Array, force_by_Omega: float, force_by_F_0: float) -> None:
+    """Turns derivatives whose last column is by the amplitude of the force into such by that of the excitation."""
+    by[..., -2] += force_by_Omega * by[..., -1]
+    by[..., -1] *= force_by_F_0
 
 
 def closed_cycle(

@@ -48,7 +48,7 @@ def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
     """The motion that each averaged state leads to. Raises ValueError for a force <= mu."""
     motions: list[shooting.SteadyState | None] = []
     reasons = [""] * found.A.size
-    forcing = np.broadcast_to(found.force, found.Omega.shape)
+    forcing = np.broadcast_to(found.F_0, found.Omega.shape)
     columns = (column.tolist() for column in (found.Omega, found.A, found.phi, forcing))
     for i, (Omega, A, phi, F_0) in enumerate(zip(*columns, strict=True)):
         motion = None

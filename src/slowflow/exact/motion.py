@@ -3,8 +3,8 @@
 In:  an oscillator, the forcing, a state at rest or in motion.
 Out: its phases in order, each with its start, its end and what ended it.
 
-Switches, all exact: the velocity reaches zero; |u| reaches a breakpoint; at rest |F_0 cos theta - f(u)| <= mu holds the
-mass, and it breaks away when that bound is met, at an angle known in closed form. theta = Omega tau; v = du/dtau.
+Switches, all exact: the velocity reaches zero; |u| reaches a breakpoint; at rest |force cos theta - f(u)| <= mu holds
+the mass, and it breaks away when that bound is met, at an angle known in closed form. theta = Omega tau; v = du/dtau.
 """
 
 from __future__ import annotations
@@ -53,12 +53,17 @@ class Phase(NamedTuple):
 
 
 class Forced(NamedTuple):
-    """An oscillator under F_0 cos(Omega tau), with the integrator to be used."""
+    """An oscillator under the force of an excitation F_0 times cos(Omega tau), with the integrator to be used."""
 
     system: EquationOfMotion
     Omega: float
     F_0: float
     integrator: Integrator
+
+    @property
+    def force(self) -> float:
+        """Amplitude of the force."""
+        return self.system.forcing(self.Omega, self.F_0)
 
     def piece(self, region: int) -> Piece:
         """The piece of the force in that region."""
@@ -66,23 +71,23 @@ class Forced(NamedTuple):
 
     def drive(self, slip: int) -> Drive:
         """The constants of a slip phase."""
-        return Drive(self.Omega, self.F_0, self.system.zeta, slip * self.system.mu)
+        return Drive(self.Omega, self.force, self.system.zeta, slip * self.system.mu)
 
     def push(self, region: int, theta: float, u: float) -> float:
-        """F_0 cos theta - f(u): what friction has to hold at rest."""
-        return float(motion.push(math.cos(theta), self.F_0, self.piece(region).value(u)))
+        """The force less f(u): what friction has to hold at rest."""
+        return float(motion.push(math.cos(theta), self.force, self.piece(region).value(u)))
 
     def push_slopes(self, region: int, theta: float, u: float) -> tuple[float, float, float]:
-        """Derivatives of the push by theta, u, F_0."""
-        by_theta, by_u, by_F_0 = motion.push_slopes(
-            math.cos(theta), math.sin(theta), self.F_0, self.piece(region).slope(u)
+        """Derivatives of the push by theta, u, and the amplitude of the force."""
+        by_theta, by_u, by_force = motion.push_slopes(
+            math.cos(theta), math.sin(theta), self.force, self.piece(region).slope(u)
         )
-        return by_theta, by_u, by_F_0
+        return by_theta, by_u, by_force
 
     def acceleration(self, slip: int, region: int, theta: float, u: float, v: float) -> float:
         """u'' in a slip phase."""
-        _, F_0, zeta, friction = self.drive(slip)
-        return float(motion.acceleration(math.cos(theta), v, F_0, zeta, friction, self.piece(region).value(u)))
+        _, force, zeta, friction = self.drive(slip)
+        return float(motion.acceleration(math.cos(theta), v, force, zeta, friction, self.piece(region).value(u)))
 
 
 def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
@@ -102,11 +107,11 @@ def region_of(system: EquationOfMotion, u: float) -> int:
 
 def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
     """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
-    mu, F_0 = forced.system.mu, forced.F_0
+    mu, amplitude = forced.system.mu, forced.force
     force = forced.piece(region).value(u)
     found = (math.inf, 0)
-    for slip in (1, -1) if F_0 > 0 else ():
-        cosine = motion.breakaway(F_0, slip * mu, force)
+    for slip in (1, -1) if amplitude > 0 else ():
+        cosine = motion.breakaway(amplitude, slip * mu, force)
         if abs(cosine) < 1.0:
             # cos theta rises through it for slip = 1 and falls for slip = -1
             angle = -slip * math.acos(cosine)

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from slowflow.exact.sweep import sweep as stepped
 from slowflow.exact.transient import AFTER, Transient, half_sine, record
 from slowflow.exact.transient import transient as followed
 from slowflow.mechanism import EquationOfMotion
-from slowflow.results import Remark
+from slowflow.results import Remark, joined
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
@@ -29,6 +30,11 @@ APART = 0.1
 
 #: largest relative distance of an averaged fold from the frequency at which motions near it are looked for
 BESIDE = 0.05
+
+#: by how much the force exceeds friction where a curve begins that would else begin at rest
+EXCEEDS = 1.05
+
+RESTS = "at this F_0 friction holds the mass up to Omega = {:.4g}: the curve begins at Omega = {:.4g}"
 
 OTHER = (
     "another curve is not part of this one: averaging has it at Omega = {Omega:.4g}, A = {A:.4g}; "
@@ -45,15 +51,12 @@ def steady_state(
     wanted = None if A is None else validate.number("A", A, above=0.0)
     if wanted is None:
         return _from_rest(averaged, system, Omega, F_0)
-    force = averaged.model.force(F_0, Omega)
-    shooting.check_forcing(system, Omega, force)
+    shooting.check_forcing(system, Omega, F_0)
     guesses = _guesses(averaged, Omega, F_0, wanted)
-    found = [
-        motion for motion in (shooting.near(system, Omega, force, guess) for guess in guesses) if motion is not None
-    ]
+    found = [motion for motion in (shooting.near(system, Omega, F_0, guess) for guess in guesses) if motion is not None]
     if found:
         return min(found, key=lambda motion: abs(motion.A - wanted))
-    return shooting.steady_state(system, Omega, force, guesses[0])
+    return shooting.steady_state(system, Omega, F_0, guesses[0])
 
 
 def exact_response(
@@ -69,6 +72,12 @@ def exact_response(
     low, high = validate.window("Omega", Omega)
     low = validate.number("Omega[0]", low, above=0.0)
     step = validate.number("step", step, above=0.0, most=0.5)
+    rests = ""
+    if system.inertial and system.forcing(low, F_0) < EXCEEDS * system.mu:
+        alone = math.sqrt(system.mu / F_0)
+        low = min(high, math.sqrt(EXCEEDS) * alone)
+        rests = RESTS.format(alone, low)
+    shooting.check_forcing(system, low, F_0)
     if start is None:
         start = _from_rest(averaged, system, low, F_0)
     elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
@@ -76,7 +85,7 @@ def exact_response(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
         )
     found = continuation.exact_response(system, F_0, (low, high), start=start, step=step)
-    return dataclasses.replace(found, message=_others(averaged, found, (low, high)))
+    return dataclasses.replace(found, message=joined(rests, _others(averaged, found, (low, high))))
 
 
 def _others(averaged: Averaged, found: continuation.Response, window: tuple[float, float]) -> str:
@@ -139,13 +148,12 @@ def shocks(system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockS
 
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:
     """What a mass at rest comes to, followed; where that takes too many turns, the only one that averaging knows of."""
-    force = averaged.model.force(F_0, Omega)
     try:
-        return shooting.steady_state(system, Omega, force)
+        return shooting.steady_state(system, Omega, F_0)
     except shooting.NotSettled:
         states = averaged.states(Omega=Omega, F_0=F_0)
         if states.A.size == 1:
-            found = shooting.near(system, Omega, force, (float(states.A[0]), float(states.phi[0])))
+            found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])))
             if found is not None and found.stable:
                 return found
         raise

@@ -48,6 +48,7 @@ class Transmitted(NamedTuple):
 class SteadyState(Answer):
     """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
 
+    F_0          -- amplitude of the excitation; `force` is that of the force
     A            -- largest |u|, good to about 1e-13 whatever its size
     stops        -- rests in one period
     multipliers  -- Floquet multipliers over `period`, shape (2,)
@@ -69,6 +70,11 @@ class SteadyState(Answer):
     cycle: Cycle = field(repr=False)
     unknowns: Array = field(repr=False)
     phases: list[Phase] = field(repr=False)
+
+    @property
+    def force(self) -> float:
+        """Amplitude of the force on the mass: F_0, or F_0 Omega^2 for an excitation by inertia."""
+        return self.cycle.system.forcing(self.Omega, self.F_0)
 
     @property
     def period(self) -> float:
@@ -149,12 +155,13 @@ class SteadyState(Answer):
             square += half * float(weights @ passed**2)
             first += half * complex((weights * passed) @ np.exp(-1j * at))
             peak = max(peak, self._highest_passed_on(phase))
-        return Transmitted(2.0 * abs(first) / whole / self.F_0, peak / self.F_0, math.sqrt(square / whole) / self.F_0)
+        force = self.force
+        return Transmitted(2.0 * abs(first) / whole / force, peak / force, math.sqrt(square / whole) / force)
 
     def _passed_on(self, phase: Phase, theta: Array) -> Array:
         """f(u) + 2 zeta v + friction, which at rest holds against all of the force."""
         if phase.slip == 0:
-            return np.asarray(self.F_0 * np.cos(theta))
+            return np.asarray(self.force * np.cos(theta))
         u, v = self._within(phase, theta).T
         drive = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator).drive(phase.slip)
         of_spring = self.cycle.system.force.pieces[abs(phase.region)](u)
@@ -292,15 +299,19 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> Ste
 
 def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
     """Raises ValueError unless Omega > 0, F_0 > 0 are finite, the forcing can move the mass, and damping settles it."""
+    check_numbers(system, Omega, F_0)
+    if system.forcing(Omega, F_0) <= system.mu:
+        force = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
+        raise ValueError(f"{force} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
+
+
+def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:
+    """Raises ValueError unless Omega > 0 and F_0 > 0 are finite, and there is damping."""
     for name, value in (("Omega", Omega), ("F_0", F_0)):
         if not (math.isfinite(value) and value > 0):
             raise ValueError(f"{name} = {value} must be positive and finite")
     if system.mu == 0 and system.zeta == 0:
         raise ValueError("mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state")
-    if F_0 <= system.mu:
-        raise ValueError(
-            f"F_0 = {F_0} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves"
-        )
 
 
 def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
@@ -328,6 +339,11 @@ def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[
         unknowns=z,
         phases=phases,
     )
+
+
+def at_rest(phases: list[Phase]) -> bool:
+    """Whether the mass rests all the time."""
+    return all(phase.slip == 0 for phase in phases)
 
 
 def _largest(phases: list[Phase]) -> float:
@@ -385,7 +401,7 @@ class Settled(NamedTuple):
 
 
 def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, ...], most_turns: int) -> Settled:
-    """Follows the motion from (theta, u, v) until it is shown to approach a stable periodic one.
+    """Follows the motion from (theta, u, v) until it is shown to approach a stable periodic one, or has ended.
 
     tries -- half turns of the cycles that are looked for, see `steady_state`
     Raises ArithmeticError if the motion escapes or chatters.
@@ -398,6 +414,8 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
         phases = follow(forced, theta, u, v, theta + TURN)
         u, v = phases[-1].u_end, phases[-1].v_end
         history.append((u, v))
+        if at_rest(phases):
+            return Settled(None, len(history) - 1, u, v, phases, 0.0)
         if len(history) <= ask:
             continue
         ask += min(ask, 8)

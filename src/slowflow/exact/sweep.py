@@ -18,7 +18,7 @@ from slowflow.answer import Table
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
-from slowflow.exact.shooting import HALF_TURNS, check_forcing, settle
+from slowflow.exact.shooting import HALF_TURNS, at_rest, check_forcing, check_numbers, settle
 from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
@@ -41,7 +41,8 @@ class Sweep(Table):
     """What a stepped sweep shows; arrays in the order of the frequencies.
 
     Omega   -- the frequencies
-    A       -- largest |u| of the stable motion that is settled to; where none is, over the last turn of the forcing
+    A       -- largest |u| of the stable motion that is settled to; where none is, over the last turn of the forcing;
+               where friction holds the mass, as at low frequencies of an excitation by inertia, how far off it rests
     stops   -- rests in one period of it, or in that turn
     turns   -- turns of the forcing followed before it was shown that the motion tends there
     settled -- whether it was, within the turns that are followed at most
@@ -80,34 +81,39 @@ def sweep(
 
     At each frequency the motion is followed until it is shown to tend to a periodic one; from that one it goes on.
     A jump is a change of amplitude by more than 10 %, and more than three times what either neighbouring step shows.
-    Raises ValueError for parameters out of range, ArithmeticError where the motion escapes or chatters.
+    Raises ValueError for parameters out of range, or where the mass would never move, ArithmeticError where the motion
+    escapes or chatters.
     """
     frequencies = np.asarray(Omega, dtype=float)
     if frequencies.ndim != 1 or frequencies.size == 0:
         raise ValueError(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
     for frequency in frequencies:
-        check_forcing(system, float(frequency), F_0)
+        check_numbers(system, float(frequency), F_0)
+    check_forcing(system, float(frequencies.max()), F_0)
     integrator = integrator or default_integrator(system)
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
-    settled = np.zeros(frequencies.size, bool)
+    settled, rested = np.zeros(frequencies.size, bool), np.zeros(frequencies.size, bool)
     u, v = 0.0, 0.0
     for i, frequency in enumerate(frequencies):
         with limited():
             end = settle(Forced(system, float(frequency), F_0, integrator), 0.0, u, v, HALF_TURNS, most_turns)
-        u, v, spent[i], settled[i] = end.u, end.v, end.turns, end.found is not None
+        rested[i] = at_rest(end.phases)
+        u, v, spent[i], settled[i] = end.u, end.v, end.turns, end.found is not None or rested[i]
         if end.found is None:
             A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in end.phases)
             rests[i] = stops(end.phases)
         else:
             A[i], rests[i] = end.found.A, end.found.stops
-    return Sweep(F_0, frequencies, A, rests, spent, settled, _jumps(frequencies, A))
+    return Sweep(F_0, frequencies, A, rests, spent, settled, _jumps(frequencies, np.where(rested, np.nan, A)))
 
 
 def _jumps(Omega: Array, A: Array) -> tuple[tuple[float, float], ...]:
+    """NaN where the mass rests: to begin to move is no jump."""
     change = np.abs(np.diff(A))
     relative = change / np.maximum(A[1:], A[:-1])
+    known = np.nan_to_num(change)
     beside = np.zeros(change.size)
-    beside[1:] = change[:-1]
-    beside[:-1] = np.maximum(beside[:-1], change[1:])
+    beside[1:] = known[:-1]
+    beside[:-1] = np.maximum(beside[:-1], known[1:])
     found = np.flatnonzero((relative > JUMP) & (change > 3.0 * beside))
     return tuple((float(Omega[i]), float(Omega[i + 1])) for i in found if math.isfinite(relative[i]))

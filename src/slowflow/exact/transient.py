@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -153,7 +153,8 @@ def transient(
     A and a_max are the largest for all time. Raises ArithmeticError where the motion escapes a softening spring,
     chatters where the force jumps, or does not turn.
     """
-    stretches = list(_followed(system, arcs, begin, after, integrator or default_integrator(system)))
+    forced = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
+    stretches = list(_followed(forced, arcs, begin, after, integrator or default_integrator(system)))
     phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]
     last = phases[-1][1]
     # between switches u is monotone

@@ -42,12 +42,19 @@ static inline sf_equations sf_equations_in(double *numbers, sf_border *at, long 
                           .border = at};
 }
 
+/* Turns a row of derivatives whose last is by the amplitude of the force into one by that of the excitation. */
+static inline void sf_excited(double *row, long n, double by_Omega, double by_F_0)
+{
+    row[n - 2] += by_Omega * row[n - 1];
+    row[n - 1] *= by_F_0;
+}
+
 static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, const double *z, sf_equations *out,
                                      double *work)
 {
     const sf_system *const system = forced->system;
     const long k = cycle->k, n = k + 4;
-    const double Omega = forced->Omega = z[k + 2], F_0 = forced->F_0, mu = system->mu;
+    const double Omega = forced->Omega = z[k + 2], force = sf_forcing(forced), mu = system->mu;
     double u = z[0], v = 0.0, theta = z[1];
     double *const of_u = work, *const of_v = work + n, *const of_theta = work + 2 * n;
     memset(work, 0, 3 * (size_t)n * sizeof *work);
@@ -72,7 +79,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             const double stiffness = law->slope(p, u);
             for (long j = 0; j < n; j++) {
                 of_v[j] = 0.0;
-                row[j] = -F_0 * sin(end) * of_theta[j] - stiffness * of_u[j];
+                row[j] = -force * sin(end) * of_theta[j] - stiffness * of_u[j];
             }
             row[n - 1] += cos(end);
             /* at break-away the push balances friction: the acceleration is continuous, only v is forgotten */
@@ -134,7 +141,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             double *const gradient = out->gradients + out->borders * n;
             const double stiffness = law->slope(p, u);
             for (long j = 0; j < n; j++)
-                gradient[j] = next_slip * (-F_0 * sin(end) * of_theta[j] - stiffness * of_u[j]);
+                gradient[j] = next_slip * (-force * sin(end) * of_theta[j] - stiffness * of_u[j]);
             gradient[n - 1] += next_slip * cos(end);
             out->border[out->borders++] = (sf_border){(int)i, 1, next_slip * sf_push(forced, region, end, u) - mu};
         }
@@ -146,6 +153,15 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
     double whole = 0.0;
     for (long i = 0; i < k; i++)
         whole += z[2 + i], spans[2 + i] = 1.0;
+    if (system->inertial) { /* up to here the last column is by the amplitude of the force */
+        double by[2];
+        inertia_force_slopes(Omega, forced->F_0, by);
+        for (long r = 0; r < k + 2; r++)
+            sf_excited(out->jacobian + r * n, n, by[0], by[1]);
+        for (long r = 0; r < out->borders; r++)
+            sf_excited(out->gradients + r * n, n, by[0], by[1]);
+        sf_excited(out->of_A, n, by[0], by[1]);
+    }
     out->residual[k + 1] = whole - 0.5 * SF_TURN * cycle->half_turns;
     for (int r = 0; r < 2; r++)
         for (int c = 0; c < 2; c++)

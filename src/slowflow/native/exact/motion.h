@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "exact_conventions.h"
+#include "inertia.h"
 #include "step.h"
 #include "first_zero.h"
 
@@ -19,8 +20,10 @@ typedef struct {
     const sf_law *law[SF_MOST_LAWS];
     double constants[SF_MOST_LAWS][SF_MOST_CONSTANTS], breakpoint[SF_MOST_LAWS];
     double mu, zeta;
+    int inertial; /* whether F_0 stands for a force F_0 Omega^2 */
 } sf_system;
 
+/* F_0: amplitude of the excitation, see sf_forcing */
 typedef struct {
     const sf_system *system;
     double Omega, F_0;
@@ -47,17 +50,23 @@ static inline const double *sf_constants_of(const sf_system *system, int region)
     return system->constants[abs(region)];
 }
 
+/* amplitude of the force */
+static inline double sf_forcing(const sf_forced *forced)
+{
+    return forced->system->inertial ? inertia_force(forced->Omega, forced->F_0) : forced->F_0;
+}
+
 static inline sf_drive sf_drive_of(const sf_forced *forced, int slip)
 {
     const sf_system *const system = forced->system;
-    return (sf_drive){forced->Omega, forced->F_0, system->zeta, slip * system->mu};
+    return (sf_drive){forced->Omega, sf_forcing(forced), system->zeta, slip * system->mu};
 }
 
 /* what friction has to hold at rest */
 static inline double sf_push(const sf_forced *forced, int region, double theta, double u)
 {
     const sf_system *const system = forced->system;
-    return forced->F_0 * cos(theta) - sf_law_of(system, region)->value(sf_constants_of(system, region), u);
+    return sf_forcing(forced) * cos(theta) - sf_law_of(system, region)->value(sf_constants_of(system, region), u);
 }
 
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
@@ -86,10 +95,11 @@ static double sf_break_away(const sf_forced *forced, int region, double theta, d
 {
     const sf_system *const system = forced->system;
     const double force = sf_law_of(system, region)->value(sf_constants_of(system, region), u);
+    const double amplitude = sf_forcing(forced);
     double first = HUGE_VAL;
     *direction = 0;
     for (int slip = -1; slip <= 1; slip += 2) {
-        const double cosine = (force + slip * system->mu) / forced->F_0;
+        const double cosine = (force + slip * system->mu) / amplitude;
         if (!(fabs(cosine) < 1.0))
             continue;
         /* cos theta rises through it for slip = 1 and falls for slip = -1 */
