@@ -8,6 +8,7 @@ To the solver's extension a further source is added by putting it into src/slowf
 """
 
 import os
+import subprocess
 import sysconfig
 from pathlib import Path
 
@@ -40,8 +41,10 @@ class Build(build_ext):
         super().finalize_options()
 
     def run(self):
+        # asked before, as setuptools builds a checkout as if it were none
+        self.runs_here = self.inplace or self.editable_mode
         super().run()
-        if self.inplace or self.editable_mode:
+        if self.runs_here:
             return
         missing = [one.name for one in self.extensions if not Path(self.get_ext_fullpath(one.name)).exists()]
         if missing:
@@ -54,7 +57,18 @@ class Build(build_ext):
     def build_extensions(self):
         for extension in self.extensions:
             extension.extra_compile_args = FLAGS.get(self.compiler.compiler_type, [])
+        if self.runs_here and self.is_for_fma():
+            (solvers,) = (one for one in self.extensions if one.name == "slowflow._native")
+            solvers.sources = [source for source in solvers.sources if Path(source).name != "solvers_baseline.c"]
+            solvers.define_macros = [*solvers.define_macros, ("SF_WITHOUT_BASELINE", "1")]
         super().build_extensions()
+
+    def is_for_fma(self):
+        """Whether this machine takes the solvers for fma: a checkout runs where it was built, others are not called."""
+        command = [*getattr(self.compiler, "compiler", ["false"]), "-march=native", "-dM", "-E", "-x", "c", os.devnull]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        told = set(done.stdout.split())
+        return {"__x86_64__", "__FMA__", "__AVX2__", "__BMI__", "__BMI2__"} <= told and "__clang__" not in told
 
 
 def extension(name, sources):

@@ -19,7 +19,7 @@ from tests.test_solver_paths import random_designs
 pytestmark = pytest.mark.both_backends
 
 #: designs; NumPy takes a hundred times as long for each
-MANY = 200 if backend.SOLVER is None else 1000
+MANY = 80 if backend.SOLVER is None else 1000
 
 
 def dense(model, A_max):

@@ -123,6 +123,13 @@ def test_a_scene_runs_in_any_folder(installed: Path, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
+def test_a_wheel_has_the_solvers_for_any_processor(installed: Path, tmp_path: Path) -> None:
+    """A checkout may leave them out."""
+    asked = "from slowflow import backend; print(backend.SOLVER and backend.SOLVER.BUILD['builds'])"
+    done = run([installed / "python", "-c", asked], tmp_path)
+    assert done.stdout.split(", ")[0].strip() in ("baseline", "one", "None"), done.stderr
+
+
 def test_the_report_is_printed_in_any_folder_and_says_what_it_cannot_draw(installed: Path, tmp_path: Path) -> None:
     done = run([installed / "slowflow", "paper"], tmp_path)
     assert done.returncode == 0, done.stderr

@@ -11,7 +11,7 @@ from __future__ import annotations
 import functools
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
@@ -32,7 +32,7 @@ class Program:
 
     lets: tuple[Let, ...]
     outputs: tuple[sp.Expr, ...]
-    counts: dict[str, int]
+    counts: dict[str, int] = field(hash=False)
 
 
 @functools.cache

@@ -9,7 +9,6 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
-from collections.abc import Sequence
 from pathlib import Path
 
 import sympy as sp
@@ -19,7 +18,8 @@ from .passes import Program
 DATA = Path(__file__).with_name("proved.json")
 
 
-def digest(program: Program, arguments: Sequence[sp.Symbol]) -> str:
+@functools.cache
+def digest(program: Program, arguments: tuple[sp.Symbol, ...]) -> str:
     """Of what is computed, in which order."""
     return hashlib.sha256(repr((arguments, program.lets, program.outputs)).encode()).hexdigest()[:16]
 
@@ -30,7 +30,7 @@ def stored() -> dict[str, dict[str, object]]:
     return json.loads(DATA.read_text(encoding="utf-8"))
 
 
-def in_words(program: Program, arguments: Sequence[sp.Symbol]) -> str:
+def in_words(program: Program, arguments: tuple[sp.Symbol, ...]) -> str:
     """k of each output, `-` where it is not proved; "" where none is."""
     found = stored().get(digest(program, arguments))
     return "" if found is None else ", ".join("-" if k is None else k for k in found["k"])

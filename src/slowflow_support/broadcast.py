@@ -16,15 +16,26 @@ def floats(*arguments: Any) -> tuple[Floats, ...]:
     return tuple(np.asarray(argument, dtype=float) for argument in arguments)
 
 
+def common_shape(arguments: Sequence[Any]) -> tuple[int, ...]:
+    """The shape to which all arguments broadcast; there is mostly one, and NumPy's own search takes microseconds."""
+    shapes = {np.shape(argument) for argument in arguments} - {()}
+    return np.broadcast_shapes(*shapes) if len(shapes) > 1 else next(iter(shapes), ())
+
+
+def _in_shape(value: Any, shape: tuple[int, ...]) -> Any:
+    """A copy of the value in a shape."""
+    return np.array(value if np.shape(value) == shape else np.broadcast_to(value, shape))[()]
+
+
 def full(value: Any, arguments: Sequence[Any]) -> Any:
     """A copy of the value in the common shape of all arguments, also of those it does not depend on."""
-    shape = np.broadcast_shapes(*(np.shape(argument) for argument in arguments))
-    return np.array(np.broadcast_to(value, shape))[()]
+    return _in_shape(value, common_shape(arguments))
 
 
 def stacked(values: Sequence[Any], arguments: Sequence[Any]) -> Floats:
     """Coefficients along a new first axis, each in the common shape of all arguments."""
-    return np.stack([full(value, arguments) for value in values])
+    shape = common_shape(arguments)
+    return np.stack([_in_shape(value, shape) for value in values])
 
 
 def by_regime(
@@ -34,13 +45,13 @@ def by_regime(
 
     A NaN fails every guard and reaches the last body, which hands it on.
     """
-    shape = np.broadcast_shapes(*(argument.shape for argument in arguments))
+    shape = common_shape(arguments)
     left = np.ones(shape, dtype=bool)
     results: tuple[Floats, ...] = ()
     for guard, body in zip((*guards, True), bodies, strict=True):
         mask = left & guard
         if mask.all():
-            return tuple(full(value, arguments) for value in body(*arguments))
+            return tuple(_in_shape(value, shape) for value in body(*arguments))
         if mask.any():
             results = results or tuple(np.empty(shape) for _ in range(outputs))
             chosen = [a if a.ndim == 0 else np.broadcast_to(a, shape)[mask] for a in arguments]

@@ -8,6 +8,7 @@ is monotone too. So a segment holds at most one state at any frequency, and has 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -68,8 +69,9 @@ class Skeleton:
         return [segment for curve in self.curves for segment, _ in curve]
 
 
+@lru_cache(maxsize=16)
 def skeleton(model: Model, F_0: float) -> Skeleton:
-    """Segments and how they hang together, for F_0 > m."""
+    """Segments and how they hang together, for F_0 > m; kept, as states at one frequency after another ask for it."""
     A_max, remark = amplitude_bound(model, F_0)
     roots: Along = inertia.Roots(model, F_0) if model.inertial else Roots(model, F_0)
     folds = saddle_nodes(model, F_0)

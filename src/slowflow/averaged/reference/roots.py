@@ -44,6 +44,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from slowflow.backend import SOLVER
 from slowflow_kernels import frequencies, slow_flow_zeta0
+from slowflow_support.broadcast import common_shape, floats
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -511,9 +512,9 @@ def _broadcast(
 
     places, any_sign -- for how many roots, and which arguments may be negative
     """
-    arrays = np.broadcast_arrays(*(np.asarray(parameter, dtype=np.float64) for parameter in parameters))
-    shape = arrays[0].shape
-    flat = [array.reshape(-1) for array in arrays]
+    arrays = floats(*parameters)
+    shape = common_shape(arrays)
+    flat = [(array if array.shape == shape else np.broadcast_to(array, shape)).reshape(-1) for array in arrays]
     n = flat[0].size
     found, count = np.full((n, places), np.nan), np.full(n, -1, np.int32)
     with np.errstate(all="ignore"):

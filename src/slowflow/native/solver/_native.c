@@ -36,6 +36,10 @@ static int fill(PyObject *self)
 {
     if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
         return -1;
+    if (sf_here() == NULL) {
+        PyErr_SetString(PyExc_ImportError, "built on a processor with fma and AVX2, which this one has not: build again");
+        return -1;
+    }
     for (int i = 0; i < COUNT; i++) {
         loops[i] = (PyUFuncGenericFunction)gufuncs[i].loop;
         PyObject *gufunc = PyUFunc_FromFuncAndDataAndSignature(
@@ -51,7 +55,11 @@ static int fill(PyObject *self)
     if (sf_add_records(self) < 0 || sf_add_answers(self) < 0 || sf_add_batches(self) < 0 ||
         sf_add_certificates(self) < 0 || sf_add_second(self) < 0)
         return -1;
+#ifdef SF_WITHOUT_BASELINE
+    return sf_add_build(self, SF_FMA_TARGET, SF_FMA_CHOSEN);
+#else
     return sf_add_build(self, SF_FMA_BUILDS, SF_FMA_CHOSEN);
+#endif
 }
 
 static PyModuleDef_Slot slots[] = {

@@ -23,7 +23,11 @@ const sf_solvers *sf_here(void)
         __builtin_cpu_supports("bmi2"))
         return &sf_solvers_fma;
 #endif
+#ifdef SF_WITHOUT_BASELINE
+    return NULL;
+#else
     return &sf_solvers_baseline;
+#endif
 }
 
 const sf_mechanism *sf_record_in(PyObject *capsule)
