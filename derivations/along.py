@@ -9,6 +9,7 @@ The eliminations, each proved on the way:
                                      and on a line, which meet once where I >= m; R, I and with them Omega follow from A
     isola point  F_A = F_Omega = 0   I from F_Omega leaves F_A = 2 R (h_A - Omega^2); so Omega^2 = h_A, in F_Omega/(4 A)
     cusp         F_A = F_AA = 0      F_AA/2 is a quadratic in X = Omega^2; its discriminant without what cancels
+    state        at an Omega         R by its tangent as well: where Omega^2 + h_A is small that varies less along A
     peak         F = F_Omega = 0     R from F_Omega, which leaves F_A = -2 R (Omega^2 - h_A)
     rest         F = Omega = 0       h^2 = c^2, one smooth function for each sign of h
     zeta = 0                         F_A has the factor R and another, on which F_AA is a product too
@@ -105,6 +106,8 @@ class Along:
     least -- the size of h at Omega = 0, and the least size of k at a fold
     intercept -- k = h - A h_A, where R meets A = 0 along its tangent, and its slope
     F_Omega_reduced -- F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega
+    state_R -- R by its definition, and by its tangent's intercept
+    state -- F with two derivatives along A, in R
     damped, undamped -- of its own: one of them
     """
 
@@ -115,6 +118,9 @@ class Along:
     intercept: tuple[sp.Expr, ...]
     F_Omega_reduced_lets: tuple[Let, ...]
     F_Omega_reduced: tuple[sp.Expr, ...]
+    state_R: tuple[sp.Expr, ...]
+    state_lets: tuple[Let, ...]
+    state: tuple[sp.Expr, ...]
     damped: Damped | None
     undamped: Undamped | None
 
@@ -149,6 +155,9 @@ def along(flow: SlowFlow) -> Along:
         intercept=tuple(map(sp.expand, (of_tangent := _intercept(flow.R), slope(of_tangent)))),
         F_Omega_reduced_lets=reduced_lets,
         F_Omega_reduced=reduced,
+        state_R=_state_R(flow),
+        state_lets=((I, flow.I),),
+        state=(flow.F, flow.F_A, flow.F_AA),
         damped=_damped(flow) if has_zeta else None,
         undamped=None if has_zeta else _undamped(flow),
     )
@@ -162,6 +171,13 @@ def _F_Omega_reduced(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ..
     whole = value.subs(_p, p_value) * (Omega if q_value == 0 else 1)
     _vanishes(whole - flow.F_Omega.subs({R: flow.R, I: flow.I}) / (4 * A), "F_Omega/(4 A)")
     return ((_p, p_value),), (value, sp.expand(sp.diff(value, Omega)))
+
+
+def _state_R(flow: SlowFlow) -> tuple[sp.Expr, ...]:
+    """R, and the same by the intercept of its tangent, which is k at any Omega."""
+    by_tangent = k + A * slope(flow.R)
+    _vanishes(by_tangent.subs(k, _intercept(flow.R)) - flow.R, "R by its tangent")
+    return flow.R, by_tangent
 
 
 def _damped(flow: SlowFlow) -> Damped:

@@ -307,6 +307,29 @@ static inline void slow_flow_intervals_F_Omega_reduced(sf_interval Omega, sf_int
     out[1] = sfi_add(p, sfi_times(3.0, t0));
 }
 
+/* R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
+   Equation (24). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_state_R(sf_interval Omega, sf_interval A, sf_interval h, sf_interval h_A, sf_interval k, sf_interval *out)
+{
+    const sf_interval t0 = sfi_square(Omega);
+    out[0] = sfi_add(sfi_mul(A, t0), h);
+    out[1] = sfi_add(sfi_mul(A, sfi_add(h_A, t0)), k);
+}
+
+/* F and its first two derivatives along A, by R (`state_R`).
+   Equation (24), (30), (33). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_state(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval R, sf_interval *out)
+{
+    const sf_interval t0 = sfi_times(2.0, sfi_mul(Omega, zeta));
+    const sf_interval I_ = sfi_add(sfi_mul(A, t0), m);
+    const sf_interval t1 = sfi_square(Omega);
+    const sf_interval t2 = sfi_add(h_A, t1);
+    out[0] = sfi_add(sfi_square(R), sfi_mul(sfi_add(sfi_neg(F_0), I_), sfi_add(F_0, I_)));
+    out[1] = sfi_times(2.0, sfi_add(sfi_mul(I_, t0), sfi_mul(R, t2)));
+    out[2] = sfi_times(2.0, sfi_add(sfi_add(sfi_mul(R, h_AA), sfi_times(4.0, sfi_mul(t1, sfi_square(zeta)))),
+        sfi_square(t2)));
+}
+
 /* F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.
    Equation from (33). Domain: A > 0, h_AA other than 0. */
 static inline void slow_flow_intervals_cusps_scaled(sf_interval A, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval kappa, sf_interval *out)

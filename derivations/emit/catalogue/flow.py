@@ -496,7 +496,8 @@ def damped_kernels(along: Damped) -> list[Kernel]:
 
 
 def cell_kernels(along: Along, scene: str) -> tuple[Kernel, ...]:
-    """What only intervals are asked for: F_Omega without what is common, where one damping vanishes another form."""
+    """What only intervals are asked for: F_Omega without what is common, where one damping vanishes another form; the
+    states at a frequency, and cusps in numbers without scale."""
     if len(SCENES[scene]) > 1:
         return ()
     reduced = plain(
@@ -507,7 +508,28 @@ def cell_kernels(along: Along, scene: str) -> tuple[Kernel, ...]:
         "(34)",
         lets=along.F_Omega_reduced_lets,
     )
-    return (reduced,) if scene else (reduced, *cusp_cells(along.damped))
+    return (reduced,) if scene else (reduced, *state_cells(along), *cusp_cells(along.damped))
+
+
+def state_cells(along: Along) -> tuple[Kernel, ...]:
+    """F along the amplitude: R in both forms first, of which what both hold is taken."""
+    return (
+        plain(
+            "state_R",
+            (Omega, A, h, h_A, k),
+            along.state_R,
+            "R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.",
+            "(24)",
+        ),
+        plain(
+            "state",
+            (Omega, A, F_0, m, zeta, h_A, h_AA, R),
+            along.state,
+            "F and its first two derivatives along A, by R (`state_R`).",
+            "(24), (30), (33)",
+            lets=along.state_lets,
+        ),
+    )
 
 
 def cusp_cells(along: Damped) -> tuple[Kernel, ...]:

@@ -49,11 +49,12 @@ typedef struct {
 
 typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
 
-/* One of these functions on a cell: where it is defined, and what holds it and its slope there. edge: its sign at the
- * end of where it is defined, if there is one such end in the cell and the sign is known; else 0 */
+/* One of these functions on a cell: where it is defined, what holds it and its slope there, and in a proof that slope's
+ * slope, if it is known. edge: its sign at the end of where it is defined, if there is one such end in the cell and the sign
+ * is known; else 0 */
 typedef struct {
     sf_where where;
-    sf_interval y, dy;
+    sf_interval y, dy, ddy;
     int edge;
 } sf_range;
 

@@ -204,10 +204,13 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, 
 
 static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_terms *terms = &proving->terms;
+    sf_interval R[2], state[3];
     (void)open;
-    sf_range_simple(slow_flow_intervals_F(proving->Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h),
-                    slow_flow_intervals_F_A(proving->Omega, cell->A, terms->m, terms->zeta, cell->h, cell->h_A),
-                    SF_THROUGHOUT, &out[0]);
+    slow_flow_intervals_state_R(proving->Omega, cell->A, cell->h, cell->h_A, cell->k, R);
+    slow_flow_intervals_state(proving->Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h_A, cell->h_AA,
+                              sfi_both(R[0], R[1]), state);
+    sf_range_simple(state[0], state[1], SF_THROUGHOUT, &out[0]);
+    out[0].ddy = state[2];
 }
 
 /* Every state at (Omega, F_0). */

@@ -13,7 +13,8 @@
 
 /* what is not decided after so many cells is left in doubt */
 #define SF_MOST_PROOF_CELLS 4000
-/* a narrower interval, relatively, is not cut any more: it may hold a double zero, or a zero may lie on its end */
+/* in an interval that is narrower, relatively, a zero may lie on an end or be double: it is cut only as long as that tells
+ * more, and not where the function ends */
 #define SF_PROOF_NARROW 0x1p-36
 /* nor one that ends so near to the beginning of its piece, relatively */
 #define SF_PROOF_NEXT 0x1p-200
@@ -57,6 +58,7 @@ static inline sf_proving sf_proving_of(const sf_given *given, double F_0, sf_pro
 
 static void sf_clear_range(sf_range out[2]) {
     out[0].where = out[1].where = SF_NOWHERE, out[0].edge = out[1].edge = 0;
+    out[0].ddy = out[1].ddy = sfi_of(-HUGE_VAL, HUGE_VAL);
 }
 
 /* A function at something known. */
@@ -86,8 +88,9 @@ static void sf_range_between(const sf_proving *proving, const sf_checked *a, con
 }
 
 /* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. last: if it need not be told from the end of what is
- * asked, which smaller cells may do */
-static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range, int last) {
+ * asked, which smaller cells may do. The slope's range becomes narrower where its own slope is known. */
+static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range *range, int last) {
+    const double width = sfi_up(b->known.A - a->known.A);
     const sf_range *at_a, *at_b;
     sf_interval low, high;
     if (range->where == SF_NOWHERE || sfi_has_sign(range->y))
@@ -107,7 +110,8 @@ static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, 
         return 2;
     if (at_a->where != SF_THROUGHOUT || at_b->where != SF_THROUGHOUT)
         return 2;
-    if (sfi_has_sign(sfi_both(range->y, sf_along(low, high, range->dy, sfi_up(b->known.A - a->known.A)))))
+    range->dy = sfi_both(range->dy, sf_along(at_a->dy, at_b->dy, range->ddy, width));
+    if (sfi_has_sign(sfi_both(range->y, sf_along(low, high, range->dy, width))))
         return 0;
     if (!(sfi_has_sign(range->dy) && sfi_has_sign(low) && sfi_has_sign(high)))
         return 2;
@@ -221,17 +225,27 @@ static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int 
     out->doubt[out->doubts].piece = piece, out->doubt[out->doubts++].channel = c;
 }
 
+/* Whether smaller cells tell no more of a function. */
+static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
+    const sf_range *at_a, *at_b;
+    if (range->where != SF_THROUGHOUT)
+        return 1;
+    at_a = sf_value_at(proving, a, c), at_b = sf_value_at(proving, b, c);
+    return at_a->where != SF_THROUGHOUT || at_b->where != SF_THROUGHOUT || sf_is_noise(range->y, range->dy, at_a->y, at_b->y);
+}
+
 static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checked *b, int open) {
     const double low = a->known.A, high = b->known.A, x = sf_amid(0, low, high);
-    const int last = !(x > low && x < high) || high - low <= SF_PROOF_NARROW * high ||
-                     high <= SF_PROOF_NEXT * sf_beginning(proving->given, proving->piece).lo ||
-                     proving->out->cells++ >= SF_MOST_PROOF_CELLS;
+    const int narrow = high - low <= SF_PROOF_NARROW * high;
+    const int end = !(x > low && x < high) || high <= SF_PROOF_NEXT * sf_beginning(proving->given, proving->piece).lo ||
+                    proving->out->cells++ >= SF_MOST_PROOF_CELLS;
     sf_checked middle;
     sf_range range[2];
     sf_cell cell;
     int c;
     sf_range_between(proving, a, b, open, &cell, range);
     for (c = 0; c < proving->channels; c++) {
+        const int last = end || (narrow && open & 1 << c && sf_is_cut_enough(proving, a, b, c, &range[c]));
         const int crossing = open & 1 << c ? sf_crossing(proving, a, b, c, &range[c], last) : 0;
         if (crossing == 1 || crossing == -1)
             sf_add_proven(proving, a, b, c, &range[c], &cell, crossing == 1);

@@ -8,7 +8,7 @@
 
 enum { SF_MOST_ROOTS = 8, SF_MOST_ROOT_CELLS = 1000 };
 
-/* a narrower interval, relatively, is not cut any more: it may hold a double root */
+/* in a narrower interval, relatively, a root may be double: it is cut only as long as that tells more */
 #define SF_ROOT_NARROW 0x1p-32
 /* intervals in doubt that are nearer to each other than this, relatively, are one */
 #define SF_ROOTS_TOUCH 0x1p-30
@@ -84,22 +84,21 @@ static sf_interval sf_narrow_root(const sf_at_amplitude *q, sf_interval w) {
 static void sf_roots_between(const sf_at_amplitude *q, double low, double high, sf_roots *out) {
     const sf_interval w = sfi_of(low, high);
     const double middle = sf_amid(0, low, high);
-    const int last = !(middle > low && middle < high) || high - low <= SF_ROOT_NARROW * high ||
-                     out->cells++ > SF_MOST_ROOT_CELLS;
+    const int last = !(middle > low && middle < high) || out->cells++ > SF_MOST_ROOT_CELLS;
     sf_interval y, dy, at_low, at_high, unused;
     sf_value_on(q, w, &y, &dy);
     if (sfi_has_sign(y))
         return;
-    if (sfi_has_sign(dy)) {
-        sf_value_on(q, sfi_point(low), &at_low, &unused);
-        sf_value_on(q, sfi_point(high), &at_high, &unused);
-        if (sfi_has_sign(at_low) && sfi_has_sign(at_high)) {
-            if (sfi_positive(at_low) != sfi_positive(at_high))
-                sf_add_root(out, sf_narrow_root(q, w), 0);
-            return;
-        }
+    sf_value_on(q, sfi_point(low), &at_low, &unused);
+    sf_value_on(q, sfi_point(high), &at_high, &unused);
+    if (sfi_has_sign(sf_along(at_low, at_high, dy, sfi_up(high - low))))
+        return;
+    if (sfi_has_sign(dy) && sfi_has_sign(at_low) && sfi_has_sign(at_high)) {
+        if (sfi_positive(at_low) != sfi_positive(at_high))
+            sf_add_root(out, sf_narrow_root(q, w), 0);
+        return;
     }
-    if (last) {
+    if (last || (high - low <= SF_ROOT_NARROW * high && sf_is_noise(y, dy, at_low, at_high))) {
         sf_add_root(out, w, 1);
         return;
     }
