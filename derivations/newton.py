@@ -8,11 +8,12 @@ Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the
     state        F = 0               A at Omega and F_0
     fold         F = F_A = 0         Omega and A at F_0
     peak         F = F_Omega = 0     Omega and A at F_0
-    cusp         F_A = F_AA = 0      Omega and A, and with them F_0
-    isola        F_A = F_Omega = 0   Omega and A, and with them F_0
+    cusp         F_A = F_AA = 0      Omega and A, and F_0 from F = 0
+    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0
     corner       F = 0               Omega at F_0, A being a breakpoint
 
-Evaluated with more digits than a double has, a step from an answer that is nearly right leaves its rounding alone.
+With f to more digits than a double has, a step from an answer that is nearly right leaves its rounding alone; of J a
+few digits are enough.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .slow_flow import SlowFlow
-from .symbols import A, Omega
+from .symbols import F_0, A, Omega
 
 
 @dataclass(frozen=True)
@@ -30,11 +31,13 @@ class Step:
     """In the derivatives of F.
 
     lets    -- these derivatives, in R, I, h and the derivatives of h
+    values  -- those of them that should vanish
     changes -- of the unknowns, in the order of `EQUATIONS`
     turn    -- as above; 0 where the slope is no equation of any answer
     """
 
     lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    values: tuple[sp.Symbol, ...]
     changes: tuple[sp.Expr, ...]
     turn: sp.Expr
 
@@ -44,8 +47,8 @@ EQUATIONS = {
     "state": (("F",), (A,), "F"),
     "fold": (("F", "F_A"), (Omega, A), "F_A"),
     "peak": (("F", "F_Omega"), (Omega, A), "F"),
-    "cusp": (("F_A", "F_AA"), (Omega, A), "F_AA"),
-    "isola": (("F_A", "F_Omega"), (Omega, A), "F_A"),
+    "cusp": (("F_A", "F_AA"), (Omega, A, F_0), "F_AA"),
+    "isola": (("F_A", "F_Omega"), (Omega, A, F_0), "F_A"),
     "corner": (("F",), (Omega,), "F"),
 }
 #: derivatives of these along A and along Omega
@@ -63,7 +66,7 @@ def steps(flow: SlowFlow) -> dict[str, Step]:
 
 
 def _step(flow: SlowFlow, equations: tuple[str, ...], unknowns: tuple[sp.Symbol, ...], turning: str) -> Step:
-    """By Cramer's rule, the derivatives of F being names."""
+    """By Cramer's rule, the derivatives of F being names; F_0, which is in F alone, from the others."""
 
     def slope(equation: str, unknown: sp.Symbol) -> str:
         return ALONG[equation][unknown == Omega]
@@ -73,18 +76,24 @@ def _step(flow: SlowFlow, equations: tuple[str, ...], unknowns: tuple[sp.Symbol,
     def named(name: str) -> sp.Symbol:
         return names.setdefault(name, sp.Symbol(name, real=True))
 
+    moved = [unknown for unknown in unknowns if unknown != F_0]
     values = sp.Matrix([named(name) for name in equations])
-    jacobian = sp.Matrix([[named(slope(name, unknown)) for unknown in unknowns] for name in equations])
+    jacobian = sp.Matrix([[named(slope(name, unknown)) for unknown in moved] for name in equations])
     determinant = jacobian.det()
     changes = []
-    for column in range(len(unknowns)):
+    for column in range(len(moved)):
         replaced = jacobian.copy()
         replaced[:, column] = -values
         changes.append(replaced.det() / determinant)
-    first = slope(turning, unknowns[-1])
+    vanish = [*values]
+    if F_0 in unknowns:
+        vanish.append(named("F"))
+        left = vanish[-1] + sum(named(slope("F", x)) * change for x, change in zip(moved, changes, strict=True))
+        changes.append(-left / sp.diff(flow.F, F_0))
+    first = slope(turning, moved[-1])
     turn = sp.Integer(0)
     if first in ALONG:
-        turned = sum(named(slope(first, unknown)) * change for unknown, change in zip(unknowns, changes, strict=True))
+        turned = sum(named(slope(first, x)) * change for x, change in zip(moved, changes, strict=False))
         turn = turned / named(first)
     lets = tuple((symbol, getattr(flow, name)) for name, symbol in names.items())
-    return Step(lets, tuple(changes), turn)
+    return Step(lets, tuple(vanish), tuple(changes), turn)

@@ -67,6 +67,8 @@ class Kernel:
     searched   -- and on arrays of intervals, in Python
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
     paired     -- and in double-double, in C
+    to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
+                  of it where there are none
     """
 
     name: str
@@ -82,6 +84,7 @@ class Kernel:
     searched: bool = False
     looped: bool = True
     paired: bool = False
+    to_pairs: tuple[sp.Symbol, ...] = ()
 
     @property
     def width(self) -> int:

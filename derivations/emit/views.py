@@ -32,10 +32,11 @@ WIDTH = 116
 
 @dataclass(frozen=True)
 class Line:
-    """One assignment, printed; wrapped where it is long."""
+    """One assignment, printed; wrapped where it is long. number: its type, where that is not the kernel's own"""
 
     name: str
     value: str
+    number: str = ""
 
 
 @dataclass(frozen=True)

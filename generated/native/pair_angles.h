@@ -9,8 +9,14 @@
 
 #include "pair.h"
 
-/* The angle of (x, y) from 0 to pi/2, x and y not negative, not both 0. */
-static inline sf_pair pair_angles_atan2(sf_pair y, sf_pair x)
+#if defined(__GNUC__)
+#define PAIR_ANGLES_CONST __attribute__((const))
+#else
+#define PAIR_ANGLES_CONST
+#endif
+
+/* The angle whose tangent is y/x, 0 <= y <= x: where an angle and its complement are asked for, it is computed once. */
+PAIR_ANGLES_CONST static sf_pair pair_angles_acute(sf_pair y, sf_pair x)
 {
     static const sf_pair table[] = {
         {0.0, 0.0},
@@ -45,8 +51,7 @@ static inline sf_pair pair_angles_atan2(sf_pair y, sf_pair x)
         0.076923076923076927,
         -0.090909090909090912,
     };
-    const int steep = y.high > x.high;
-    const sf_pair t = steep ? sfp_div(x, y) : sfp_div(y, x);
+    const sf_pair t = sfp_div(y, x);
     const int k = (int)(16 * t.high + 0.5);
     const double c = k / 16.0;
     const sf_pair z = k == 0 ? t : sfp_div(sfp_sub(t, sfp_point(c)), sfp_add(sfp_point(1.0), sfp_times(c, t)));
@@ -57,8 +62,23 @@ static inline sf_pair pair_angles_atan2(sf_pair y, sf_pair x)
     sf_pair e = sfp_add(sfp_mul(w, sfp_point(tail)), first[0]);
     for (int i = 1; i < 4; i++)
         e = sfp_add(sfp_mul(w, e), first[i]);
-    const sf_pair angle = sfp_add(table[k], sfp_add(z, sfp_mul(z, sfp_mul(w, e))));
+    return sfp_add(table[k], sfp_add(z, sfp_mul(z, sfp_mul(w, e))));
+}
+
+/* The angle of (x, y) from 0 to pi/2, x and y not negative, not both 0. */
+TWOFOLD_INLINE sf_pair pair_angles_atan2(sf_pair y, sf_pair x)
+{
+    const int steep = y.high > x.high;
+    const sf_pair angle = pair_angles_acute(steep ? x : y, steep ? y : x);
     return steep ? sfp_sub(sfp_of(1.5707963267948966, 6.123233995736766e-17), angle) : angle;
+}
+
+/* The angle of (y, x): what pair_angles_atan2(x, y) gives. */
+TWOFOLD_INLINE sf_pair pair_angles_atan2_swapped(sf_pair y, sf_pair x)
+{
+    const int steep = y.high > x.high;
+    const sf_pair angle = pair_angles_acute(steep ? x : y, steep ? y : x);
+    return steep ? angle : sfp_sub(sfp_of(1.5707963267948966, 6.123233995736766e-17), angle);
 }
 
 #endif

@@ -14,7 +14,7 @@
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
-static inline void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
+TWOFOLD_INLINE void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
 {
     const sf_pair u_cr = p[3];
     out[0] = u_cr;
@@ -22,7 +22,7 @@ static inline void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
-static inline void rod_spring_pairs_given(sf_pair lam, sf_pair r, sf_pair delta_h, sf_pair *out)
+TWOFOLD_INLINE void rod_spring_pairs_given(sf_pair lam, sf_pair r, sf_pair delta_h, sf_pair *out)
 {
     const sf_pair u_cr = sfp_mul(sfp_sqrt(delta_h), sfp_sqrt(sfp_sub(sfp_point(2.0), delta_h)));
     const sf_pair t0 = sfp_mul(lam, r);
@@ -39,7 +39,7 @@ static inline void rod_spring_pairs_given(sf_pair lam, sf_pair r, sf_pair delta_
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-static inline void rod_spring_pairs_known_passed_0(sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
+TWOFOLD_INLINE void rod_spring_pairs_known_passed_0(sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
 {
     const sf_pair alpha = p[0];
     const sf_pair beta = p[1];
@@ -57,7 +57,7 @@ static inline void rod_spring_pairs_known_passed_0(sf_pair A, sf_pair beyond, co
     out[4] = sfp_mul(A3, sfp_add(sfp_times(1.5, beta), sfp_times(2.5, t1)));
 }
 
-static inline void rod_spring_pairs_known_passed_1(sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
+TWOFOLD_INLINE void rod_spring_pairs_known_passed_1(sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
 {
     const sf_pair alpha = p[0];
     const sf_pair beta = p[1];
@@ -69,7 +69,7 @@ static inline void rod_spring_pairs_known_passed_1(sf_pair A, sf_pair beyond, co
     const sf_pair x = sfp_mul(t0, u_cr);
     const sf_pair y = sfp_mul(root, t0);
     const sf_pair psi_0 = pair_angles_atan2(root, u_cr);
-    const sf_pair theta = pair_angles_atan2(u_cr, root);
+    const sf_pair theta = pair_angles_atan2_swapped(root, u_cr);
     const sf_pair t1 = sfp_mul(x, y);
     const sf_pair t2 = sfp_times(0.5, t1);
     const sf_pair M2 = sfp_add(sfp_neg(t2), sfp_times(0.5, theta));
@@ -125,7 +125,7 @@ static inline void rod_spring_pairs_known_passed_1(sf_pair A, sf_pair beyond, co
         sfp_mul(A3, t4)), sfp_times(4.0, sfp_mul(A5, t5))), sfp_mul(t0, t19)));
 }
 
-static inline void rod_spring_pairs_known(int passed, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
+TWOFOLD_INLINE void rod_spring_pairs_known(int passed, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out)
 {
     if (passed == 0) {
         rod_spring_pairs_known_passed_0(A, beyond, p, out);

@@ -13,23 +13,14 @@
 
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. */
-static inline sf_pair slow_flow_pairs_friction(sf_pair mu)
+TWOFOLD_INLINE sf_pair slow_flow_pairs_friction(sf_pair mu)
 {
     return sfp_mul(sfp_of(1.2732395447351628, -7.8714706700729944e-17), mu);
 }
 
-/* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0. */
-static inline sf_pair slow_flow_pairs_level(sf_pair Omega, sf_pair A, sf_pair m, sf_pair zeta, sf_pair h)
-{
-    const sf_pair R = sfp_add(sfp_mul(A, sfp_square(Omega)), h);
-    const sf_pair I_ = sfp_add(sfp_times(2.0, sfp_mul(sfp_mul(A, Omega), zeta)), m);
-    return sfp_sqrt(sfp_add(sfp_square(I_), sfp_square(R)));
-}
-
-/* By what A of a state change, and how far that is from linear.
+/* By what A change at a state, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, sf_pair *out)
+TWOFOLD_INLINE void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     (void)(h_AAA);
     const sf_pair t0 = sfp_square(Omega);
@@ -37,17 +28,16 @@ static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair 
     const sf_pair t1 = sfp_times(2.0, sfp_mul(Omega, zeta));
     const sf_pair I_ = sfp_add(sfp_mul(A, t1), m);
     const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
-    const sf_pair t2 = sfp_add(h_A, t0);
-    const sf_pair F_A = sfp_times(2.0, sfp_add(sfp_mul(I_, t1), sfp_mul(R, t2)));
-    const sf_pair F_AA = sfp_times(2.0, sfp_add(sfp_add(sfp_mul(R, h_AA), sfp_times(4.0, sfp_mul(t0,
-        sfp_square(zeta)))), sfp_square(t2)));
-    out[0] = sfp_neg(sfp_div(F, F_A));
-    out[1] = sfp_neg(sfp_div(sfp_mul(F, F_AA), sfp_square(F_A)));
+    const double t2 = h_A.high + t0.high;
+    const double F_A = 2.0 * (I_.high * t1.high + R.high * t2);
+    const double F_AA = 2.0 * (R.high * h_AA.high + 4.0 * t0.high * zeta.high * zeta.high + t2 * t2);
+    out[0] = -F.high / F_A;
+    out[1] = -F.high * F_AA / (F_A * F_A);
 }
 
-/* By what Omega and A of a fold change, and how far that is from linear.
+/* By what Omega, A change at a fold, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, sf_pair *out)
+TWOFOLD_INLINE void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair R = sfp_add(sfp_mul(A, t0), h);
@@ -58,26 +48,25 @@ static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F
     const sf_pair t3 = sfp_mul(I_, zeta);
     const sf_pair t4 = sfp_add(h_A, t0);
     const sf_pair F_A = sfp_times(2.0, sfp_add(sfp_times(2.0, sfp_mul(Omega, t3)), sfp_mul(R, t4)));
-    const sf_pair t5 = sfp_add(sfp_mul(Omega, R), t3);
-    const sf_pair F_Omega = sfp_times(4.0, sfp_mul(A, t5));
-    const sf_pair t6 = sfp_square(zeta);
-    const sf_pair F_AOmega = sfp_times(4.0, sfp_add(sfp_add(sfp_mul(t1, t4), sfp_mul(t2, t6)), t5));
-    const sf_pair t7 = sfp_times(4.0, t6);
-    const sf_pair F_AA = sfp_times(2.0, sfp_add(sfp_add(sfp_mul(R, h_AA), sfp_mul(t0, t7)), sfp_square(t4)));
-    const sf_pair F_AAOmega = sfp_times(4.0, sfp_mul(Omega, sfp_add(sfp_add(sfp_add(sfp_mul(A, h_AA), sfp_times(2.0,
-        h_A)), sfp_times(2.0, t0)), t7)));
-    const sf_pair F_AAA = sfp_times(2.0, sfp_add(sfp_mul(R, h_AAA), sfp_times(3.0, sfp_mul(h_AA, t4))));
-    const sf_pair t8 = sfp_inverse(sfp_add(sfp_neg(sfp_mul(F_A, F_AOmega)), sfp_mul(F_AA, F_Omega)));
-    const sf_pair t9 = sfp_mul(t8, sfp_add(sfp_neg(sfp_mul(F, F_AA)), sfp_square(F_A)));
-    const sf_pair t10 = sfp_mul(t8, sfp_sub(sfp_mul(F, F_AOmega), sfp_mul(F_A, F_Omega)));
+    const double t5 = Omega.high * R.high + t3.high;
+    const double F_Omega = 4.0 * A.high * t5;
+    const double t6 = zeta.high * zeta.high;
+    const double F_AOmega = 4.0 * (t1.high * t4.high + t2.high * t6 + t5);
+    const double t7 = 4.0 * t6;
+    const double F_AA = 2.0 * (R.high * h_AA.high + t0.high * t7 + t4.high * t4.high);
+    const double F_AAOmega = 4.0 * Omega.high * (A.high * h_AA.high + 2.0 * h_A.high + 2.0 * t0.high + t7);
+    const double F_AAA = 2.0 * (R.high * h_AAA.high + 3.0 * h_AA.high * t4.high);
+    const double t8 = 1.0 / (-F_A.high * F_AOmega + F_AA * F_Omega);
+    const double t9 = t8 * (-F.high * F_AA + F_A.high * F_A.high);
+    const double t10 = t8 * (F.high * F_AOmega - F_A.high * F_Omega);
     out[0] = t9;
     out[1] = t10;
-    out[2] = sfp_div(sfp_add(sfp_mul(F_AAA, t10), sfp_mul(F_AAOmega, t9)), F_AA);
+    out[2] = (F_AAA * t10 + F_AAOmega * t9) / F_AA;
 }
 
-/* By what Omega and A of a peak change, and how far that is from linear.
+/* By what Omega, A change at a peak, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, sf_pair *out)
+TWOFOLD_INLINE void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     (void)(h_AAA);
     const sf_pair t0 = sfp_square(Omega);
@@ -90,27 +79,25 @@ static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F
     const sf_pair t4 = sfp_add(sfp_mul(Omega, R), t3);
     const sf_pair t5 = sfp_times(4.0, A);
     const sf_pair F_Omega = sfp_mul(t4, t5);
-    const sf_pair t6 = sfp_add(h_A, t0);
-    const sf_pair F_A = sfp_times(2.0, sfp_add(sfp_times(2.0, sfp_mul(Omega, t3)), sfp_mul(R, t6)));
-    const sf_pair t7 = sfp_square(zeta);
-    const sf_pair t8 = sfp_mul(t2, t7);
-    const sf_pair F_OmegaOmega = sfp_mul(t5, sfp_add(sfp_add(R, sfp_times(2.0, t1)), t8));
-    const sf_pair F_AOmega = sfp_times(4.0, sfp_add(sfp_add(sfp_mul(sfp_mul(A, Omega), t6), sfp_mul(Omega, t8)), t4));
-    const sf_pair F_AA = sfp_times(2.0, sfp_add(sfp_add(sfp_mul(R, h_AA), sfp_times(4.0, sfp_mul(t0, t7))),
-        sfp_square(t6)));
-    const sf_pair t9 = sfp_inverse(sfp_add(sfp_neg(sfp_mul(F_A, F_OmegaOmega)), sfp_mul(F_AOmega, F_Omega)));
-    const sf_pair t10 = sfp_mul(t9, sfp_add(sfp_neg(sfp_mul(F, F_AOmega)), sfp_mul(F_A, F_Omega)));
-    const sf_pair t11 = sfp_mul(t9, sfp_sub(sfp_mul(F, F_OmegaOmega), sfp_square(F_Omega)));
+    const double t6 = h_A.high + t0.high;
+    const double F_A = 2.0 * (2.0 * Omega.high * t3.high + R.high * t6);
+    const double t7 = zeta.high * zeta.high;
+    const double t8 = t2.high * t7;
+    const double F_OmegaOmega = t5.high * (R.high + 2.0 * t1.high + t8);
+    const double F_AOmega = 4.0 * (A.high * Omega.high * t6 + Omega.high * t8 + t4.high);
+    const double F_AA = 2.0 * (R.high * h_AA.high + 4.0 * t0.high * t7 + t6 * t6);
+    const double t9 = 1.0 / (-F_A * F_OmegaOmega + F_AOmega * F_Omega.high);
+    const double t10 = t9 * (-F.high * F_AOmega + F_A * F_Omega.high);
+    const double t11 = t9 * (F.high * F_OmegaOmega - F_Omega.high * F_Omega.high);
     out[0] = t10;
     out[1] = t11;
-    out[2] = sfp_div(sfp_add(sfp_mul(F_AA, t11), sfp_mul(F_AOmega, t10)), F_A);
+    out[2] = (F_AA * t11 + F_AOmega * t10) / F_A;
 }
 
-/* By what Omega and A of a cusp change, and how far that is from linear.
+/* By what Omega, A, F_0 change at a cusp, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, sf_pair *out)
+TWOFOLD_INLINE void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(F_0);
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair R = sfp_add(sfp_mul(A, t0), h);
     const sf_pair t1 = sfp_mul(A, Omega);
@@ -122,22 +109,25 @@ static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F
     const sf_pair t5 = sfp_square(zeta);
     const sf_pair t6 = sfp_times(4.0, t5);
     const sf_pair F_AA = sfp_times(2.0, sfp_add(sfp_add(sfp_mul(R, h_AA), sfp_mul(t0, t6)), sfp_square(t4)));
-    const sf_pair F_AOmega = sfp_times(4.0, sfp_add(sfp_add(sfp_add(sfp_mul(Omega, R), sfp_mul(t1, t4)), sfp_mul(t2,
-        t5)), t3));
-    const sf_pair F_AAOmega = sfp_times(4.0, sfp_mul(Omega, sfp_add(sfp_add(sfp_add(sfp_mul(A, h_AA), sfp_times(2.0,
-        h_A)), sfp_times(2.0, t0)), t6)));
-    const sf_pair F_AAA = sfp_times(2.0, sfp_add(sfp_mul(R, h_AAA), sfp_times(3.0, sfp_mul(h_AA, t4))));
-    const sf_pair t7 = sfp_inverse(sfp_add(sfp_neg(sfp_mul(F_AA, F_AAOmega)), sfp_mul(F_AAA, F_AOmega)));
-    out[0] = sfp_mul(t7, sfp_add(sfp_neg(sfp_mul(F_A, F_AAA)), sfp_square(F_AA)));
-    out[1] = sfp_mul(t7, sfp_sub(sfp_mul(F_A, F_AAOmega), sfp_mul(F_AA, F_AOmega)));
-    out[2] = sfp_point(0.0);
+    const double t7 = Omega.high * R.high + t3.high;
+    const double F_AOmega = 4.0 * (t1.high * t4.high + t2.high * t5.high + t7);
+    const double F_AAOmega = 4.0 * Omega.high * (A.high * h_AA.high + 2.0 * h_A.high + 2.0 * t0.high + t6.high);
+    const double F_AAA = 2.0 * (R.high * h_AAA.high + 3.0 * h_AA.high * t4.high);
+    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const double F_Omega = 4.0 * A.high * t7;
+    const double t8 = 1.0 / (-F_AA.high * F_AAOmega + F_AAA * F_AOmega);
+    const double t9 = t8 * (-F_A.high * F_AAA + F_AA.high * F_AA.high);
+    const double t10 = t8 * (F_A.high * F_AAOmega - F_AA.high * F_AOmega);
+    out[0] = t9;
+    out[1] = t10;
+    out[2] = -0.5 * (-F.high - F_A.high * t10 - F_Omega * t9) / F_0.high;
+    out[3] = 0.0;
 }
 
-/* By what Omega and A of a isola change, and how far that is from linear.
+/* By what Omega, A, F_0 change at a isola, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, sf_pair *out)
+TWOFOLD_INLINE void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(F_0);
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair t1 = sfp_mul(A, t0);
     const sf_pair R = sfp_add(h, t1);
@@ -149,26 +139,27 @@ static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair 
     const sf_pair t5 = sfp_add(sfp_mul(Omega, R), t3);
     const sf_pair t6 = sfp_times(4.0, A);
     const sf_pair F_Omega = sfp_mul(t5, t6);
-    const sf_pair t7 = sfp_square(zeta);
-    const sf_pair t8 = sfp_times(2.0, t7);
-    const sf_pair F_AOmega = sfp_times(4.0, sfp_add(sfp_add(sfp_mul(t2, t4), sfp_mul(t2, t8)), t5));
-    const sf_pair t9 = sfp_times(4.0, t7);
-    const sf_pair F_AA = sfp_times(2.0, sfp_add(sfp_add(sfp_mul(R, h_AA), sfp_mul(t0, t9)), sfp_square(t4)));
-    const sf_pair F_OmegaOmega = sfp_mul(t6, sfp_add(sfp_add(sfp_mul(A, t8), R), sfp_times(2.0, t1)));
-    const sf_pair F_AAOmega = sfp_times(4.0, sfp_mul(Omega, sfp_add(sfp_add(sfp_add(sfp_mul(A, h_AA), sfp_times(2.0,
-        h_A)), sfp_times(2.0, t0)), t9)));
-    const sf_pair F_AAA = sfp_times(2.0, sfp_add(sfp_mul(R, h_AAA), sfp_times(3.0, sfp_mul(h_AA, t4))));
-    const sf_pair t10 = sfp_inverse(sfp_add(sfp_neg(sfp_mul(F_AA, F_OmegaOmega)), sfp_square(F_AOmega)));
-    const sf_pair t11 = sfp_mul(t10, sfp_add(sfp_neg(sfp_mul(F_A, F_AOmega)), sfp_mul(F_AA, F_Omega)));
-    const sf_pair t12 = sfp_mul(t10, sfp_sub(sfp_mul(F_A, F_OmegaOmega), sfp_mul(F_AOmega, F_Omega)));
+    const double t7 = zeta.high * zeta.high;
+    const double t8 = 2.0 * t7;
+    const double F_AOmega = 4.0 * (t2.high * t4.high + t2.high * t8 + t5.high);
+    const double t9 = 4.0 * t7;
+    const double F_AA = 2.0 * (R.high * h_AA.high + t0.high * t9 + t4.high * t4.high);
+    const double F_OmegaOmega = t6.high * (A.high * t8 + R.high + 2.0 * t1.high);
+    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const double F_AAOmega = 4.0 * Omega.high * (A.high * h_AA.high + 2.0 * h_A.high + 2.0 * t0.high + t9);
+    const double F_AAA = 2.0 * (R.high * h_AAA.high + 3.0 * h_AA.high * t4.high);
+    const double t10 = 1.0 / (-F_AA * F_OmegaOmega + F_AOmega * F_AOmega);
+    const double t11 = t10 * (-F_A.high * F_AOmega + F_AA * F_Omega.high);
+    const double t12 = t10 * (F_A.high * F_OmegaOmega - F_AOmega * F_Omega.high);
     out[0] = t11;
     out[1] = t12;
-    out[2] = sfp_div(sfp_add(sfp_mul(F_AAA, t12), sfp_mul(F_AAOmega, t11)), F_AA);
+    out[2] = -0.5 * (-F.high - F_A.high * t12 - F_Omega.high * t11) / F_0.high;
+    out[3] = (F_AAA * t12 + F_AAOmega * t11) / F_AA;
 }
 
-/* By what Omega of a corner change, and how far that is from linear.
+/* By what Omega change at a corner, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, sf_pair *out)
+TWOFOLD_INLINE void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     (void)(h_A);
     (void)(h_AA);
@@ -178,11 +169,11 @@ static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair
     const sf_pair t1 = sfp_times(2.0, A);
     const sf_pair I_ = sfp_add(sfp_mul(sfp_mul(Omega, t1), zeta), m);
     const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
-    const sf_pair t2 = sfp_times(4.0, A);
-    const sf_pair F_Omega = sfp_mul(t2, sfp_add(sfp_mul(I_, zeta), sfp_mul(Omega, R)));
-    const sf_pair F_OmegaOmega = sfp_mul(t2, sfp_add(sfp_add(R, sfp_times(2.0, t0)), sfp_mul(t1, sfp_square(zeta))));
-    out[0] = sfp_neg(sfp_div(F, F_Omega));
-    out[1] = sfp_neg(sfp_div(sfp_mul(F, F_OmegaOmega), sfp_square(F_Omega)));
+    const double t2 = 4.0 * A.high;
+    const double F_Omega = t2 * (I_.high * zeta.high + Omega.high * R.high);
+    const double F_OmegaOmega = t2 * (R.high + 2.0 * t0.high + t1.high * zeta.high * zeta.high);
+    out[0] = -F.high / F_Omega;
+    out[1] = -F.high * F_OmegaOmega / (F_Omega * F_Omega);
 }
 
 #endif

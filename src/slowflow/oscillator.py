@@ -121,8 +121,10 @@ class Oscillator(Averaged):
         Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force.
         """
         found = super().saddle_node_onset()
+        if not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
+            return found
         load = self.model.mechanism.load_untruncated
-        if load is None or not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
+        if load is None:
             return found
         values = dict(zip((domain.name for domain in self.model.mechanism.design), self.design, strict=True))
         model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation)

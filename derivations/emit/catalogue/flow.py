@@ -93,7 +93,7 @@ def slow_flow_modules(results: Results) -> list[Module]:
                         kernel,
                         enclosed=kernel.name in enclosed,
                         searched=kernel.name in searched,
-                        paired=not scene and kernel.name in ("friction", "level"),
+                        paired=not scene and kernel.name == "friction",
                     )
                     for kernel in kernels
                     if kernel.name not in borrowed
@@ -411,10 +411,11 @@ def step_kernels(results: Results) -> tuple[Kernel, ...]:
             f"{kind}_step",
             arguments,
             (*step.changes, step.turn),
-            f"By what {' and '.join(str(unknown) for unknown in EQUATIONS[kind][1])} of a {kind} change, and how far "
-            "that is from linear.",
+            f"By what {', '.join(str(unknown) for unknown in EQUATIONS[kind][1])} change at a {kind}, and how far that "
+            "is from linear.",
             "from (24)",
             lets=[(R, flow.R), (I, flow.I), *step.lets],
+            to_pairs=step.values,
         )
         for kind, step in results.steps.items()
     )

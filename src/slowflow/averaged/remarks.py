@@ -73,15 +73,19 @@ def of_designs(
 
 
 def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) -> Remark:
-    """The same for one oscillator; A is an array along one axis, or a number, and nothing is computed that is known."""
+    """The same for one oscillator; A is an array along one axis, or a number, and nothing is computed that is known.
+
+    F_0 -- NaN where the question has none
+    """
     many = isinstance(A, np.ndarray)
     highest = A if not many else A.max() if A.size else math.nan
     said = []  # few have any, and to add up flags takes longer than to look for them
     if model.negative_stiffness:
         said.append(Remark.NEGATIVE_STIFFNESS)
-    near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
-    if near.any() if isinstance(near, np.ndarray) else near:
-        said.append(Remark.NEAR_STICKING)
+    if not math.isnan(F_0):
+        near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
+        if near.any() if isinstance(near, np.ndarray) else near:
+            said.append(Remark.NEAR_STICKING)
     if highest > model.reach:
         said.append(Remark.BEYOND_REACH)
     if highest > 0 and not stays_centred(model):

@@ -435,9 +435,9 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
 static inline int sf_is_limited(const sf_asked *asked) { return asked->most != NULL && *asked->most < HUGE_VAL; }
 
 /* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. What settles most cells comes
- * first. */
-static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_cell *cell, sf_interval rho, sf_interval kappa,
-                                        int open, sf_range out[2]) {
+ * first. a, b: what is known at the ends, for the values of the cell, which few need */
+static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell,
+                                        sf_interval rho, sf_interval kappa, int open, sf_range out[2]) {
     const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
     const int limited = sf_is_limited(asked);
     sf_interval q[3], root;
@@ -456,6 +456,7 @@ static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_cell *ce
         X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
         if (!(X.lo > 0)) { /* near Omega = 0 that cancels */
             sf_interval by_X[5];
+            sf_add_values(a, b, cell);
             slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, by_X);
             X = sfi_both(X, sf_quadratic_root_range(by_X[2], by_X[3], sfi_sqrt(by_X[4]), i == 0));
         }
@@ -474,19 +475,26 @@ static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_cell *ce
     }
 }
 
+/* Whether two functions have one sign, or are 0. */
+static inline int sf_are_alike(sf_interval x, sf_interval y) {
+    return (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
+}
+
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
  * other one. */
-static inline void sf_range_cusp(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
-    const int alike = (cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0);
+static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+                                 sf_range out[2]) {
     sf_interval rho, kappa;
     int i;
     out[0].where = out[1].where = SF_NOWHERE;
-    if (alike)
-        return;
     if (sf_scaled(cell, &rho, &kappa)) {
-        sf_range_cusp_scaled(asked, cell, rho, kappa, open, out);
+        if (!(kappa.lo >= 0))
+            sf_range_cusp_scaled(asked, a, b, cell, rho, kappa, open, out);
         return;
     }
+    sf_add_values(a, b, cell);
+    if (sf_are_alike(cell->h_AA, cell->k))
+        return;
     for (i = 0; i < 2; i++) {
         sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
         if (!(open & 1 << i))
@@ -629,9 +637,15 @@ static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell,
     sf_range_simple(found[0], found[1], own->where, own);
 }
 
-/* open: which channels are wanted */
-static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, int open, sf_range out[2]) {
+/* open: which channels are wanted; a, b: what is known at the ends of the cell, of which only the slopes are made */
+static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+                                 sf_range out[2]) {
     const sf_model *model = asked->model;
+    if (asked->question == SF_CUSP) {
+        sf_range_cusp(asked, a, b, cell, open, out);
+        return;
+    }
+    sf_add_values(a, b, cell);
     if (sf_is_of_inertia(asked)) {
         sf_range_inertial(asked, cell, out);
         return;
@@ -647,7 +661,6 @@ static inline void sf_find_range(const sf_asked *asked, const sf_cell *cell, int
         sf_range_isola(&asked->terms, cell, out);
         break;
     case SF_CUSP:
-        sf_range_cusp(asked, cell, open, out);
         break;
     case SF_TURN:
         sf_range_turn(model, cell, open, out);

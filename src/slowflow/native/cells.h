@@ -119,23 +119,33 @@ static inline sf_interval sf_along(sf_interval f_a, sf_interval f_b, sf_interval
     return sfi_of(sf_between(f_a.lo, f_b.lo, slope, width).lo, sf_between(f_a.hi, f_b.hi, slope, width).hi);
 }
 
-/* A: what holds the amplitudes of the cell */
-static inline void sf_make_cell_on(sf_interval A, const sf_known *a, const sf_known *b, sf_cell *cell) {
+/* The derivatives of h, which bound h. A: what holds the amplitudes of the cell */
+static inline void sf_make_slopes_on(sf_interval A, const sf_known *a, const sf_known *b, sf_cell *cell) {
     const double width = sfi_up(b->A - a->A);
     cell->first = cell->last = NULL;
     cell->A = A;
     cell->h_AAA = sfi_of(sfi_least(a->h_AAA.lo, b->h_AAA.lo), sfi_most(a->h_AAA.hi, b->h_AAA.hi));
     cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);
     cell->h_A = sf_along(a->h_A, b->h_A, cell->h_AA, width);
+}
+
+/* The rest. */
+static inline void sf_add_values(const sf_known *a, const sf_known *b, sf_cell *cell) {
+    const double width = sfi_up(b->A - a->A);
     cell->h = sf_along(a->h, b->h, cell->h_A, width);
     cell->k_A = sfi_neg(sfi_mul(cell->A, cell->h_AA));
     cell->k = sf_along(a->k, b->k, cell->k_A, width);
 }
 
+static inline void sf_make_cell_on(sf_interval A, const sf_known *a, const sf_known *b, sf_cell *cell) {
+    sf_make_slopes_on(A, a, b, cell);
+    sf_add_values(a, b, cell);
+}
+
 /* Between two samples, and what is known at these. */
-static inline void sf_make_cell(const sf_sample *first, const sf_sample *last, const sf_known *a, const sf_known *b,
-                                sf_cell *cell) {
-    sf_make_cell_on(sfi_of(a->A, b->A), a, b, cell);
+static inline void sf_make_slopes(const sf_sample *first, const sf_sample *last, const sf_known *a, const sf_known *b,
+                                  sf_cell *cell) {
+    sf_make_slopes_on(sfi_of(a->A, b->A), a, b, cell);
     cell->first = first, cell->last = last;
 }
 

@@ -43,7 +43,7 @@ static int sf_bounds(const sf_model *model, double F_0, double A) {
     sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
     sf_know(&at, &here);
     sf_know(&far, &there);
-    sf_make_cell(&at, &far, &here, &there, &cell);
+    sf_make_slopes(&at, &far, &here, &there, &cell);
     return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
 }
 
@@ -511,15 +511,12 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
 
 /* The forcing at an extremum: at a cusp in the form that loses no digits where damping is small. */
 static double sf_extremum_level(const sf_model *model, const sf_zero *zero, const sf_sample *at) {
-    sf_answer answer;
     if (zero->question != SF_CUSP)
         return sf_level(model, at, zero->Omega);
-    memset(&answer, 0, sizeof answer);
-    sf_ask_cusp(model, 1 << zero->channel, at, &answer);
     if (sf_inertial(model))
-        return answer.level[zero->channel] / (zero->Omega * zero->Omega);
+        return zero->level / (zero->Omega * zero->Omega);
     /* by what the record's excitation differs from a force */
-    return answer.level[zero->channel] *
+    return zero->level *
            (sf_level(model, at, zero->Omega) / slow_flow_level(zero->Omega, at->A, model->m, model->zeta, at->h));
 }
 

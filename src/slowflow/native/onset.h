@@ -41,7 +41,7 @@ static int sf_only_falls(const sf_stretch *piece) {
     sf_cell cell;
     sf_know(&piece->first, &first);
     sf_know(&piece->last, &last);
-    sf_make_cell(&piece->first, &piece->last, &first, &last, &cell);
+    sf_make_slopes(&piece->first, &piece->last, &first, &last, &cell);
     return first.h.hi <= 0 && cell.h_A.hi < 0;
 }
 

@@ -30,10 +30,9 @@ static inline sf_pair sfp_neg(sf_pair a) {
     return x;
 }
 static inline sf_pair sfp_add(sf_pair a, sf_pair b) {
-    double of_high, of_low;
-    const double high = twofold_two_sum(a.high, b.high, &of_high), low = twofold_two_sum(a.low, b.low, &of_low);
-    const sf_pair sum = sfp_of(high, of_high + low);
-    return sfp_of(sum.high, sum.low + of_low);
+    double low;
+    const double high = twofold_two_sum(a.high, b.high, &low);
+    return sfp_of(high, low + (a.low + b.low));
 }
 static inline sf_pair sfp_sub(sf_pair a, sf_pair b) { return sfp_add(a, sfp_neg(b)); }
 static inline sf_pair sfp_mul(sf_pair a, sf_pair b) {
@@ -52,12 +51,11 @@ static inline sf_pair sfp_square(sf_pair a) {
     const double high = twofold_two_product(a.high, a.high, &low);
     return sfp_of(high, fma(2 * a.high, a.low, low));
 }
-/* by long division: two quotients in double, and what they leave */
+/* by long division: a quotient in double, and what it leaves, of which the first part is exact */
 static inline sf_pair sfp_div(sf_pair a, sf_pair b) {
     const double first = a.high / b.high;
-    const sf_pair left = sfp_sub(a, sfp_times(first, b));
-    const double second = left.high / b.high;
-    return sfp_of(first, second + sfp_sub(left, sfp_times(second, b)).high / b.high);
+    const double left = fma(-first, b.high, a.high) + fma(-first, b.low, a.low);
+    return sfp_of(first, left / b.high);
 }
 static inline sf_pair sfp_inverse(sf_pair a) { return sfp_div(sfp_point(1), a); }
 /* of what is not negative */

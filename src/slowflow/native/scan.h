@@ -113,6 +113,7 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     if (!probe->answer.exists[c])
         probe = lo->answer.exists[c] ? lo : hi;
     zero.A = probe->at.A, zero.Omega = sf_Omega_at_zero(probe, c), zero.low = lo->at.A, zero.high = hi->at.A;
+    zero.level = probe->answer.level[c];
     zero.question = search->asked.question, zero.channel = c, zero.rising = rising;
     sf_add_zero(search->found, zero);
     if (search->asked.most != NULL && sf_is_minimum(search->asked.model, zero.question, &probe->at, zero.Omega))
@@ -194,8 +195,8 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     if (search->found->status != SF_OK)
         return;
     if (last || !sf_is_too_wide(search, a->at.A, b->at.A, passing)) {
-        sf_make_cell(&a->at, &b->at, &a->known, &b->known, &cell);
-        sf_find_range(&search->asked, &cell, open, range);
+        sf_make_slopes(&a->at, &b->at, &a->known, &b->known, &cell);
+        sf_find_range(&search->asked, &a->known, &b->known, &cell, open, range);
         for (c = 0; c < 2; c++)
             if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))
                 open &= ~(1 << c);

@@ -1,8 +1,8 @@
 /* Answers to their last digit: in goes an answer as the solvers found it, out comes the double next to the exact one of the
  * oscillator as it was given.
  *
- * Newton's method, in double-double, on the equations that define the answer (derivations/newton.py): one step, but next to
- * a double root or a breakpoint. An answer is left alone where the first step is not small beside it, or the slopes change
+ * Newton's method on the equations that define the answer (derivations/newton.py), their values in double-double, their
+ * slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left alone where the first step is not small beside it, or the slopes change
  * along it by too much: there it may lead to another answer.
  */
 #ifndef SF_SETTLE_H
@@ -20,24 +20,29 @@
 enum { SF_MOST_SETTLING = 8 };
 
 typedef void (*sf_step)(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A,
-                        sf_pair h_AA, sf_pair h_AAA, sf_pair *out);
+                        sf_pair h_AA, sf_pair h_AAA, double *out);
 
-/* An answer on its way */
+/* An answer on its way, with its forcing */
 typedef struct {
-    sf_pair Omega, A;
+    sf_pair Omega, A, F_0;
 } sf_settling;
 
-static inline void sf_take_step(sf_step step, const sf_exactly *exactly, const sf_exact_sample *at, sf_pair Omega, double F_0,
-                                sf_pair out[3]) {
-    step(Omega, at->A, sfp_point(F_0), exactly->m, exactly->zeta, at->h[0], at->h[1], at->h[2], at->h[3], out);
+/* Which of them an answer has: the last, the first two, or all */
+typedef enum { SF_MOVES_A = 1, SF_MOVES_BOTH, SF_MOVES_ALL } sf_moves;
+
+static inline void sf_take_step(sf_step step, const sf_exactly *exactly, const sf_exact_sample *at, const sf_settling *of,
+                                double out[4]) {
+    step(of->Omega, at->A, of->F_0, exactly->m, exactly->zeta, at->h[0], at->h[1], at->h[2], at->h[3], out);
 }
 
+static inline void sf_change_by(sf_pair *x, double change) { *x = sfp_add(*x, sfp_point(change)); }
+
 /* Whether a step is one to take, after one of the size `before`; last: whether the next would change nothing. size: of the
- * step, relatively. Errors fall by squares: the next step is to this one as this one to the one before; of the first only
- * the slope's turn may be known, which is not all where a peak is as sharp as rounding. */
+ * step, relatively. Errors fall by squares, or, as slopes are doubles, by the same share again: the next step is to this one
+ * as this one to the one before; of the first only the slope's turn may be known, which is not all where a peak is as sharp
+ * as rounding. */
 static inline int sf_is_step(double size, double turn, double before, int *last) {
-    const int is_told = turn != 0 && size <= SF_FEW_ROUNDINGS;
-    const double share = before < HUGE_VAL ? size / before : is_told ? fmax(fabs(turn), size) : 1;
+    const double share = before < HUGE_VAL ? size / before : size <= SF_FEW_ROUNDINGS ? fmax(fabs(turn), size) : 1;
     *last = size * share <= SF_LEFT_TO_DO;
     return size <= fmin(SF_LARGEST_STEP, 2 * before) && fabs(turn) <= SF_LARGEST_TURN;
 }
@@ -50,9 +55,9 @@ static inline int sf_piece_of(const sf_model *model, double A) {
     return piece;
 }
 
-/* Omega and A; returns whether they settled. moves: 1, A alone, or 2. wanted: as of sf_exact_at */
-static inline int sf_settle_both(sf_step step, int moves, int wanted, const sf_exactly *exactly, const sf_model *model,
-                                 double F_0, sf_settling *of) {
+/* Returns whether an answer settled. wanted: as of sf_exact_at */
+static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly, const sf_model *model,
+                                sf_settling *of) {
     double before = HUGE_VAL;
     const int piece = sf_piece_of(model, of->A.high);
     int i, last = 0;
@@ -60,55 +65,52 @@ static inline int sf_settle_both(sf_step step, int moves, int wanted, const sf_e
         return 0;
     for (i = 0; i < SF_MOST_SETTLING && !last; i++) {
         sf_exact_sample at;
-        sf_pair out[3];
-        double size;
+        double out[4], size;
         if (!sf_exact_at(exactly, model, piece, of->A, wanted, &at))
             return 0;
-        sf_take_step(step, exactly, &at, of->Omega, F_0, out);
-        size = fmax(moves > 1 ? fabs(out[0].high) / of->Omega.high : 0, fabs(out[moves - 1].high) / of->A.high);
-        if (!sf_is_step(size, out[moves].high, before, &last))
+        sf_take_step(step, exactly, &at, of, out);
+        size = fabs(out[moves > SF_MOVES_A]) / of->A.high;
+        if (moves > SF_MOVES_A)
+            size = fmax(size, fabs(out[0]) / of->Omega.high);
+        if (moves == SF_MOVES_ALL)
+            size = fmax(size, fabs(out[2]) / of->F_0.high);
+        if (!sf_is_step(size, out[moves], before, &last))
             return 0;
-        if (moves > 1)
-            of->Omega = sfp_add(of->Omega, out[0]);
-        of->A = sfp_add(of->A, out[moves - 1]);
+        sf_change_by(&of->A, out[moves > SF_MOVES_A]);
+        if (moves > SF_MOVES_A)
+            sf_change_by(&of->Omega, out[0]);
+        if (moves == SF_MOVES_ALL)
+            sf_change_by(&of->F_0, out[2]);
         before = size;
     }
     return last && sf_piece_of(model, of->A.high) == piece;
 }
 
-static inline double sf_settled_level(const sf_exactly *exactly, const sf_exact_sample *at, sf_pair Omega) {
-    return slow_flow_pairs_level(Omega, at->A, exactly->m, exactly->zeta, at->h[0]).high;
-}
-
-/* The same of numbers; level: NULL where the forcing is no part of the answer */
-static inline void sf_settle_numbers(sf_step step, int wanted, const sf_exactly *exactly, const sf_model *model, double F_0,
-                                     double *Omega, double *A, double *level) {
-    sf_settling of = {sfp_point(*Omega), sfp_point(*A)};
-    sf_exact_sample at;
-    if (exactly == NULL || !sf_settle_both(step, 2, wanted, exactly, model, F_0, &of))
-        return;
-    *Omega = of.Omega.high, *A = of.A.high;
-    if (level != NULL && sf_exact_at(exactly, model, sf_piece_of(model, *A), of.A, 2, &at))
-        *level = sf_settled_level(exactly, &at, of.Omega);
+/* The same of numbers; F_0 stays what it is where it is no part of the answer */
+static inline void sf_settle_numbers(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+                                     const sf_model *model, double *Omega, double *A, double *F_0) {
+    sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(*F_0)};
+    if (exactly != NULL && sf_settle_all(step, moves, wanted, exactly, model, &of))
+        *Omega = of.Omega.high, *A = of.A.high, *F_0 = of.F_0.high;
 }
 
 /* Omega on breakpoint i. */
 static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, double F_0, double *Omega) {
     sf_exact_sample at;
-    sf_pair w = sfp_point(*Omega), out[3];
-    double before = HUGE_VAL;
+    sf_settling of = {sfp_point(*Omega), {0, 0}, sfp_point(F_0)};
+    double before = HUGE_VAL, out[4];
     int k, last = 0;
     if (exactly == NULL || !(*Omega > 0) || !(exactly->b[i].high > 0))
         return;
     sf_exact_on(exactly, i, &at);
     for (k = 0; k < SF_MOST_SETTLING && !last; k++) {
-        const double size = (sf_take_step(step, exactly, &at, w, F_0, out), fabs(out[0].high) / w.high);
-        if (!sf_is_step(size, out[1].high, before, &last))
+        const double size = (sf_take_step(step, exactly, &at, &of, out), fabs(out[0]) / of.Omega.high);
+        if (!sf_is_step(size, out[1], before, &last))
             return;
-        w = sfp_add(w, out[0]), before = size;
+        sf_change_by(&of.Omega, out[0]), before = size;
     }
     if (last)
-        *Omega = w.high;
+        *Omega = of.Omega.high;
 }
 
 /* The breakpoint that an amplitude is. */
@@ -130,7 +132,7 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
         if (fold->corner)
             sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, A), F_0, &Omega);
         else
-            sf_settle_numbers(slow_flow_pairs_fold_step, 2, exactly, model, F_0, &Omega, &A, NULL);
+            sf_settle_numbers(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &Omega, &A, &F_0);
         if (low <= Omega && Omega <= high)
             fold->Omega = Omega, fold->A = A;
     }
@@ -139,18 +141,18 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
 static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exactly, sf_work *work, sf_onset *out) {
     const sf_status status = sf_find_onset(model, work, out);
     if (status == SF_OK && out->kind == SF_CUSP_KIND)
-        sf_settle_numbers(slow_flow_pairs_cusp_step, 4, exactly, model, 0, &out->Omega, &out->A, &out->F_SN);
+        sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A, &out->F_SN);
     if (status == SF_OK && out->kind == SF_ISOLA_KIND)
-        sf_settle_numbers(slow_flow_pairs_isola_step, 4, exactly, model, 0, &out->Omega, &out->A, &out->F_SN);
+        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A, &out->F_SN);
     return status;
 }
 
 static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *exactly, const sf_zero *zero) {
     sf_extremum out = sf_extremum_at(model, zero);
     if (zero->question == SF_CUSP)
-        sf_settle_numbers(slow_flow_pairs_cusp_step, 4, exactly, model, 0, &out.Omega, &out.A, &out.F_0);
+        sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out.Omega, &out.A, &out.F_0);
     else if (zero->question == SF_ISOLA)
-        sf_settle_numbers(slow_flow_pairs_isola_step, 4, exactly, model, 0, &out.Omega, &out.A, &out.F_0);
+        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out.Omega, &out.A, &out.F_0);
     return out;
 }
 
@@ -158,7 +160,7 @@ static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactl
                                  double *Omega) {
     const sf_status status = sf_peak(model, F_0, work, A, Omega);
     if (status == SF_OK)
-        sf_settle_numbers(slow_flow_pairs_peak_step, 2, exactly, model, F_0, Omega, A, NULL);
+        sf_settle_numbers(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, model, Omega, A, &F_0);
     return status;
 }
 

@@ -36,9 +36,9 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
                                    double Omega) {
     const double A = sf_amplitude_on(model, F_0, segment, Omega);
     const int piece = sf_piece_of(model, 0.5 * (segment->A[0] + segment->A[1]));
-    sf_settling of = {sfp_point(Omega), sfp_point(A)};
+    sf_settling of = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     if (exactly == NULL || sf_piece_of(model, A) != piece ||
-        !sf_settle_both(slow_flow_pairs_state_step, 1, 2, exactly, model, F_0, &of))
+        !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of))
         return A;
     return segment->A[0] * (1 - SF_SAME) <= of.A.high && of.A.high <= segment->A[1] * (1 + SF_SAME) ? of.A.high : A;
 }

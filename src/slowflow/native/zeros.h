@@ -6,9 +6,10 @@
 
 #define SF_MOST_ZEROS 96
 
-/* low, high: amplitudes on either side; rising: whether the function goes from below zero to above it with rising A */
+/* low, high: amplitudes on either side; level: of a cusp, as of sf_answer; rising: whether the function goes from below zero to
+ * above it with rising A */
 typedef struct {
-    double A, Omega, low, high;
+    double A, Omega, low, high, level;
     sf_question question;
     int channel, rising;
 } sf_zero;

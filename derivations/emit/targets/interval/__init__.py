@@ -31,6 +31,7 @@ C = Language(CIntervalPrinter(), conjunction=" && ", wrap_in_parentheses=False, 
 #: what the template says of intervals
 ABOUT = {
     "number": "sf_interval",
+    "inline": "static inline",
     "arithmetic": "interval",
     "how": "on whole intervals",
     "meaning": "Each output holds every value that the function of the same name takes on the arguments; `out` takes "

@@ -3,8 +3,9 @@
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `paired`, and `settled`.
 Out: a dict from file name (below `generated/`) to text.
 
-The C calls native/pair.h, which is runtime code. Where a kernel has a series cut short for a double far from a
-breakpoint, that branch is left out: a pair has digits enough for the closed form, so far as its caller asks for it.
+The C calls native/pair.h, which is runtime code. A kernel that says which lets are to be pairs computes what follows
+from these in doubles. Where a kernel has a series cut short for a double far from a breakpoint, that branch is left
+out: a pair has digits enough for the closed form, so far as its caller asks for it.
 """
 
 from __future__ import annotations
@@ -17,17 +18,20 @@ import sympy as sp
 
 from ...arctangent import PAIRS_CUT, in_pairs
 from ...form import Kernel, Module
+from ...passes import Program
 from ...provenance import tools
-from ...views import Code, KernelView, Language, sources, templates, view
+from ...views import BranchView, Code, KernelView, Language, Line, sources, templates, view, wrapped
 from .. import interval
+from ..c.printer import CPrinter
 from .printer import PairPrinter, parts
 
 C = Language(PairPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
-
+DOUBLES = CPrinter()
 
 #: what the template, which is that of intervals, says of pairs
 ABOUT = {
     "number": "sf_pair",
+    "inline": "TWOFOLD_INLINE",
     "arithmetic": "pair_angles",
     "how": "in double-double",
     "meaning": "`out` takes the outputs, where there are several.",
@@ -78,7 +82,32 @@ def near(kernel: Kernel, code: Code) -> KernelView:
     kernel = replace(kernel, branches=tuple(kernel.branches[k] for k in kept))
     if len(kept) > 1:
         kernel, programs = interval.beyond_breakpoints(kernel, programs)
-    return view(replace(kernel, branches=tuple(replace(branch, guards=()) for branch in kernel.branches)), programs, C)
+    kernel = replace(kernel, branches=tuple(replace(branch, guards=()) for branch in kernel.branches))
+    printed = view(kernel, programs, C)
+    if not kernel.to_pairs:
+        return printed
+    branches = (rest_in_doubles(*both, kernel) for both in zip(printed.branches, programs, strict=True))
+    return replace(printed, branches=tuple(branches))
+
+
+def rest_in_doubles(printed: BranchView, program: Program, kernel: Kernel) -> BranchView:
+    """The same branch, but what the lets that are to be pairs do not need."""
+    needed = set(kernel.to_pairs)
+    for symbol, value in reversed(program.lets):
+        if symbol in needed:
+            needed |= value.free_symbols
+    pairs = {*kernel.arguments, *needed}
+    high = {symbol: sp.Symbol(f"{C.names.get(symbol.name, symbol.name)}.high") for symbol in pairs}
+    show = DOUBLES.doprint
+
+    def line(one: Line, symbol: sp.Symbol, value: sp.Expr) -> Line:
+        if symbol in needed:
+            return one
+        return Line(one.name, wrapped(show(value.xreplace(high)), len(one.name) + 3, C), "double")
+
+    lets = tuple(line(one, *let) for one, let in zip(printed.lets, program.lets, strict=True))
+    outputs = tuple(show(output.xreplace(high)) for output in program.outputs)
+    return replace(printed, lets=lets, outputs=outputs)
 
 
 def angles() -> dict[str, object]:

@@ -23,6 +23,13 @@ class PairPrinter(CallPrinter):
     infinity = "sfp_point(HUGE_VAL)"
     functions: ClassVar = {sp.sqrt: "sfp_sqrt", sp.atan2: "pair_angles_atan2"}
 
+    def _print_Function(self, expr: sp.Expr) -> str:
+        if expr.func is sp.atan2:
+            # an angle and its complement from the same arguments in the same order: they share their arctangent
+            y, x = (self._print(arg) for arg in expr.args)
+            return f"pair_angles_atan2({y}, {x})" if y <= x else f"pair_angles_atan2_swapped({x}, {y})"
+        return super()._print_Function(expr)
+
     def _number(self, expr: sp.Expr) -> str:
         value = expr.doit()
         return self._of("point", literal(value)) if is_double(value) else self._of("of", *parts(value))
