@@ -1,7 +1,7 @@
 """Step 1 once more, equation (4): what each dimensionless number is measured in, a product of powers of k_v, L and m.
 
 In:  the dimensionless groups, or a mechanism's ratios.
-Out: `Scale`s: a dimensional letter is its dimensionless number times the scale.
+Out: `Scale`s: a dimensional letter is its dimensionless number times the scale; of F_0 by what it is the amplitude of.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from . import inertia
 from . import oscillator as osc
 from .mechanisms import Mechanism
 from .symbols import F_0, Omega, mu, tau, u, zeta
@@ -49,6 +50,18 @@ def of_every_oscillator() -> dict[sp.Symbol, Scale]:
     natural = {osc.omega_n: groups[osc.omega_n]}
     bases = (k_v, L, osc.m)
     return {number: scale(values[number].subs(natural), letter, bases) for number, letter in letters.items()}
+
+
+def of_every_excitation() -> dict[str, Scale]:
+    """Of F_0, by the excitation that it is the amplitude of: a force F, a base's Y, an unbalance's U = m_u e."""
+    U = sp.Symbol("U", positive=True)
+    letters = {"base": inertia.Y, "unbalance": U}
+    bases = (inertia.k_v, inertia.L, osc.m)
+    found = {"force": of_every_oscillator()[F_0]}
+    for name in inertia.EXCITATIONS:
+        amplitude = inertia.amplitude_of(name).subs(inertia.m_u, U / inertia.e)
+        found[name] = scale(amplitude, letters[name], bases)
+    return found
 
 
 def of_design(mechanism: Mechanism) -> tuple[Scale, ...]:

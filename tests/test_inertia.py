@@ -328,6 +328,53 @@ def test_batches_answer_as_single_oscillators_do():
         assert peaks.A[k] == one.peak(0.03).A
 
 
+def test_margins_bands_and_isolation_of_many_are_those_of_each():
+    rng, n = np.random.default_rng(3), 60
+    given = {"lam": 3.0, "r": rng.uniform(0.5, 3, n), "delta_h": rng.uniform(0.01, 0.15, n)}
+    given |= {"mu": rng.choice([0, 0.003, 0.01], n), "zeta": rng.uniform(0.03, 0.85, n) ** 1.5}
+    Y, designs = 10 ** rng.uniform(-2.3, 0, n), Isolator.many(**given, excitation="base")
+    found, bands, isolation = designs.margins(Y), designs.hysteresis(Y), designs.isolation(Y)
+    kinds = set()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        ones = [
+            Isolator(**{k: float(np.broadcast_to(v, n)[i]) for k, v in given.items()}, excitation="base")
+            for i in range(n)
+        ]
+    Omega = np.geomspace(0.1, 50.0, 400)
+    for k, one in enumerate(ones):
+        margins, band, begins = one.margins(Y[k]), one.hysteresis(Y[k]), one.isolation(Y[k])
+        states = one.amplitudes(Omega=Omega, F_0=Y[k])
+        kinds.add((margins.detaches, one.peak(Y[k]).A is None))
+        # a sharp peak may pass between these frequencies
+        assert margins.detaches >= bool((states.A[states.stable] > one.u_cr).any())
+        assert margins.detaches == (Y[k] > margins.F_cr)
+        assert (found.detaches[k], found.folds[k], found.sticks[k]) == (margins.detaches, margins.folds, 0)
+        assert found.F_cr[k] == pytest.approx(margins.F_cr, rel=1e-13)
+        assert bands.count[k] == len(band)
+        assert bands.Omega_low[k, : len(band)] == pytest.approx(band.Omega_low, rel=1e-13)
+        if begins.Omega is None:
+            assert isolation.status[k] == Status.NONE
+            continue
+        assert isolation.Omega[k] == pytest.approx(begins.Omega, rel=1e-11)
+        transmits = states.transmissibility[states.stable & (states.Omega > begins.Omega)]
+        assert (transmits < 1).all()
+    assert len(kinds) >= 3
+    assert bands.count.sum() > 5
+
+
+def test_a_map_over_named_axes_keeps_the_excitation():
+    xarray = pytest.importorskip("xarray")
+    zeta = xarray.DataArray([0.02, 0.05, 0.0], dims="zeta")
+    given = {**example.TABLE_1, "zeta": zeta}
+    found = Isolator.many(**given, excitation="base").saddle_node_onset()
+    plain = Isolator.many(**{**given, "zeta": zeta.values}, excitation="base").saddle_node_onset()
+    assert np.array_equal(found.F_SN.values, plain.F_SN, equal_nan=True)
+    assert found.attrs["excitation"] == "base"
+    with pytest.raises(ValueError, match="certify is not available with excitation = 'base'"):
+        Isolator.many(**given, excitation="base").certify(0.03)
+
+
 def test_isolation_begins_where_a_stable_motion_last_transmits_all():
     iso = Isolator(**example.TABLE_1, excitation="base")
     found = iso.isolation(0.02)
@@ -347,7 +394,6 @@ def test_what_is_not_available_is_refused_in_words():
         lambda: iso.certify(0.03),
         lambda: iso.saddle_nodes(0.03, certify=True),
         lambda: iso.second_approximation,
-        lambda: Isolator.many(**example.TABLE_1, excitation="base").margins(0.03),
         lambda: Isolator.many(**example.TABLE_1, excitation="base").certify(0.03),
     ]
     for ask in refused:

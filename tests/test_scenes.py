@@ -58,6 +58,14 @@ def test_a_shipped_scene_runs(path, tmp_path, capsys):
     assert {file.name for file in (tmp_path / "out").iterdir()} == expected
 
 
+def test_tolerances_of_a_mount_on_a_floor_that_shakes_are_asked_at_its_amplitude(scene, monkeypatch):
+    text = (ROOT / "scenes" / "shaking_floor.toml").read_text().replace('"at_rest", ', '"tolerances", ')
+    read = scenes.read(scene(f"{text}\n[tolerances]\nk_h = 0.05\n"))
+    asked = [one for one in read.asked if one.question == "tolerances"]
+    monkeypatch.setattr(slowflow.sizing, "tolerances", lambda of, **arguments: arguments)
+    assert [read.answer(one) for one in asked] == [{"F": Y, "within": {"k_h": 0.05}} for Y in (0.001, 0.004)]
+
+
 def test_the_mount_is_answered_in_newtons_millimetres_and_hertz(tmp_path, capsys):
     run("run", ROOT / "scenes" / "mount.toml", "-o", tmp_path, capsys=capsys)
     rows = list(rows_of(tmp_path / "saddle_nodes.csv"))

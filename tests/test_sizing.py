@@ -30,6 +30,8 @@ SINGLE = {
     "A_shock": lambda mount: mount.transient(acceleration=20, duration=0.02).A,
     "a_shock": lambda mount: mount.transient(acceleration=20, duration=0.02).a_max,
 }
+SHAKEN = MOUNT.replace(excitation="base", zeta=0.05)
+UNBALANCED = SHAKEN.replace(excitation="unbalance")
 WITHIN = {"m": 0.02, "k_v": 0.03, "k_h": 0.05, "L": 0.01, "preload": 0.05, "friction": 0.3, "zeta": 0.2}
 
 
@@ -46,6 +48,44 @@ def test_each_sample_is_the_answer_of_that_mount():
         assert row.nominal == pytest.approx(SINGLE[row.answer](MOUNT), rel=1e-12) and row.share == 1
     units = {"F_SN": "N", "F_cr": "N", "A_peak": "m", "A_shock": "m", "a_shock": "m/s^2"}
     assert [row.unit for row in found] == [units.get(row.answer, "Hz") for row in found]
+
+
+@pytest.mark.parametrize(("mount", "letter", "forcing"), [(SHAKEN, "Y", 0.004), (UNBALANCED, "U", 0.048)])
+def test_a_mount_that_is_excited_by_inertia_is_sized_in_its_own_terms(mount, letter, forcing):
+    single = {
+        f"{letter}_SN": lambda one: getattr(one.saddle_node_onset(), f"{letter}_SN"),
+        f"{letter}_cr": lambda one: getattr(one.detachment(), f"{letter}_cr"),
+        "A_peak": lambda one: one.peak(forcing).A,
+        "f_jump_up": lambda one: one.saddle_nodes(forcing).f[0],
+        "f_isolation": lambda one: one.isolation(forcing).f,
+        "A_shock": lambda one: one.transient(acceleration=20, duration=0.02).A,
+    }
+    within = {**WITHIN, "zeta": 0.02}
+    found = tolerances(mount, within, F=forcing, shock=(20, 0.02), answers=single, samples=6)
+    for k in range(6):
+        one = mount.replace(**{name: values[k] for name, values in found.drawn.items()})
+        for name, ask in single.items():
+            assert found.samples[name][k] == pytest.approx(ask(one), rel=1e-11), name
+    unit = {"Y": "m", "U": "kg m"}[letter]
+    assert [row.unit for row in found] == [unit, unit, "m", "Hz", "Hz", "m"]
+    safe = meet(mount, {"zeta": (0.02, 0.2)}, at_least={f"{letter}_SN": 2 * single[f"{letter}_SN"](mount)})
+    assert safe.feasible
+    assert single[f"{letter}_SN"](safe.design) == pytest.approx(2 * single[f"{letter}_SN"](mount), rel=1e-9)
+
+
+def test_damping_and_friction_are_found_from_motions_on_a_base_that_shakes():
+    f = np.linspace(2.0, 4.0, 14)  # the force is ten times friction and more: averaging errs little
+    motions = [SHAKEN.steady_state(f=one, F=0.002) for one in f]
+    found = fit(
+        SHAKEN.replace(zeta=0.03, friction=0.2), A=[one.A for one in motions], F=0.002, f=f, free=["zeta", "friction"]
+    )
+    assert found.value == pytest.approx([0.05, 0.4], rel=0.05)
+    jumps = [0.0045, 0.005, 0.006]
+    seen = [(folds.f[0], folds.f[-1]) for folds in map(SHAKEN.saddle_nodes, jumps)]
+    up, down = np.transpose(seen)
+    again = fit(SHAKEN.replace(zeta=0.055), F=jumps, jump_up=up, jump_down=down, free=["zeta"])
+    assert again.value == pytest.approx([0.05], rel=1e-8)
+    assert again.names[0] == "Y/m"
 
 
 @pytest.mark.parametrize("name", WITHIN)
@@ -154,10 +194,14 @@ def test_of_two_free_numbers_the_nearest_design_lies_where_the_answer_moves_as_t
     assert ratio["k_h"] == pytest.approx(ratio["zeta"], rel=1e-6)
 
 
-@pytest.mark.parametrize("of", [MOUNT, isolator()], ids=("in_units", "without"))
-def test_slopes_of_answers_are_those_of_their_differences(of):
+@pytest.mark.parametrize(
+    ("of", "F", "F_0"),
+    [(MOUNT, 5.0, None), (isolator(), None, 0.04), (SHAKEN, 0.004, None), (UNBALANCED, 0.048, None)],
+    ids=("in_units", "without", "shaken", "unbalanced"),
+)
+def test_slopes_of_answers_are_those_of_their_differences(of, F, F_0):
     subject = Subject(of)
-    load = subject.load(5.0 if subject.mount else None, None if subject.mount else 0.04, None)
+    load = subject.load(F, F_0, None)
     known = 0
     for answer in subject.answered(None, load):
         found = slopes(subject, {}, answer, load)

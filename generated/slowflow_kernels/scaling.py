@@ -1,7 +1,7 @@
 """What the dimensionless numbers of every oscillator are measured in, by name (4): powers of k_v, L and m.
 
 Written by `make derive`; never edit.
-Input: derivations/oscillator.py, derivations/scaling.py
+Input: derivations/oscillator.py, derivations/inertia.py, derivations/scaling.py
 """
 
 from slowflow_support.record import Scale
@@ -13,4 +13,10 @@ SCALES = {
     "F_0": Scale("F", 1.0, (1.0, 1.0, 0.0)),
     "mu": Scale("F_c", 1.0, (1.0, 1.0, 0.0)),
     "zeta": Scale("c", 2.0, (0.5, 0.0, 0.5)),
+}
+#: of F_0, by what it is the amplitude of
+AMPLITUDES = {
+    "force": Scale("F", 1.0, (1.0, 1.0, 0.0)),
+    "base": Scale("Y", 1.0, (0.0, 1.0, 0.0)),
+    "unbalance": Scale("U", 1.0, (0.0, 1.0, 1.0)),
 }

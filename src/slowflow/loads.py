@@ -39,7 +39,8 @@ STEPS = 16
 class Margins(Single):
     """How far a forcing is from what it should not reach; None where there is no such forcing.
 
-    F_SN, F_cr  -- the lowest forcing that has a fold, and that lifts the springs
+    F_SN, F_cr  -- the lowest forcing that has a fold, and that lifts the springs; of an excitation by inertia F_cr may
+                   be what is only tended to, as the frequency tends to inf
     of_SN, of_cr -- these over F_0: above 1 there is a margin
     kind        -- of the onset, as in `SaddleNodeOnset`
     folds       -- number of folds at F_0
@@ -143,18 +144,27 @@ def margins(oscillator: Averaged, F_0: float) -> Margins:
     """See `Oscillator.margins`."""
     folds = oscillator.saddle_nodes(F_0)
     onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
+    F_cr = detachment.F_cr
+    if F_cr is None and oscillator.model.inertial and oscillator.breakpoints:
+        # as no amplitude is lower at a higher frequency, which tends to F_0
+        F_cr = oscillator.breakpoints[0]
     sticks = folds.F_0 <= oscillator.sticking_forcing
     return Margins(
         folds.F_0,
         onset.F_SN,
-        detachment.F_cr,
+        F_cr,
         None if onset.F_SN is None else onset.F_SN / folds.F_0,
-        None if detachment.F_cr is None else detachment.F_cr / folds.F_0,
+        None if F_cr is None else F_cr / folds.F_0,
         onset.kind,
         len(folds),
         not sticks and _detaches(oscillator, folds.F_0),
         sticks,
-        joined(folds.message if sticks else "", ISOLA if onset.kind == "isola" else "", onset.message),
+        joined(
+            folds.message if sticks else "",
+            ISOLA if onset.kind == "isola" else "",
+            onset.message,
+            detachment.message if oscillator.model.inertial else "",
+        ),
     )
 
 
@@ -162,6 +172,9 @@ def _detaches(oscillator: Averaged, F_0: float) -> bool:
     """Whether a stable motion passes the first breakpoint."""
     if not oscillator.breakpoints:
         return False
+    if oscillator.model.inertial and oscillator.peak(F_0).A is None:
+        # it does not close, or only rises, towards F_0
+        return not oscillator.closes(F_0) or F_0 > oscillator.breakpoints[0]
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
     return bool((curve.A[curve.stable] > oscillator.breakpoints[0]).any())
 

@@ -14,12 +14,12 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import loads, validate
-from slowflow.averaged.many import Batch, Codes, Designs
+from slowflow.averaged.many import Batch, Codes, Designs, Detachments
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.model import Model
 from slowflow.results import Remark
-from slowflow_kernels import slow_flow
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class ManyMargins(Batch):
     """`slowflow.loads.Margins` of each design.
 
     F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing; F_SN and of_SN are NaN where folds below it end at
-                Omega = 0
+                Omega = 0, or none is the lowest; F_cr as in `slowflow.loads.Margins`
     folds    -- number of folds at F_0
     detaches, sticks -- 1 where a stable motion passes u_cr, and where the mass does not move at all
     """
@@ -89,10 +89,12 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     onsets, detachments = designs.saddle_node_onset(workers=workers), designs.detachment(workers=workers)
     shape, allowed = folds.status.shape, folds.status != Status.INVALID
     F_SN = np.where(onsets.at_rest, np.nan, np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN))
-    F_cr = np.where(detachments.status == Status.NONE, math.inf, detachments.F_cr)
+    F_cr = lifting(designs, detachments)
     sticks = folds.status == Status.STICKS
     # the highest motion is stable: beyond it there is none
     passes = (peaks.status == Status.UNBOUNDED) | (peaks.A > detachments.u_cr)
+    if designs.excitation != "force":  # an amplitude that only rises tends to F_0
+        passes |= (peaks.status == Status.NONE) & (np.asarray(F_0, dtype=float) > F_cr)
     detaches = passes & np.isfinite(F_cr) & ((peaks.remarks & Remark.LEAVES_CENTRE) == 0)
     forcing = np.asarray(F_0, dtype=float)
     columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
@@ -107,6 +109,17 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     )
 
 
+def lifting(designs: Designs, detachments: Detachments) -> Floats:
+    """F_cr of each design, inf where there is none, and where it is only tended to as Omega rises the limit, u_cr."""
+    none = np.full(designs.shape, math.inf)
+    if designs.excitation != "force":
+        *design, _, _ = (np.asarray(value, dtype=float) for value in designs.values.values())
+        parameters = designs.mechanism.coefficients(*design)
+        for end in reversed(designs.mechanism.breakpoints(*parameters)):
+            none = np.where(np.asarray(end) > 0, end, none)
+    return np.where(detachments.status == Status.NONE, none, detachments.F_cr)
+
+
 def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> ManyBands:
     """See `slowflow.oscillator.Designs.hysteresis`."""
     places = validate.count("places", places, least=1)
@@ -119,6 +132,8 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     said = (folds.remarks & (Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS | Remark.UNDECIDED)) != 0
     # below two folds and above them there is one motion, so there are three between them, the middle one unstable
     plain = (folds.count == 2) & (zeta > 0) & ~said & (folds.Omega[..., 0] < folds.Omega[..., 1])
+    if designs.excitation != "force":  # a response that does not close has more
+        plain &= designs.peak(F_0, workers=workers).status != Status.UNBOUNDED
     low[plain, 0], high[plain, 0] = folds.Omega[plain, 0], folds.Omega[plain, 1]
     motions[plain, 0], count[plain] = 2, 1
     for at, found in _singly(designs, F_0, (status == Status.OK) & (folds.count > 0) & ~plain, loads.hysteresis):
@@ -157,7 +172,7 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
             column[part] = values
     Omega[plain], A[plain], at_fold[plain] = columns
     # no zero where one was looked for
-    searched = np.isin(status, (Status.OK, Status.UNBOUNDED)) & np.isnan(Omega)
+    searched = np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & np.isnan(Omega)
     for at, one in _singly(designs, F_0, searched, loads.isolation):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
         if one is not None and one.Omega is not None:
@@ -182,8 +197,10 @@ def _isolated(
     def excess(A: Floats, at: Any) -> Floats:
         """What drives it less F_0: the sign counts."""
         at_A, h, _ = full(A, at)
-        driven: Floats = np.hypot(h, slow_flow.I(at_A, A, m[at], zeta[at])) - F_0[at]
-        return driven
+        driven: Floats = np.hypot(h, slow_flow.I(at_A, A, m[at], zeta[at]))
+        if designs.excitation != "force":
+            driven = driven / inertia.force(at_A, 1.0)
+        return driven - F_0[at]
 
     every = (slice(None), np.newaxis)
     with np.errstate(all="ignore"):  # where h is not negative there is no such frequency
@@ -222,6 +239,6 @@ def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[[Averaged, 
     for at in map(tuple, np.argwhere(wanted)):
         values = {name: float(np.broadcast_to(value, wanted.shape)[at]) for name, value in designs.values.items()}
         try:
-            yield at, ask(Averaged(Model.of(designs.mechanism, values)), float(forcing[at]))
+            yield at, ask(Averaged(Model.of(designs.mechanism, values, designs.excitation)), float(forcing[at]))
         except ArithmeticError:
             yield at, None

@@ -52,7 +52,7 @@ class Oscillator(Averaged):
     design    -- the numbers that `mechanism.design` names, each within its domain
     excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
         "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
-        leave to a force what they have no answer to: proofs, the second approximation, sizing.
+        leave to a force what they have no answer to: proofs and the second approximation.
         A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
@@ -348,21 +348,18 @@ class Designs(many.Designs):
         """How far F_0, which broadcasts with the designs, is from F_SN and F_cr of each; see `Oscillator.margins`."""
         from slowflow import loads_many
 
-        self.only_for_a_force("margins")
         return loads_many.margins(self, F_0, workers)
 
     def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> ManyBands:
         """Bands with several stable motions at F_0, of each design; `Status.TOO_MANY` where they exceed `places`."""
         from slowflow import loads_many
 
-        self.only_for_a_force("hysteresis")
         return loads_many.hysteresis(self, F_0, places, workers)
 
     def isolation(self, F_0: Any, *, workers: int = 1) -> ManyIsolations:
         """The frequency from which on less than F_0 is transmitted, of each design; see `Oscillator.isolation`."""
         from slowflow import loads_many
 
-        self.only_for_a_force("isolation")
         return loads_many.isolation(self, F_0, workers)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Shocks:
@@ -382,8 +379,7 @@ def designs_of(mechanism: Mechanism, values: dict[str, Any], excitation: str) ->
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid
 
-        validate.is_force("a map over named axes", excitation)
-        return Grid(mechanism, values)
+        return Grid(mechanism, values, excitation)
     return Designs(mechanism, values, excitation)
 
 

@@ -23,6 +23,7 @@ from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.results import SteadyStates
+from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.record import Parameter, Scale
 
@@ -295,7 +296,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
         "time": size(SCALES["tau"], **base),
         "speed": length * rate,
         "acceleration": length * rate**2,
-        "unbalance": m * length,
+        "unbalance": size(AMPLITUDE_SCALES["unbalance"], **base),
     }
 
 

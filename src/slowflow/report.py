@@ -23,7 +23,7 @@ from slowflow import files, pictures
 from slowflow.answer import Answer, head
 from slowflow.isolator import Isolator
 from slowflow.paper.report import read_ledger
-from slowflow.physical import EXCITED, UNITS, Physical, Quantities
+from slowflow.physical import EXCITED, SHOWN, UNITS, Physical, Quantities
 from slowflow.scenes import Scene
 from slowflow.sizing.subject import Load, Subject
 
@@ -89,7 +89,6 @@ def html(scene: Scene) -> str:
         raise ValueError(f"{scene.path}: a report needs forcings in [ask], or a shock")
     of = scene.oscillator
     by_force = _by_force(of)
-    subject = Subject(of) if by_force else None
     title = f"Vibration isolator: {scene.path.stem}"
     sections = {
         "In short": _summary(of, forcings),
@@ -99,7 +98,7 @@ def html(scene: Scene) -> str:
         "Load spectrum": _spectrum(scene),
         "Shocks": _shocks(scene),
         "Tolerances": _tolerances(scene),
-        "Designs beside it": _map(subject) if subject else (),
+        "Designs beside it": _map(Subject(of)),
         "How far to trust it": _trust(of, forcings) if by_force else _checked(of, forcings, scene),
         "Equations": _equations(),
         "Data": _data(of, forcings, scene),
@@ -296,17 +295,21 @@ def _map(subject: Subject) -> Iterator[str]:
         return
     share = np.linspace(1 - REACH, 1 + REACH, MAPPED)
     columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
-    values = subject.ask({x: columns[None, :], y: rows[:, None]}, ["F_SN"], Load(None, None))["F_SN"]
+    onset = next(name for name, plain in subject.answers.items() if plain == "F_SN")
+    values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None))[onset]
     scale = 1e3 if subject.mount else 1.0
-    units = ("(N/m)", "mm", "N") if subject.mount else ("", "", "")
+    shown = SHOWN[subject.amplitude]
+    units = ("(N/m)", "mm", shown) if subject.mount else ("", "", "")
     of_x, of_y, of_value = (
         f"{pictures.label(name)} / {unit}" if unit else pictures.label(name)
-        for name, unit in zip((x, y, "F_SN"), units, strict=True)
+        for name, unit in zip((x, y, onset), units, strict=True)
     )
-    found = (of_value, np.where(np.isfinite(values), values, np.nan))
+    size = UNITS[subject.amplitude][shown] if subject.mount else 1.0
+    found = (of_value, np.where(np.isfinite(values), values / size, np.nan))
     ax = pictures.design_map(_axes(), (of_x, columns), (of_y, scale * rows), found)
     ax.plot(subject.nominal[x], scale * subject.nominal[y], "o", color="white", markeredgecolor="black")
-    yield _figure(ax, f"The force from which on it jumps, over {x} and {y}; the circle is the design at hand.")
+    what = EXCITATION[subject.excitation]
+    yield _figure(ax, f"The {what} from which on it jumps, over {x} and {y}; the circle is the design at hand.")
 
 
 def _trust(of: Any, forcings: Sequence[float]) -> Iterator[str]:

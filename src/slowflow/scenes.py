@@ -225,13 +225,13 @@ class Scene:
 
     def answer(self, asked: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz."""
+        # a mount's questions call the amplitude F, whatever it is of
+        arguments = {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
         if asked.question == "tolerances":
             # here, not above: it imports SciPy's statistics
             from slowflow.sizing import tolerances
 
-            return tolerances(self.oscillator, **asked.arguments)
-        # a mount's questions call the amplitude F, whatever it is of
-        arguments = {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
+            return tolerances(self.oscillator, **arguments)
         found: Answer = getattr(self.oscillator, asked.question)(**arguments)
         return found.in_units() if isinstance(found, Quantities) else found
 

@@ -605,7 +605,8 @@ def _amplitudes(oscillator: Any, F_0: float, Omega: float, places: int) -> tuple
 def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     found = oscillator and oscillator.peak(F_0)
     if not found or found.A is None:
-        return np.nan, np.nan, Status.UNBOUNDED
+        only_rises = oscillator is not None and oscillator.closes(F_0)
+        return np.nan, np.nan, Status.NONE if only_rises else Status.UNBOUNDED
     return found.A, found.Omega, Status.OK
 
 

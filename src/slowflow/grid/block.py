@@ -64,6 +64,7 @@ def made_by(mechanism: Mechanism) -> dict[str, str]:
 class Ask:
     """A question about designs, asked block by block.
 
+    excitation -- what F_0 is the amplitude of
     depth   -- one of `DEPTHS`
     names   -- of the numbers that it is called with: the design's, mu and zeta, and F_0 and Omega where it takes them
     places  -- of folds or states; 0 for a question without
@@ -72,6 +73,7 @@ class Ask:
     """
 
     mechanism: Mechanism
+    excitation: str
     question: str
     depth: str
     names: tuple[str, ...]
@@ -100,7 +102,7 @@ class Ask:
         return tuple(getattr(answer, name) for name in self.columns())
 
     def _designs(self, given: dict[str, Any]) -> many.Designs | SecondDesigns:
-        designs = many.Designs(self.mechanism, given)
+        designs = many.Designs(self.mechanism, given, self.excitation)
         if self.depth == DEPTHS[0]:
             return designs
         from slowflow.second.many import SecondDesigns

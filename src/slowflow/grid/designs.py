@@ -39,6 +39,7 @@ class Grid:
     mechanism -- record of the mechanism
     values    -- the numbers of its design by name, mu and zeta last: xarray's DataArrays, which broadcast by the names
                  of their axes; or dask's and NumPy's arrays, which broadcast as NumPy's do, axes "design_0" and so on
+    excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
 
     An answer has the columns of a batch's and `remarks`, over all axes, with the parameters as coordinates; of the
     arrays' own coordinates those of axes are kept. It is computed at once, unless a parameter is dask's: then nothing
@@ -48,15 +49,19 @@ class Grid:
     do not fit, ImportError without xarray.
     """
 
-    def __init__(self, mechanism: Mechanism, values: Mapping[str, Any]) -> None:
-        self.mechanism = mechanism
+    def __init__(self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force") -> None:
+        self.mechanism, self.excitation = mechanism, excitation
         self._depth = DEPTHS[0]
         self._given = {name: values[name] for name in check_names(mechanism, dict(values))}
         self.values = labelled(self._given)
 
     @cached_property
     def second_approximation(self) -> Grid:
-        """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""
+        """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`.
+
+        Raises ValueError for an excitation by inertia.
+        """
+        validate.is_force("second_approximation", self.excitation)
         deeper = copy.copy(self)
         deeper._depth = DEPTHS[1]
         return deeper
@@ -140,12 +145,15 @@ class Grid:
         if "places" in takes:
             places = validate.count("places", places, least=1)
         validate.workers(workers)
+        if question == "certify":
+            validate.is_force(question, self.excitation)
         if question in ONLY_AVERAGED and self._depth != DEPTHS[0]:
             raise ValueError(f"{question}: {ONLY_AVERAGED[question]}")
         forced = {"F_0": F_0} if "F_0" in takes else {}
         forced |= {} if Omega is None else {"Omega": Omega}
         values = labelled({**self._given, **forced}) if forced else self.values
-        ask = Ask(self.mechanism, question, self._depth, tuple(values), places, workers, made_by(self.mechanism))
+        by = made_by(self.mechanism)
+        ask = Ask(self.mechanism, self.excitation, question, self._depth, tuple(values), places, workers, by)
         taken = {"place", "done", *ask.columns()} & {*sizes(values), *values}
         if taken:
             raise ValueError(

@@ -33,14 +33,15 @@ WORDS = {
     "kind": "kind of fold",
     "status": "whether there is an answer, and why there is none",
     "remarks": "what to bear in mind with the answer, codes that add up",
-    "F_0": "forcing",
+    "F_0": "forcing, the amplitude of the excitation",
 }
 KINDS: dict[str, type[IntEnum]] = {"saddle_node_onset": OnsetKind, "saddle_nodes": FoldKind}
 
 
 def of_map(ask: Ask) -> dict[str, Any]:
     """Of a whole map."""
-    about = {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "question": ask.question}
+    about = {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "excitation": ask.excitation}
+    about |= {"question": ask.question}
     return {**about, "depth": ask.depth, **ask.made_by}
 
 

@@ -209,7 +209,7 @@ def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dic
     found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, "places": ask.places}
     # a record that was changed keeps its name
     found["record"] = hashlib.sha256(pickle.dumps(ask.mechanism)).hexdigest()[:16]
-    found |= {"depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
+    found |= {"excitation": ask.excitation, "depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
     for name, value in values.items():
         dims = _dims(value, sizes)
         kept = value.data.name if value.chunks is not None else _digest(value.transpose(*dims).values)

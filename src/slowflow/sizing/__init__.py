@@ -4,9 +4,11 @@ In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `toleranc
 
 Answers that can be asked for, of a mount; frequencies of an isolator without dimensions begin with Omega_ for f_:
 
-    F_SN, F_cr   -- the lowest forcing with a fold, and that which lifts the springs; inf where there is none
+    F_SN, F_cr   -- the lowest forcing with a fold, and that which lifts the springs; inf where there is none. Of a mount
+                    on a base that shakes Y_SN and Y_cr, in m; with an unbalance U_SN and U_cr, in kg m
     f_rest       -- natural frequency of small motions
-    A_peak, f_peak -- the highest peak at the forcing: 0 where the mass sticks, inf where it has no bound
+    A_peak, f_peak -- the highest peak at the forcing: 0 where the mass sticks, inf where it has no bound; where the
+                    amplitude only rises, as it may on a base that shakes, what it tends to, without a frequency
     f_jump_up, f_jump_down -- the lowest fold that a sweep leaves upwards, the highest that it leaves downwards
     f_band       -- how wide the bands with several stable motions are, 0 where there are none
     f_isolation  -- from which frequency on less than the forcing is transmitted

@@ -18,7 +18,7 @@ from scipy.stats import t as student
 from slowflow import validate
 from slowflow.answer import Table
 from slowflow.mechanism import Floats
-from slowflow.physical import Physical
+from slowflow.physical import EXCITED, UNITS, Physical
 from slowflow.sizing.subject import Subject, first_jump
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
@@ -88,7 +88,8 @@ def fit(
 
     of       -- an `Isolator`, or a mount in SI units: where the search begins, and what is not free
     A        -- measured amplitudes, in m of a mount
-    F, f     -- the forces and frequencies at which they were measured, of a mount, in N and Hz; they broadcast with A
+    F, f     -- the forcings and frequencies at which they were measured, of a mount, in N and Hz; they broadcast with
+                A. On a base that shakes F is its amplitude, in m, with an unbalance mass times radius, in kg m
     F_0, Omega -- the same of an isolator
     jump_up, jump_down -- instead of A: the frequency at which it jumped at each force, up and down, in Hz of a mount;
                 one or both, NaN where it was not seen
@@ -163,7 +164,7 @@ def _amplitudes(subject: Subject, given: Mapping[str, Any], A: Any) -> _Measured
     shape = validate.common_shape(points)
     at, forcing, measured = (np.broadcast_to(values, shape).ravel() for values in points.values())
     names = ("f/Hz", "measured less fitted A/m") if subject.mount else (next(iter(given)), "measured less fitted A")
-    return _Measured(measured, at, lambda design: _nearest(design, at, forcing, measured), names)
+    return _Measured(measured, at, lambda design: _nearest(subject, design, at, forcing, measured), names)
 
 
 def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
@@ -185,22 +186,21 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         """0 where the design does not jump."""
         mount = isinstance(design, Physical)
         isolator, units = (design.oscillator, design.scales.sizes) if mount else (design, None)
-        F_0 = forces / units["force"] if units else forces
+        F_0 = forces / units[subject.amplitude] if units else forces
         folds = type(isolator).many(**isolator.given).saddle_nodes(F_0)
         found = np.array([first_jump(folds, True), first_jump(folds, False)]) * (units["frequency"] if units else 1.0)
         return np.asarray(np.nan_to_num(found)[there])
 
-    names = (f"{force}/N" if subject.mount else force, f"measured less fitted {frequency}")
+    letter, kind, _ = EXCITED[subject.excitation]
+    names = (f"{letter}/{next(iter(UNITS[kind]))}" if subject.mount else force, f"measured less fitted {frequency}")
     return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_design, names)
 
 
-def _nearest(design: Any, at: Floats, forcing: Floats, measured: Floats) -> Floats:
+def _nearest(subject: Subject, design: Any, at: Floats, forcing: Floats, measured: Floats) -> Floats:
     """The stable amplitude nearest to each measured one, 0 where there is none."""
-    units = (
-        design.scales.sizes if isinstance(design, Physical) else dict.fromkeys(("frequency", "force", "length"), 1.0)
-    )
+    units = design.scales.sizes if isinstance(design, Physical) else dict.fromkeys(UNITS, 1.0)
     isolator = design.oscillator if isinstance(design, Physical) else design
-    Omega, F_0 = at / units["frequency"], forcing / units["force"]
+    Omega, F_0 = at / units["frequency"], forcing / units[subject.amplitude]
     states = isolator.amplitudes(Omega=Omega, F_0=F_0)
     found = np.zeros_like(measured)
     for k, (x, y, A) in enumerate(zip(Omega, F_0, measured, strict=True)):

@@ -233,7 +233,7 @@ def meet(
     of       -- an `Isolator`, or a mount in SI units
     free     -- by name, the lowest and the highest value of each number that may change; distances are shares of that
     at_least, at_most -- by name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed
-    F, F_0   -- the forcing, F of a mount in N, F_0 of an isolator
+    F, F_0   -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
     shock    -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
 
     An answer that a design does not have meets nothing; F_SN and F_cr are infinite where there is no such forcing.

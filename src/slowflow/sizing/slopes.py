@@ -18,10 +18,10 @@ from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.physical import Physical, size
 from slowflow.sizing.subject import KIND, WORDS, Load, Subject
 from slowflow_kernels.domains import DAMPING
-from slowflow_kernels.scaling import SCALES
+from slowflow_kernels.scaling import AMPLITUDES, SCALES
 
 #: which scale a kind of answer is measured in
-SCALE_OF = {"force": "F_0", "length": "u", "frequency": "Omega"}
+SCALE_OF = {"amplitude": "F_0", "length": "u", "frequency": "Omega"}
 #: the base of all scales, in the order of their powers
 BASE = ("k_v", "L", "m")
 
@@ -37,8 +37,9 @@ def slopes(subject: Subject, numbers: Mapping[str, float], answer: str, load: Lo
     isolator, mount = (of.oscillator, of) if isinstance(of, Physical) else (of, None)
     base = {} if mount is None else {name: getattr(mount.scales, name) for name in BASE}
     forcing = load.forcing
+    measured = SCALES | {"F_0": AMPLITUDES[subject.excitation]}
     if forcing is not None and mount is not None:
-        forcing /= size(SCALES["F_0"], **base)
+        forcing /= size(measured["F_0"], **base)
     found = _moves(isolator, subject.answers[answer], forcing)
     if found is None:
         return None
@@ -48,10 +49,10 @@ def slopes(subject: Subject, numbers: Mapping[str, float], answer: str, load: Lo
     # the answer over what it is measured in, and each number over its own: all powers of the base
     kind = KIND[subject.answers[answer]]
     unit = subject.ask(numbers, [answer], load)[answer] / value
-    powers = dict(zip(BASE, SCALES[SCALE_OF[kind]].powers, strict=True))
+    powers = dict(zip(BASE, measured[SCALE_OF[kind]].powers, strict=True))
     moved = {name: value * powers[name] / base[name] for name in BASE}
     scales = dict(zip((one.name for one in ROD_SPRING.design), ROD_SPRING.scales, strict=True))
-    scales |= {one.name: SCALES[one.name] for one in DAMPING} | {"F_0": SCALES["F_0"]}
+    scales |= {name: measured[name] for name in (*(one.name for one in DAMPING), "F_0")}
     result = {}
     for name, slope in by.items():
         scale = scales[name]

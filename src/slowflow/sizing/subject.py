@@ -16,17 +16,19 @@ from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged.many import Folds
 from slowflow.isolator import ROD_SPRING, Isolator
+from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
 from slowflow.oscillator import Designs
-from slowflow.physical import UNITS, Physical, size, sizes
+from slowflow.physical import EXCITED, UNITS, Physical, size, sizes
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scaling import SCALES
 
 #: a mount's words for the letters of the scales of its design and its damping
 WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c"}
-#: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator
-OF_ALL_FORCINGS = {"F_SN": "force", "F_cr": "force", "rest": "frequency"}
+#: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator, and
+#: an amplitude of the excitation is what `EXCITED` says
+OF_ALL_FORCINGS = {"F_SN": "amplitude", "F_cr": "amplitude", "rest": "frequency"}
 OF_FREQUENCIES = ("peak", "jump_up", "jump_down", "band", "isolation")
 AT_A_FORCING = {"A_peak": "length", **dict.fromkeys(OF_FREQUENCIES, "frequency")}
 IN_A_SHOCK = {"A_shock": "length", "a_shock": "acceleration"}
@@ -37,7 +39,7 @@ KIND = OF_ALL_FORCINGS | AT_A_FORCING | IN_A_SHOCK
 class Load:
     """What a design has to bear, None where that is not given; in SI units of a mount.
 
-    forcing -- amplitude of the force
+    forcing -- amplitude of the excitation
     shock   -- peak acceleration and duration of a half sine of the base
     """
 
@@ -50,6 +52,7 @@ class Subject:
 
     nominal -- the numbers that can be varied, by name, as they are
     answers -- names of what can be asked of it, and what they are among `KIND`
+    excitation -- what the forcing is the amplitude of
 
     Raises ValueError for what is no isolator.
     """
@@ -60,11 +63,12 @@ class Subject:
         isolator = of.oscillator if isinstance(of, Physical) else of
         if not isinstance(isolator, Isolator):
             raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
-        isolator.only_for_a_force("sizing")
-        self.mechanism = isolator.model.mechanism
+        self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"
         self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in KIND.items()}
+        if self.mount is not None:
+            self.answers = {self.mount.scales.kind(name)[0]: plain for name, plain in self.answers.items()}
 
     def _numbers(self, isolator: Isolator) -> dict[str, float]:
         """What an isolator was made from, a mount's in SI units."""
@@ -83,9 +87,19 @@ class Subject:
     def _scales(self) -> list[Any]:
         return [*ROD_SPRING.scales, *(SCALES[domain.name] for domain in DAMPING)]
 
+    @property
+    def amplitude(self) -> str:
+        """Of which kind the forcing is."""
+        return EXCITED[self.excitation][1]
+
+    def kind(self, answer: str) -> str:
+        """Of an answer, a key of `UNITS`."""
+        kind = KIND[self.answers[answer]]
+        return self.amplitude if kind == "amplitude" else kind
+
     def unit(self, answer: str) -> str:
         """Of an answer; "" without dimensions."""
-        return next(iter(UNITS[KIND[self.answers[answer]]])) if self.mount else ""
+        return next(iter(UNITS[self.kind(answer)])) if self.mount else ""
 
     def load(self, F: Any, F_0: Any, shock: Any) -> Load:
         """What was given of F, of a mount, or F_0, of an isolator, and a shock. Raises ValueError for the other one."""
@@ -144,10 +158,10 @@ class Subject:
                 for name, scale in zip(names_of, self._scales(), strict=True)
             }
         arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in given.items()}
-        F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units["force"], shape)
+        F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units[self.amplitude], shape)
         pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
-        batch = _Batch(Designs(self.mechanism, arrays), F_0, pulse)
-        return {name: frozen(batch.answer(self.answers[name]) * units[KIND[self.answers[name]]]) for name in names}
+        batch = _Batch(Designs(self.mechanism, arrays, self.excitation), F_0, pulse)
+        return {name: frozen(batch.answer(self.answers[name]) * units[self.kind(name)]) for name in names}
 
 
 class _Batch:
@@ -170,8 +184,7 @@ class _Batch:
             # folds below it end at Omega = 0
             return np.where(onsets.at_rest, np.nan, lowest)
         if name == "F_cr":
-            detachments = self._ask("detachment")
-            return np.where(detachments.status == Status.NONE, math.inf, detachments.F_cr)
+            return lifting(self.designs, self._ask("detachment"))
         if name == "rest":
             *design, _, _ = self.designs.values.values()
             mechanism = self.designs.mechanism
@@ -194,6 +207,8 @@ class _Batch:
             if name == "peak":
                 return np.asarray(peaks.Omega)
             bounded = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.A)
+            if self.designs.excitation != "force":
+                bounded = np.where(peaks.status == Status.NONE, self.F_0, bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask("saddle_nodes", self.F_0), name == "jump_up")
 

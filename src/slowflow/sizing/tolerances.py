@@ -138,7 +138,7 @@ def tolerances(
     of      -- an `Isolator`, or a mount in SI units
     within  -- by name of a number: 0.05 for any value within 5 % of the nominal one, or a distribution of the value
                itself, anything with SciPy's `ppf`
-    F, F_0  -- the forcing, F of a mount in N, F_0 of an isolator
+    F, F_0  -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
     shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
     answers -- which of those that `slowflow.sizing` lists; by default all that the forcing and the shock allow
     samples, seed -- how many designs are tried, and which

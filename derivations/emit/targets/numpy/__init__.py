@@ -14,7 +14,7 @@ import sympy as sp
 
 from ....conventions import CONVENTIONS
 from ....mechanisms import DAMPING, EXCITATIONS, Parameter
-from ....scaling import Scale, of_every_oscillator
+from ....scaling import Scale, of_every_excitation, of_every_oscillator
 from ....slow_flow import SCENES
 from ...form import AVERAGED, GENERAL, Module, suffix
 from ...provenance import tools
@@ -45,7 +45,8 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         damping=DAMPING, excitations=EXCITATIONS
     )
     result["slowflow_kernels/scaling.py"] = environment.get_template("scaling.py.jinja").render(
-        scales={number.name: scale for number, scale in of_every_oscillator().items()}
+        scales={number.name: scale for number, scale in of_every_oscillator().items()},
+        excited=of_every_excitation(),
     )
     for conventions in CONVENTIONS:
         width = max(len(word.name) for table in conventions.tables for word in table.words)
