@@ -200,7 +200,7 @@ def _isolated(
         driven: Floats = np.hypot(h, slow_flow.I(at_A, A, m[at], zeta[at]))
         if designs.excitation != "force":
             driven = driven / inertia.force(at_A, 1.0)
-        return driven - F_0[at]
+        return np.asarray(driven - F_0[at])
 
     every = (slice(None), np.newaxis)
     with np.errstate(all="ignore"):  # where h is not negative there is no such frequency

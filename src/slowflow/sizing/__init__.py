@@ -4,8 +4,8 @@ In:  an `Isolator`, or a mount in SI units (`Isolator.physical`). Out: `toleranc
 
 Answers that can be asked for, of a mount; frequencies of an isolator without dimensions begin with Omega_ for f_:
 
-    F_SN, F_cr   -- the lowest forcing with a fold, and that which lifts the springs; inf where there is none. Of a mount
-                    on a base that shakes Y_SN and Y_cr, in m; with an unbalance U_SN and U_cr, in kg m
+    F_SN, F_cr   -- the lowest forcing with a fold, and that which lifts the springs; inf where there is none. Of a
+                    mount on a base that shakes Y_SN and Y_cr, in m; with an unbalance U_SN and U_cr, in kg m
     f_rest       -- natural frequency of small motions
     A_peak, f_peak -- the highest peak at the forcing: 0 where the mass sticks, inf where it has no bound; where the
                     amplitude only rises, as it may on a base that shakes, what it tends to, without a frequency

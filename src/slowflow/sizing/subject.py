@@ -207,7 +207,7 @@ class _Batch:
             if name == "peak":
                 return np.asarray(peaks.Omega)
             bounded = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.A)
-            if self.designs.excitation != "force":
+            if self.designs.excitation != "force" and self.F_0 is not None:
                 bounded = np.where(peaks.status == Status.NONE, self.F_0, bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask("saddle_nodes", self.F_0), name == "jump_up")
