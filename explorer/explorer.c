@@ -45,7 +45,7 @@ int EXPORT(choose)(int i)
     known = NULL, model.mechanism = NULL;
     if (!record->parameters_of(in, model.p) || !record->damping_of(of_damping, model.damping))
         return -1;
-    sf_prepare(record, &model);
+    sf_prepare(record, in, &model);
     if (sf_give(record, in, of_damping[0], of_damping[1], &given))
         known = &given;
     memcpy(out[0], model.b, sizeof model.b);

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -86,6 +87,28 @@ def test_folds_where_the_force_hardly_jumps_are_found_or_said_to_be_undecided(na
     else:
         assert Remark.UNDECIDED in found.remarks and many.undecided
     assert int(many.remarks) == int(found.remarks)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("delta_h", [1e-3, 3e-6, 1e-7, 1e-9, 1e-20, 1e-60])
+def test_the_onset_of_a_force_that_hardly_jumps_is_the_corner_on_the_backbone_or_refused(delta_h):
+    """It jumps up at u_cr by 1.5 lam r delta_h^3 of itself: there folds are born where R = 0, from F_0 = I on (24)."""
+    iso = Isolator(lam=3, r=0.5, delta_h=delta_h, mu=0.012, zeta=0.02)
+    many = Isolator.many(lam=3, r=0.5, delta_h=[delta_h], mu=0.012, zeta=0.02).saddle_node_onset()
+    try:
+        found = iso.saddle_node_onset()
+    except ArithmeticError as refusal:
+        assert "next to the breakpoint A = " in str(refusal) and many.status == [Status.UNRESOLVED]
+        assert backend.SOLVER is None and delta_h < 1e-4
+        return
+    with mpmath.workdps(50):
+        u_cr = mpmath.sqrt(2 * mpmath.mpf(delta_h) - mpmath.mpf(delta_h) ** 2)
+        Omega = iso.backbone(iso.breakpoints[0])
+        F_SN = 4 * mpmath.mpf(0.012) / mpmath.pi + 2 * mpmath.mpf(0.02) * u_cr * float(Omega)
+    assert found.kind == "corner" and found.A == pytest.approx(float(u_cr), rel=4e-16)
+    assert found.F_SN == pytest.approx(float(F_SN), rel=1e-15) and many.F_SN == [found.F_SN]
+    assert Remark.OF_TRUNCATION in found.remarks
+    assert len(iso.saddle_nodes(1.1 * found.F_SN)) == 2 and len(iso.saddle_nodes(0.999999 * found.F_SN)) == 0
 
 
 @pytest.mark.both_backends

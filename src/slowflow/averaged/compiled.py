@@ -66,6 +66,8 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     status, F_SN, Omega, A, kind, at_rest = backend.solver().onset(model.native)
+    if status == Status.UNRESOLVED:
+        raise ArithmeticError(words.unresolved_onset(model))
     _check(status, model)
     if status == Status.OK:
         found = SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], "")

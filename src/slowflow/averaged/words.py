@@ -59,6 +59,14 @@ def unresolved(model: Model, F_0: float) -> str:
     return said
 
 
+def unresolved_onset(model: Model) -> str:
+    """That rounding may decide where folds are born, and next to which amplitudes."""
+    if not model.breakpoints:
+        return "the onset is unresolved: folds are born within rounding of each other"
+    ends = ", ".join(f"{b:g}" for b in model.breakpoints)
+    return f"the onset is unresolved: doubles do not tell which folds are born next to the breakpoint A = {ends}"
+
+
 def cut(model: Model, F_0: float) -> tuple[float, str]:
     """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
 

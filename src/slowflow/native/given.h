@@ -93,12 +93,11 @@ static inline void sf_know_above(const sf_given *given, int i, sf_known *out) {
     }
 }
 
-/* Whether smaller intervals tell no more of a function, which on this narrow one is `on` with the slope `slope`: it only
- * rises or falls, so that its zero lies next to an end; or it hardly varies, and at neither end its sign is known. */
-static inline int sf_is_noise(sf_interval on, sf_interval slope, sf_interval at_low, sf_interval at_high) {
+/* Whether smaller intervals tell no more of a function, which on this narrow one is `on`: it hardly varies, and at neither
+ * end its sign is known. */
+static inline int sf_is_noise(sf_interval on, sf_interval at_low, sf_interval at_high) {
     const double least = sfi_least(at_low.hi - at_low.lo, at_high.hi - at_high.lo);
-    return sfi_has_sign(slope) ||
-           (!sfi_has_sign(at_low) && !sfi_has_sign(at_high) && !(on.hi - on.lo > SF_NOISE * least));
+    return !sfi_has_sign(at_low) && !sfi_has_sign(at_high) && !(on.hi - on.lo > SF_NOISE * least);
 }
 
 #endif

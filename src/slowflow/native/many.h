@@ -34,7 +34,7 @@ static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdif
         damping[i] = sf_input(args, steps, mechanism->design_size + i, k);
     if (!mechanism->parameters_of(design, model->p) || !mechanism->damping_of(damping, model->damping))
         return 0;
-    sf_prepare(mechanism, model);
+    sf_prepare(mechanism, design, model);
     return 1;
 }
 

@@ -48,8 +48,24 @@ typedef struct {
     double Omega, A;
 } sf_point;
 
-/* The rest of a model whose parameters and damping are set. */
-static inline void sf_prepare(const sf_mechanism *mechanism, sf_model *model) {
+/* What the force loses at its breakpoints: as a difference of parameters it may be all rounding, so it is that of the
+ * design, if the design and its form on intervals are known. */
+static inline void sf_jumps_of(const sf_mechanism *mechanism, const double *design, const double *p, double *jump) {
+    sf_interval given[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    int i;
+    mechanism->jumps(p, jump);
+    if (design == NULL || mechanism->parameters_within == NULL)
+        return;
+    mechanism->parameters_within(design, given);
+    for (i = 0; i < mechanism->breakpoints; i++) {
+        const sf_interval lost = given[mechanism->parameters + i];
+        if (sfi_has_sign(lost))
+            jump[i] = 0.5 * lost.lo + 0.5 * lost.hi;
+    }
+}
+
+/* The rest of a model whose parameters and damping are set. design: NULL where it is not known */
+static inline void sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
     int i;
     model->mechanism = mechanism;
@@ -57,7 +73,7 @@ static inline void sf_prepare(const sf_mechanism *mechanism, sf_model *model) {
     if (mechanism->breakpoints == 0)
         return;
     mechanism->ends(model->p, b);
-    mechanism->jumps(model->p, jump);
+    sf_jumps_of(mechanism, design, model->p, jump);
     for (i = 0; i < mechanism->breakpoints; i++)
         if (b[i] > 0) { /* a piece of no width is no piece */
             model->b[model->breaks] = b[i];

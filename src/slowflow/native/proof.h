@@ -17,7 +17,7 @@
  * more, and not where the function ends */
 #define SF_PROOF_NARROW 0x1p-36
 /* nor one that ends so near to the beginning of its piece, relatively */
-#define SF_PROOF_NEXT 0x1p-200
+#define SF_PROOF_NEXT 0x1p-960
 
 typedef struct sf_proving sf_proving;
 
@@ -225,18 +225,24 @@ static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int 
     out->doubt[out->doubts].piece = piece, out->doubt[out->doubts++].channel = c;
 }
 
-/* Whether smaller cells tell no more of a function. */
+/* Whether smaller cells tell no more of a function: one that only rises or falls has its zero next to an end. What is narrow
+ * beside its amplitudes need not be so beside how far these lie above their breakpoint. */
 static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
+    const double low = a->known.A, high = b->known.A;
+    const int narrow = high - low <= SF_PROOF_NARROW * high;
     const sf_range *at_a, *at_b;
-    if (range->where != SF_THROUGHOUT)
-        return 1;
+    if (!(high - low <= SF_PROOF_NARROW * (sf_beginning(proving->given, proving->piece).lo + high)))
+        return 0;
+    if (range->where != SF_THROUGHOUT || sfi_has_sign(range->dy))
+        return narrow;
     at_a = sf_value_at(proving, a, c), at_b = sf_value_at(proving, b, c);
-    return at_a->where != SF_THROUGHOUT || at_b->where != SF_THROUGHOUT || sf_is_noise(range->y, range->dy, at_a->y, at_b->y);
+    if (at_a->where != SF_THROUGHOUT || at_b->where != SF_THROUGHOUT)
+        return narrow;
+    return sf_is_noise(range->y, at_a->y, at_b->y);
 }
 
 static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checked *b, int open) {
     const double low = a->known.A, high = b->known.A, x = sf_amid(0, low, high);
-    const int narrow = high - low <= SF_PROOF_NARROW * high;
     const int end = !(x > low && x < high) || high <= SF_PROOF_NEXT * sf_beginning(proving->given, proving->piece).lo ||
                     proving->out->cells++ >= SF_MOST_PROOF_CELLS;
     sf_checked middle;
@@ -245,7 +251,7 @@ static void sf_prove_between(const sf_proving *proving, sf_checked *a, sf_checke
     int c;
     sf_range_between(proving, a, b, open, &cell, range);
     for (c = 0; c < proving->channels; c++) {
-        const int last = end || (narrow && open & 1 << c && sf_is_cut_enough(proving, a, b, c, &range[c]));
+        const int last = end || (open & 1 << c && sf_is_cut_enough(proving, a, b, c, &range[c]));
         const int crossing = open & 1 << c ? sf_crossing(proving, a, b, c, &range[c], last) : 0;
         if (crossing == 1 || crossing == -1)
             sf_add_proven(proving, a, b, c, &range[c], &cell, crossing == 1);

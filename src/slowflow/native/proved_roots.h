@@ -98,7 +98,8 @@ static void sf_roots_between(const sf_at_amplitude *q, double low, double high, 
             sf_add_root(out, sf_narrow_root(q, w), 0);
         return;
     }
-    if (last || (high - low <= SF_ROOT_NARROW * high && sf_is_noise(y, dy, at_low, at_high))) {
+    /* where it only rises or falls its root lies next to an end */
+    if (last || (high - low <= SF_ROOT_NARROW * high && (sfi_has_sign(dy) || sf_is_noise(y, at_low, at_high)))) {
         sf_add_root(out, w, 1);
         return;
     }

@@ -27,6 +27,9 @@ from slowflow.results import Peak as PeakFound
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import COINCIDE, RAISE, RAISES
 
+#: of a force's size: what rounding its parameters may make of its jump
+OF_ROUNDING = 2.0**-48
+
 
 @dataclasses.dataclass
 class _Best:
@@ -67,13 +70,24 @@ def onset(model: Model) -> SaddleNodeOnset:
         if model.zeta == 0:
             return _onset_without_viscous_damping(model)
         best = _lowest(model)
-    if best.undecided and _is_beside_breakpoint(model, best):
-        raise ArithmeticError("the response is unresolved")
+    if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
+        raise ArithmeticError(words.unresolved_onset(model))
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
         return SaddleNodeOnset(None, None, None, "", words.OPEN)
     if not best.kind:
         return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), best.rest)
     return words.with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
+
+
+def _hardly_jumps(model: Model) -> bool:
+    """Whether the force jumps by no more than rounding its parameters makes of it: then the jump's sign is not known.
+
+    The compiled solvers know it from the design.
+    """
+    if model.native is not None or not model.mechanism.truncated:
+        return False
+    b, jump = np.array(model.breakpoints), np.array(model.jumps)
+    return bool((np.abs(jump) <= OF_ROUNDING * b * (1 + np.abs(model.averaged(b)[1]))).any())
 
 
 def _falls_at_breakpoint(model: Model, best: _Best) -> bool:
