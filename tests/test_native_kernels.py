@@ -349,7 +349,8 @@ def test_every_clone_gives_the_same_bits(tmp_path):
         ("slow_flow", "phase"): (Omega, A, 0.01, 0.02, -gamma),
         ("slow_flow", "jacobian"): (Omega, A, 0.01, 0.02, -gamma, 0.3),
     }
-    built = {module: [clones.build(tmp_path, target, module) for target in targets()] for module, _ in calls}
+    modules = {module for module, _ in calls}
+    built = {module: [clones.build(tmp_path, target, module) for target in targets()] for module in modules}
     for (module, name), given in calls.items():
         first, *others = built[module]
         expected = first(name, given)

@@ -35,7 +35,7 @@ def project(tmp_path_factory):
         else:
             shutil.copy(ROOT / part, folder / part)
     shutil.copy(ROOT / "tests" / "mechanisms" / "bilinear.py", folder / "derivations" / "mechanisms")
-    run(folder, "-m", "derivations")
+    run(folder, "-m", "derivations", "--alone")
     if backend.SOLVER is not None:
         run(folder, "setup.py", "-q", "build_ext", "--inplace")
     return folder

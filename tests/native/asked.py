@@ -36,6 +36,9 @@ assert Path(backend.SOLVER.__file__).parent == Path(backend.EXACT.__file__).pare
 #: usual numbers, and those at which formulas break
 NUMBERS = [0.0, 5e-324, 1e-300, 1e-12, 0.01, 0.3, 1 - 2**-53, 1.0, 2.0, 1e12, 1e300]
 
+#: one half of them for an oscillator, the other half for the next
+FORCINGS = itertools.cycle([(1e-300, 0.04, 5.0), (1e-3, 0.3, 1e300)])
+
 
 def asked(oscillator):
     """All averaged questions at some forcings."""
@@ -45,7 +48,7 @@ def asked(oscillator):
         yield lambda A_max=A_max: oscillator.cusps(A_max=A_max)
         yield lambda A_max=A_max: oscillator.isola_points(A_max=A_max)
         yield lambda A_max=A_max: oscillator.fold_locus(A_max=A_max, samples=50)
-    for F_0 in (1e-300, 1e-3, 0.04, 0.3, 5.0, 1e300):
+    for F_0 in next(FORCINGS):
         yield lambda F_0=F_0: oscillator.saddle_nodes(F_0)
         yield lambda F_0=F_0: oscillator.certify(F_0, Omega=0.7)
         yield lambda F_0=F_0: oscillator.peak(F_0)
