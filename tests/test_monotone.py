@@ -18,11 +18,11 @@ KAPPA, GAP_1, GAP_2 = sp.symbols("kappa g_1 g_2", positive=True)
 
 def h_AAA(force, cuts, A):
     """Of a force on u > 0 by quadrature, from 15 digits of h: differences of the quarter-cycle integral."""
-    with mpmath.workdps(50):
+    with mpmath.workdps(45):
 
         def h(a):
             ends = [mpmath.mpf(0), *(mpmath.asin(b / a) for b in cuts if b < a), mpmath.pi / 2]
-            total = mpmath.quad(lambda t: force(a * mpmath.sin(t)) * mpmath.sin(t), ends)
+            total = mpmath.quad(lambda t: force(a * mpmath.sin(t)) * mpmath.sin(t), ends, method="gauss-legendre")
             return -4 / mpmath.pi * total
 
         return mpmath.diff(h, mpmath.mpf(A), 3, h=mpmath.mpf(10) ** -12)
