@@ -129,9 +129,24 @@ def prepare() -> dict[str, Job]:
         for question in ("saddle_nodes", "peak"):
             jobs[f"random {question} {count}"] = batch(question, "random", count, above=0.03), of_batch
             jobs[f"second {question} {count}"] = batch(question, "random", count, above=0.03, second=True), of_batch
+        jobs[f"random amplitudes {count}"] = states(count), of_batch
         for question in ("detachment", "saddle_node_onset"):
             jobs[f"second {question} {count}"] = batch(question, "random", count, second=True), of_batch
     return jobs
+
+
+def states(count: int) -> Callable[[], Any]:
+    """The states of so many designs, each at a frequency of its own, 0.03 above sticking."""
+    made: list[Any] = []
+
+    def ask() -> Any:
+        if not made:
+            designs = FAMILIES["random"](count)
+            Omega = np.random.default_rng(count).uniform(0.3, 1.5, count)
+            made.append(partial(designs.amplitudes, Omega=Omega, F_0=4 / np.pi * designs.values["mu"] + 0.03))
+        return made[0]()
+
+    return ask
 
 
 def batch(

@@ -55,6 +55,7 @@ WORK = {
     "saddle_node_onset": ("one F_SN", "many.saddle_node_onset()", 200),
     "saddle_nodes": ("all folds of one design", "many.saddle_nodes(0.07)", 200),
     "peak": ("one peak", "many.peak(0.07)", 200),
+    "amplitudes": ("the states of one design", "many.amplitudes(Omega=0.9, F_0=0.07)", 200),
     "second": ("one curve of the second approximation", "iso.second_approximation.frequency_response(0.04)", 1),
 }
 

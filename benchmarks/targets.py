@@ -237,8 +237,12 @@ def batches(size: Size) -> list[Target]:
 
 
 def rates(size: Size) -> list[Target]:
-    """Answers a second on one core: folds and peaks of random designs, whole curves of one."""
-    wanted = {"saddle_nodes": ("every fold at F_0", 3e5), "peak": ("highest peak at F_0", 1e6)}
+    """Answers a second on one core: folds, peaks and states of random designs, whole curves of one."""
+    wanted = {
+        "saddle_nodes": ("every fold at F_0", 3e5),
+        "peak": ("highest peak at F_0", 1e6),
+        "amplitudes": ("states at (Ω, F_0)", 2e6),
+    }
     names: list[tuple[str, str | None]] = [(f"random {name} {size.onsets}", f"random {name} 10") for name in wanted]
     answers = both([*names, ("curve", None)], min(size.rounds, 3))
     out = []

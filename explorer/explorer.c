@@ -101,10 +101,14 @@ long EXPORT(respond)(double F_0, double low, double high, double samples)
     return n;
 }
 
-/* Steady states of the curve that was asked for last: as `respond`. */
+/* Steady states at a frequency: as `respond`. */
 int EXPORT(states)(double F_0, double Omega)
 {
-    const int n = sf_states(&model, known, F_0, &room, Omega, out[1], flags[0], &undecided);
+    int n;
+    room.followed = 0;
+    const sf_status status = sf_states(&model, known, F_0, &room, Omega, &n, out[1], flags[0], &undecided);
+    if (status != SF_OK)
+        return -(int)status;
     for (int i = 0; i < n; i++)
         out[0][i] = Omega;
     look_at_all(n, F_0);

@@ -125,3 +125,24 @@ def test_folds_of_a_curve_of_states_and_of_a_batch_are_those_of_the_question():
         for Omega, A in zip(folds.Omega, folds.A, strict=True):
             assert ((curve.Omega == Omega) & (curve.A == A)).any()
             assert A in oscillator.amplitudes(Omega=Omega, F_0=F_0).A
+
+
+@compiled
+def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them():
+    """There the curve's segments end, whose ends are not states at that very frequency; exact where mu = 0."""
+    rng = np.random.default_rng(7)
+    alpha, beta, zeta, F_0 = rng.uniform((0.2, 0.1, 0.01, 0.01), (2, 3, 0.3, 1), (300, 4)).T
+    designs = Duffing.many(alpha=alpha, beta=beta, mu=0.0, zeta=zeta)
+    peak = designs.peak(F_0)
+    found = designs.amplitudes(Omega=peak.Omega, F_0=F_0)
+    checked = 0
+    for row in zip(alpha, beta, zeta, F_0, peak.Omega, found.A, strict=True):
+        a, b, z, force, w = (Fraction(float(x)) for x in row[:5])
+
+        def F(A, a=a, b=b, z=z, force=force, w=w):
+            return (A * w * w - a * A - b * A**3 * Fraction(3, 4)) ** 2 + (2 * z * A * w) ** 2 - force**2
+
+        for A in row[5][~np.isnan(row[5])].tolist():
+            checked += 1
+            assert F(Fraction(math.nextafter(A, 0))) * F(Fraction(math.nextafter(A, math.inf))) < 0
+    assert checked > 300

@@ -11,6 +11,7 @@
  *   SF_UNDAMPED   cusps for zeta = 0             h_AA = 0, or the locus touches the backbone R = 0
  *   SF_PEAK       F = F_Omega = 0                F at its two critical points in Omega
  *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
+ *   SF_STATE      F = 0 at a given Omega         a steady state
  *
  * For an excitation by inertia SF_ISOLA and SF_PEAK are asked where the level of an amplitude is least, which is known in
  * closed form, and SF_REST has no zeros.
@@ -35,7 +36,8 @@ typedef enum {
     SF_TURN,
     SF_UNDAMPED,
     SF_PEAK,
-    SF_REST
+    SF_REST,
+    SF_STATE
 } sf_question;
 
 /* Up to two functions (channels) of A. exists: whether each is defined here; Omega: what its zero has for Omega; level:
@@ -63,13 +65,13 @@ typedef struct {
     sf_interval m, zeta, F_0, least;
 } sf_terms;
 
-/* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST. most: of SF_CUSP, where only the lowest minimum of
+/* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST, SF_STATE; Omega: of SF_STATE. most: of SF_CUSP, where only the lowest minimum of
  * the level is wanted, a forcing above which cusps may be left out: each minimum found lowers it; NULL for all cusps.
  * highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top (zeros.h) is wanted */
 typedef struct {
     sf_question question;
     const sf_model *model;
-    double F_0;
+    double F_0, Omega;
     double least;
     double *most;
     int highest;
@@ -78,7 +80,7 @@ typedef struct {
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
-    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.most = NULL, asked.highest = 0;
+    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.Omega = 0, asked.most = NULL, asked.highest = 0;
     asked.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
@@ -253,7 +255,14 @@ static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sampl
     out->dy[0] = out->dy[1] = halves[2];
 }
 
-/* open: which channels are wanted, 1 and 2; of SF_CUSP and SF_PEAK others are not asked */
+static inline void sf_ask_state(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = asked->model;
+    out->exists[0] = 1;
+    out->Omega[0] = asked->Omega;
+    out->y[0] = slow_flow_F(asked->Omega, at->A, asked->F_0, model->m, model->zeta, at->h);
+    out->dy[0] = slow_flow_F_A(asked->Omega, at->A, model->m, model->zeta, at->h, at->h_A);
+}
+
 /* Both at x = 1/Omega where the level is least; the peak is the pair's that is the upper one. */
 static inline void sf_ask_inertial(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
     const sf_model *model = asked->model;
@@ -277,6 +286,7 @@ static inline int sf_is_of_inertia(const sf_asked *asked) {
            (asked->question == SF_ISOLA || asked->question == SF_PEAK || asked->question == SF_REST);
 }
 
+/* open: which channels are wanted, 1 and 2; of SF_CUSP and SF_PEAK others are not asked */
 static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, sf_answer *out) {
     const sf_model *model = asked->model;
     memset(out, 0, sizeof *out);
@@ -309,6 +319,9 @@ static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, 
     case SF_REST:
         sf_ask_rest(model, asked->F_0, at, out);
         break;
+    case SF_STATE:
+        sf_ask_state(asked, at, out);
+        break;
     }
 }
 
@@ -325,7 +338,9 @@ static inline int sf_is_minimum(const sf_model *model, sf_question question, con
 }
 
 /* The channels that a question has, 1 and 2. */
-static inline int sf_channels(sf_question question) { return question == SF_ISOLA || question == SF_FOLD_AT ? 1 : 3; }
+static inline int sf_channels(sf_question question) {
+    return question == SF_ISOLA || question == SF_FOLD_AT || question == SF_STATE ? 1 : 3;
+}
 
 /* ==== On a cell ==================================================================================================== */
 
@@ -611,6 +626,16 @@ static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cel
     sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);
 }
 
+/* F by R and its tangent, and F_A. */
+static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
+    sf_interval R[2], state[3];
+    slow_flow_intervals_state_R(Omega, cell->A, cell->h, cell->h_A, cell->k, R);
+    slow_flow_intervals_state(Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h_A, cell->h_AA, sfi_both(R[0], R[1]),
+                              state);
+    sf_range_simple(state[0], state[1], SF_THROUGHOUT, out);
+    out->ddy = state[2];
+}
+
 /* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so that
  * a peak exceeds F_0; and below the least amplitude that is looked at the force is its slope, where nothing vanishes. */
 static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
@@ -673,6 +698,9 @@ static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const
         break;
     case SF_REST:
         sf_range_rest(model, asked->F_0, cell, out);
+        break;
+    case SF_STATE:
+        sf_range_state(&asked->terms, sfi_point(asked->Omega), cell, out);
         break;
     }
 }

@@ -203,14 +203,8 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, 
 /* ==== States at a frequency ======================================================================================== */
 
 static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
-    const sf_terms *terms = &proving->terms;
-    sf_interval R[2], state[3];
     (void)open;
-    slow_flow_intervals_state_R(proving->Omega, cell->A, cell->h, cell->h_A, cell->k, R);
-    slow_flow_intervals_state(proving->Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h_A, cell->h_AA,
-                              sfi_both(R[0], R[1]), state);
-    sf_range_simple(state[0], state[1], SF_THROUGHOUT, &out[0]);
-    out[0].ddy = state[2];
+    sf_range_state(&proving->terms, proving->Omega, cell, &out[0]);
 }
 
 /* Every state at (Omega, F_0). */

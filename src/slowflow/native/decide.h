@@ -14,18 +14,6 @@
 /* h_A above a breakpoint b where the force jumps by J is J/b times more than this at the next double, about */
 #define SF_STEEP 0x1p24
 
-/* What rounding may make of F = R^2 + I^2 - F_0^2 at a sample. */
-static double sf_doubt_of_F(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const double R = slow_flow_R(w, at->A, at->h), I = slow_flow_I(w, at->A, model->m, model->zeta);
-    const double of_R = SF_CLOSE * (sf_size_at(at, 0) + at->A * w * w);
-    return of_R * (2 * fabs(R) + of_R) + SF_CLOSE * (I * I + F_0 * F_0);
-}
-
-static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
-    const double force = sf_force(model, F_0, w);
-    return fabs(slow_flow_F(w, at->A, force, model->m, model->zeta, at->h)) <= sf_doubt_of_F(model, at, force, w);
-}
-
 /* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
 static int sf_is_corner_close(const sf_model *model, double F_0, double b, double J) {
     const double m = model->m, zeta = model->zeta;

@@ -20,8 +20,8 @@ typedef struct {
     long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *);
     void (*draw)(const sf_model *, double F_0, double samples, const sf_skeleton *shown, double *Omega,
                  double *A, unsigned char *stable, long long *branch);
-    int (*states)(const sf_model *, const sf_given *, double F_0, sf_room *, double Omega, double *A, unsigned char *stable,
-                  int *undecided);
+    sf_status (*states)(const sf_model *, const sf_given *, double F_0, sf_room *, double Omega, int *n, double *A,
+                        unsigned char *stable, int *undecided);
     int most_states;
     sf_extremum (*extremum)(const sf_model *, const sf_exactly *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,

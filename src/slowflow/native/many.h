@@ -219,9 +219,8 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
         if (room != NULL && mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA &&
             sf_design_at(mechanism, args, steps, k, &model)) {
             const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
-            status = sf_make_skeleton(&model, exact, F_0, room);
-            if (status == SF_OK)
-                n = sf_states(&model, exact, F_0, room, Omega, A, stable, &undecided);
+            room->followed = 0;
+            status = sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided);
         }
         for (i = 0; i < places; i++) {
             *(double *)sf_at_place(args, steps, inner, out, 0, k, i) = i < n ? A[i] : NAN;

@@ -45,13 +45,27 @@ static double sf_size_at(const sf_sample *at, double F_0) {
     return F_0 + fabs(at->h) + at->A * (1 + fabs(at->h_A));
 }
 
-/* Whether the function whose zeros are folds is as near to 0 as rounding may bring it. Two of its zeros that are about to
- * meet, or have met, lead the search there. Omega in it follows from I, as sf_fold_Omega says. */
+/* What rounding may make of F = R^2 + I^2 - F_0^2 at a sample. */
+static double sf_doubt_of_F(const sf_model *model, const sf_sample *at, double F_0, double w) {
+    const double R = slow_flow_R(w, at->A, at->h), I = slow_flow_I(w, at->A, model->m, model->zeta);
+    const double of_R = SF_CLOSE * (sf_size_at(at, 0) + at->A * w * w);
+    return of_R * (2 * fabs(R) + of_R) + SF_CLOSE * (I * I + F_0 * F_0);
+}
+
+static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0, double w) {
+    const double force = sf_force(model, F_0, w);
+    return fabs(slow_flow_F(w, at->A, force, model->m, model->zeta, at->h)) <= sf_doubt_of_F(model, at, force, w);
+}
+
+/* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros that are
+ * about to meet, or have met, lead the search there. Omega in it follows from I, as sf_fold_Omega says. */
 static int sf_is_close(const sf_search *search, const sf_probe *probe) {
     const sf_asked *asked = &search->asked;
     const sf_sample *at = &probe->at;
     const double zeta = asked->model->zeta, Omega = probe->answer.Omega[0];
     double size = sf_size_at(at, asked->F_0);
+    if (asked->question == SF_STATE) /* above a breakpoint F is what it is below */
+        return fabs(at->h_A) < HUGE_VAL && sf_is_F_close(asked->model, at, asked->F_0, asked->Omega);
     if (asked->question != SF_FOLD_AT || !probe->answer.exists[0] || !(fabs(at->h_A) < HUGE_VAL))
         return 0;
     if (zeta > 0) {

@@ -1,7 +1,9 @@
-/* Steady states at a frequency: in goes the response curve in segments, out come the amplitudes on them, and a proof's in
- * their place where doubles are in doubt and the proof decides.
+/* Steady states at a frequency: in goes a model, out come the amplitudes.
  *
- * The number changes where Omega passes a fold. So doubles are in doubt next to one, and wherever the folds were.
+ * They are the zeros of F along the amplitude, each in an interval that is proved to hold no other one, and where none is
+ * doubtful that is all. Else the response curve in segments gives the amplitudes on them, and a proof's in their place where
+ * doubles are in doubt and the proof decides. The number changes where Omega passes a fold: so doubles are in doubt next to
+ * one, and wherever the folds were.
  */
 #ifndef SF_STATES_H
 #define SF_STATES_H
@@ -92,14 +94,62 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
     return 1;
 }
 
-/* The steady states at Omega by rising A; returns their number. undecided: whether doubles do not tell it */
-static int sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, double *A,
-                     unsigned char *stable, int *undecided) {
+/* The steady states at Omega by rising A, from the segments; returns their number. undecided: whether doubles do not tell it */
+static int sf_states_on_curve(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, double *A,
+                              unsigned char *stable, int *undecided) {
     int n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
-    *undecided = 0;
     if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
         *undecided = given == NULL || !sf_take_proved_states(model, given, F_0, room, Omega, &n, A, stable);
     return n;
+}
+
+/* The steady states at Omega by rising A where no number of doubles is near to deciding how many there are, each settled to
+ * its last digit; returns their number, or -1. Without friction and with little of it, without viscous damping and for an
+ * excitation by inertia the curve is asked. */
+static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, double F_0, double Omega, sf_work *work, double *A,
+                           unsigned char *stable) {
+    sf_asked asked = sf_asked_of(SF_STATE, model, F_0);
+    sf_zeros *found = &work->zeros;
+    int i, k, n = 0;
+    double A_max;
+    if (sf_inertial(model) || !(model->zeta > 0) || sf_nearly_sticks(model, F_0))
+        return -1;
+    A_max = slow_flow_limit_envelope(Omega, F_0, model->m, model->zeta) * (1 + SF_CLOSE); /* there I exceeds F_0 */
+    if (!(A_max > SF_FIRST && A_max < SF_ENDLESS))
+        return -1;
+    asked.Omega = Omega;
+    sf_stretches_up_to(model, A_max, &work->pieces);
+    for (i = 0; i < work->pieces.n; i++) {
+        sf_clear_zeros(found);
+        sf_find_zeros(&asked, &work->pieces.at[i], found);
+        if (found->status != SF_OK || found->undecided || found->close)
+            return -1;
+        sf_sort_zeros(found);
+        for (k = 0; k < found->n; k++) {
+            sf_settling of = {sfp_point(Omega), sfp_point(found->at[k].A), sfp_point(F_0)};
+            if (n == SF_MOST_STATES || sf_piece_of(model, of.A.high) != i ||
+                !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of))
+                return -1;
+            A[n] = of.A.high, stable[n++] = (unsigned char)found->at[k].rising;
+        }
+    }
+    return n;
+}
+
+/* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not tell their number */
+static sf_status sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, int *n,
+                           double *A, unsigned char *stable, int *undecided) {
+    *undecided = 0;
+    *n = given == NULL ? -1 : sf_clear_states(model, &given->exactly, F_0, Omega, &room->work, A, stable);
+    if (*n >= 0)
+        return SF_OK;
+    *n = 0;
+    if (!room->followed)
+        room->status = sf_make_skeleton(model, given, F_0, room);
+    room->followed = 1;
+    if (room->status == SF_OK)
+        *n = sf_states_on_curve(model, given, F_0, room, Omega, A, stable, undecided);
+    return room->status;
 }
 
 #endif

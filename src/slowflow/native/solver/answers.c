@@ -289,19 +289,20 @@ static int make_place(states *found)
 
 /* All states at the frequencies asked for; -1 with an exception set where it was interrupted or there was no room. */
 static int all_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, const double *asked,
-                      npy_intp asked_n, states *found)
+                      npy_intp asked_n, states *found, sf_status *status)
 {
     npy_intp i = 0;
     int is_room = 1;
-    while (i < asked_n && is_room) {
+    *status = SF_OK;
+    while (i < asked_n && is_room && *status == SF_OK) {
         Py_BEGIN_ALLOW_THREADS
         const npy_intp first = i;
         const long proofs = room->proofs;
-        while (i < asked_n && i - first + PROOF * (room->proofs - proofs) < BETWEEN_SIGNALS &&
+        while (i < asked_n && i - first + PROOF * (room->proofs - proofs) < BETWEEN_SIGNALS && *status == SF_OK &&
                (is_room = make_place(found))) {
-            int undecided;
-            const int here = sf_here()->states(model, given, F_0, room, asked[i], found->A + found->n,
-                                               found->stable + found->n, &undecided);
+            int here, undecided;
+            *status = sf_here()->states(model, given, F_0, room, asked[i], &here, found->A + found->n,
+                                        found->stable + found->n, &undecided);
             for (int j = 0; j < here; j++)
                 found->Omega[found->n++] = asked[i];
             if (undecided)
@@ -349,11 +350,8 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
         Py_DECREF(array);
         return NULL;
     }
-    Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->skeleton(model, sf_given_in(given), F_0, room);
-    Py_END_ALLOW_THREADS
-    if (status != SF_OK ||
-        all_states(model, sf_given_in(given), F_0, room, PyArray_DATA(array), PyArray_DIM(array, 0), &found) == 0) {
+    room->followed = 0, room->proofs = 0;
+    if (all_states(model, sf_given_in(given), F_0, room, PyArray_DATA(array), PyArray_DIM(array, 0), &found, &status) == 0) {
         PyObject *items[] = {array_of(found.n, NPY_DOUBLE, found.Omega, sizeof *found.Omega),
                              array_of(found.n, NPY_DOUBLE, found.A, sizeof *found.A),
                              array_of(found.n, NPY_BOOL, found.stable, sizeof *found.stable),
