@@ -70,6 +70,7 @@ class SecondApproximation:
         phi   -- its phase, in its quadrant (25)
         F     -- response, R^2 + (I - F_0)(I + F_0); zero at a steady state
         turning -- zero where the forcing that reaches a given u_max is least
+        turning_by_inertia -- the same of an excitation by inertia, whose force is F_0 Omega^2
         and derivatives, as F_A
     """
 
@@ -164,12 +165,17 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
     cosine = chain.function("cosine", [sp.sqrt((1 - sine) * (1 + sine)), -sine / c, -1 / c**3], sine)
     u_max = chain.define("u_max", A_1 * cosine + share)
     spring = chain.define("spring", h + sum(a[n] * (family[1] - h_A) for n, family in OF_HARMONIC.items()))
-    R = chain.define("R", flow.R.subs({A: A_1, h: spring}, simultaneous=True) - m * sine)
+    of_R = flow.R.subs({A: A_1, h: spring}, simultaneous=True) - m * sine
+    R = chain.define("R", of_R)
     # work of the forcing over a cycle: -pi A_1 F_0 sin(phi) = pi A_1 I
     viscous = A_1 + sum(n**2 * a[n] ** 2 for n in HARMONICS) / A_1
-    I = chain.define("I", flow.I.subs({A: viscous, m: m * u_max / A_1}, simultaneous=True))
+    of_I = flow.I.subs({A: viscous, m: m * u_max / A_1}, simultaneous=True)
+    I = chain.define("I", of_I)
     F_A = 2 * (R * chain.by_A[R] + I * chain.by_A[I])
     F_Omega = 2 * (R * chain.by_Omega[R] + I * chain.by_Omega[I])
+    # Omega^5 d(level^2)/dOmega, level = sqrt(R^2 + I^2)/Omega^2, without the force of inertia, which cancels
+    R_falls, I_falls = (sp.expand(Omega * chain.slope(of, chain.by_Omega) - 2 * of) for of in (of_R, of_I))
+    level_slope = 2 * (R * R_falls + I * I_falls)
     return SecondApproximation(
         tuple(chain.lets),
         {
@@ -186,5 +192,6 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
             "F_Omega": F_Omega,
             # dF_0/dOmega = 0 along u_max = const
             "turning": F_Omega * chain.by_A[u_max] - F_A * chain.by_Omega[u_max],
+            "turning_by_inertia": level_slope / Omega * chain.by_A[u_max] - F_A * chain.by_Omega[u_max],
         },
     )

@@ -15,6 +15,7 @@ from slowflow.averaged.reference import answers
 from slowflow.exact.compiled import SCIPY, default_integrator
 from slowflow.paper import example
 from slowflow.results import Remark
+from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status
 
 CASES = json.loads((Path(__file__).parent / "data" / "inertia.json").read_text())
@@ -299,6 +300,38 @@ def test_a_shock_does_not_ask_what_else_the_oscillator_is_excited_by():
     assert iso.replace(excitation="base").transient(**pulse).A == iso.transient(**pulse).A
 
 
+def test_folds_of_the_second_approximation_come_closer_to_those_of_forty_digits():
+    cases = json.loads((Path(__file__).parent / "data" / "exact_motions.json").read_text())
+    folds = [case for case in cases if case["fold"] and "excitation" in case["numbers"] and case["force"] != "duffing"]
+    assert len(folds) == 3
+    for case in folds:
+        iso, exact = Isolator(**case["numbers"], force=case["force"]), float(case["Omega"])
+        first, second = (
+            min(abs(of.saddle_nodes(case["F_0"]).Omega / exact - 1)) for of in (iso, iso.second_approximation)
+        )
+        assert second < 0.2 * first
+        assert second < 1e-4
+
+
+def test_the_second_approximation_of_a_linear_mount_with_friction_is_den_hartogs():
+    osc = Duffing(1.0, 0.0, mu=0.02, zeta=1e-9, excitation="base").second_approximation
+    Omega, Y = np.array([0.7, 1.4, 2.5]), 0.1
+    known = den_hartog.amplitude(Omega, Y * Omega**2, 0.02)
+    assert osc.amplitudes(Omega=Omega, F_0=Y).A == pytest.approx(known, rel=1e-7)
+
+
+def test_at_the_least_base_amplitude_that_lifts_the_springs_the_highest_displacement_is_the_stroke():
+    iso = Isolator(**{**example.TABLE_1, "zeta": 0.05}, force="untruncated", excitation="base")
+    second = iso.second_approximation
+    found = second.detachment()
+    top = second.peak(found.F_cr)
+    assert (top.A, top.Omega) == pytest.approx((iso.u_cr, found.Omega_cr), rel=1e-9)
+    exact = iso.exact_response(found.F_cr, Omega=(0.8, 1.2)).peak
+    # what is left out is quadratic in friction over the force of inertia
+    order = (iso.mu / (iso.u_cr * found.Omega_cr**2)) ** 2
+    assert (exact.A, exact.Omega) == pytest.approx((iso.u_cr, found.Omega_cr), rel=1.5 * order)
+
+
 def test_transmissibility_tends_to_its_floor():
     iso = Isolator(**example.TABLE_1)
     far = iso.amplitudes(Omega=1e5, F_0=0.04).transmissibility
@@ -393,7 +426,7 @@ def test_what_is_not_available_is_refused_in_words():
     refused = [
         lambda: iso.certify(0.03),
         lambda: iso.saddle_nodes(0.03, certify=True),
-        lambda: iso.second_approximation,
+        lambda: Isolator.many(**example.TABLE_1, excitation="base").second_approximation,
         lambda: Isolator.many(**example.TABLE_1, excitation="base").certify(0.03),
     ]
     for ask in refused:

@@ -360,7 +360,7 @@ def test_derivatives_are_those_of_the_values(force, A):
     at = balance.response(Omega + step, A, F_0)
     u_A, u_Omega, F_Omega = slope(u_max), slope(at[0]), slope(at[4])
     *_, found_F_A, found_F_Omega, R_A, R_Omega = balance.response(Omega, A, F_0)
-    found = (found_F_A, found_F_Omega, R_A, R_Omega, balance.folds(Omega, A, F_0)[2], balance.detachment(Omega, A)[3])
+    found = (found_F_A, found_F_Omega, R_A, R_Omega, balance.folds(Omega, A, F_0)[2], balance.detachment(Omega, A)[2])
     expected = (slope(F), F_Omega, slope(R), slope(at[3]), slope(F_A), F_Omega * u_A - slope(F) * u_Omega)
     assert np.allclose(found, expected, rtol=1e-6, atol=1e-9)
 

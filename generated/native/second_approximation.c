@@ -44,6 +44,24 @@ static const sf_loop second_approximation_detachment_loops[] = {
     second_approximation_detachment_loop,
 };
 
+static SF_WIDE void second_approximation_detachment_by_inertia_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i],
+            h_AA = in[6][i], h_3 = in[7][i], h_3_A = in[8][i], h_3_AA = in[9][i], h_5 = in[10][i], h_5_A =
+            in[11][i], h_5_AA = in[12][i];
+        double values[4];
+        second_approximation_detachment_by_inertia(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A,
+            h_5_AA, values);
+        for (int k = 0; k < 4; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop second_approximation_detachment_by_inertia_loops[] = {
+    second_approximation_detachment_by_inertia_loop,
+};
+
 static SF_WIDE void second_approximation_folds_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -72,6 +90,9 @@ static const sf_kernel kernels[] = {
      "R, I, largest displacement, and what vanishes where the forcing that reaches it is least. Equation beyond "
      "(23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.",
      13, 4, 1, NULL, second_approximation_detachment_loops},
+    {"detachment_by_inertia",
+     "The same of an excitation by inertia. Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.",
+     13, 4, 1, NULL, second_approximation_detachment_by_inertia_loops},
     {"folds",
      "F and its derivatives: a fold has F = F_A = 0, a cusp all three. Equation beyond (23). Domain: Omega > 0, A > "
      "0, |h| < 9 A Omega^2.",

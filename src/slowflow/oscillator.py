@@ -52,7 +52,7 @@ class Oscillator(Averaged):
     design    -- the numbers that `mechanism.design` names, each within its domain
     excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
         "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
-        leave to a force what they have no answer to: proofs and the second approximation.
+        leave to a force what they have no answer to: proofs, and the second approximation of many designs.
         A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
@@ -311,12 +311,9 @@ class Oscillator(Averaged):
     def second_approximation(self) -> SecondApproximation:
         """The same questions with the higher harmonics of force and friction: closer to the equation of motion.
 
-        Raises ValueError where these harmonics are not derived: for force="untruncated" with u_cr > 3/4, and for an
-        excitation by inertia.
+        Raises ValueError where these harmonics are not derived: for force="untruncated" with u_cr > 3/4.
         """
         from slowflow.second import SecondApproximation
-
-        self.only_for_a_force("second_approximation")
 
         return SecondApproximation(self)
 

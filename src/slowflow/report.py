@@ -21,7 +21,6 @@ import numpy as np
 import slowflow
 from slowflow import files, pictures
 from slowflow.answer import Answer, head
-from slowflow.isolator import Isolator
 from slowflow.paper.report import read_ledger
 from slowflow.physical import EXCITED, SHOWN, UNITS, Physical, Quantities
 from slowflow.scenes import Scene
@@ -88,7 +87,7 @@ def html(scene: Scene) -> str:
     if not forcings and not shocks:
         raise ValueError(f"{scene.path}: a report needs forcings in [ask], or a shock")
     of = scene.oscillator
-    by_force = _by_force(of)
+    subject = Subject(of)
     title = f"Vibration isolator: {scene.path.stem}"
     sections = {
         "In short": _summary(of, forcings),
@@ -98,8 +97,8 @@ def html(scene: Scene) -> str:
         "Load spectrum": _spectrum(scene),
         "Shocks": _shocks(scene),
         "Tolerances": _tolerances(scene),
-        "Designs beside it": _map(Subject(of)),
-        "How far to trust it": _trust(of, forcings) if by_force else _checked(of, forcings, scene),
+        "Designs beside it": _map(subject),
+        "How far to trust it": _trust(of, forcings, scene),
         "Equations": _equations(),
         "Data": _data(of, forcings, scene),
     }
@@ -117,14 +116,6 @@ def html(scene: Scene) -> str:
         f'<nav aria-label="Contents"><ul>{links}</ul></nav></header>\n'
         f"<main>\n{body}\n</main>\n</body>\n</html>\n"
     )
-
-
-def _by_force(of: Any) -> bool:
-    """Whether the excitation is a force. Raises ValueError for what is no isolator."""
-    isolator = of.oscillator if isinstance(of, Physical) else of
-    if not isinstance(isolator, Isolator):
-        raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
-    return isolator.excitation == "force"
 
 
 def _letter(of: Any) -> tuple[str, str]:
@@ -312,8 +303,8 @@ def _map(subject: Subject) -> Iterator[str]:
     yield _figure(ax, f"The {what} from which on it jumps, over {x} and {y}; the circle is the design at hand.")
 
 
-def _trust(of: Any, forcings: Sequence[float]) -> Iterator[str]:
-    """Jumps by averaging, the second approximation and the equation of motion."""
+def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
+    """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
     if not forcings:
         return
     name = "f" if isinstance(of, Physical) else "Omega"
@@ -333,12 +324,20 @@ def _trust(of: Any, forcings: Sequence[float]) -> Iterator[str]:
             rows.append((f"{F:.4g}", fold.kind, f"{getattr(fold, name):.5g}", second, *last))
     if rows:
         of_f = f"{name}/Hz" if isinstance(of, Physical) else name
-        force = "F/N" if isinstance(of, Physical) else "F_0"
-        heads = (force, "kind", f"{of_f}, averaged", "second approximation", "equation of motion", "error of averaging")
+        letter, measured = _letter(of)
+        heads = (
+            head(letter, {letter: measured}),
+            "kind",
+            f"{of_f}, averaged",
+            "second approximation",
+            "equation of motion",
+            "error of averaging",
+        )
         yield _rows("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
     else:
-        yield "<p>There is no jump at these forces.</p>"
-    yield from _expected(of, forcings)
+        yield "<p>There is no jump at these amplitudes of the excitation.</p>"
+    by_force = (of.oscillator if isinstance(of, Physical) else of).excitation == "force"
+    yield from _expected(of, forcings) if by_force else _checked(of, forcings, scene)
     yield from _depths(of, max(forcings))
 
 
@@ -401,8 +400,9 @@ def _depths(of: Any, F: float) -> Iterator[str]:
         except (ValueError, ArithmeticError) as error:
             missing.append(f"<p>No {depth} here: {escape(str(error))}</p>")
     ax = pictures.depths(_axes(), found)
-    unit = f"{F:g} N" if isinstance(of, Physical) else f"F_0 = {F:g}"
-    yield _figure(ax, f"The response at {unit} about its peak, by three depths: they lie the closer the better.")
+    force, unit = _letter(of)
+    at_F = f"{F:g} {unit}" if unit else f"{force} = {F:g}"
+    yield _figure(ax, f"The response at {at_F} about its peak, by three depths: they lie the closer the better.")
     yield from missing
 
 

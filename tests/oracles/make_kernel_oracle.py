@@ -192,7 +192,7 @@ def second_kernel(kernel):
     orders = 4 if kernel == "folds" else 3
 
     def of(Omega, A, *x):
-        F_0, m, zeta, *averages = (mpf(0), *x) if kernel == "detachment" else x
+        F_0, m, zeta, *averages = (mpf(0), *x) if kernel.startswith("detachment") else x
         families = [near(A, averages[k * orders : (k + 1) * orders]) for k in range(3)]
 
         def at(w, a):
@@ -212,6 +212,15 @@ def second_kernel(kernel):
         if kernel == "detachment":
             by_A, by_Omega = (slope(lambda w, a: at(w, a)[2], by) for by in ((0, 1), (1, 0)))
             return [R, I, u_max, F_Omega * by_A - F_A * by_Omega]
+        if kernel == "detachment_by_inertia":
+
+            def level_squared(w, a):
+                return (F(w, a) + F_0**2) / w**4
+
+            (by_A, by_Omega), (rise, along) = (
+                [slope(f, by) for by in ((0, 1), (1, 0))] for f in (lambda w, a: at(w, a)[2], level_squared)
+            )
+            return [R, I, u_max, Omega**4 * (along * by_A - rise * by_Omega)]
         slopes = [slope(lambda w, a: at(w, a)[0], by) for by in ((0, 1), (1, 0))]
         return [u_max, A_1, mp.arg(mp.mpc(-R, -I)), R, F(Omega, A), F_A, F_Omega, *slopes]
 
@@ -909,7 +918,8 @@ def second_approximation_table(rng: random.Random) -> dict:
     """Random harmonics, with |h| < 9 A Omega^2; half of the points next to the backbone."""
     table = {}
     orders = ("", "_A", "_AA", "_AAA")
-    for kernel, forcing, top in (("response", "F_0 ", 3), ("folds", "F_0 ", 4), ("detachment", "", 3)):
+    asked = (("response", "F_0 ", 3), ("folds", "F_0 ", 4), ("detachment", "", 3), ("detachment_by_inertia", "", 3))
+    for kernel, forcing, top in asked:
         families = [name + order for name in ("h", "h_3", "h_5") for order in orders[:top]]
         names = f"Omega A {forcing}m zeta".split() + families
         rows = []

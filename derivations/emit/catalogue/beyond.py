@@ -51,6 +51,13 @@ def second_approximation_module(results: Results) -> Module:
                 "R, I, largest displacement, and what vanishes where the forcing that reaches it is least.",
             ),
             kernel(
+                "detachment_by_inertia",
+                (),
+                2,
+                ("R", "I", "u_max", "turning_by_inertia"),
+                "The same of an excitation by inertia.",
+            ),
+            kernel(
                 "folds",
                 (F_0,),
                 3,

@@ -122,7 +122,8 @@ def of_second(model: Model, Omega: Floats, A: Floats) -> str:
     if not stopping.any():
         return ""
     least = next(edge for edge, size in zip(measured.RESTS, measured.SECOND_BY_REST, strict=True) if size >= WORTH)
-    size = OFF_SECOND.format(off.max()) if _is_measured(model) else OFF_UNKNOWN
+    known = _is_measured(model) and not model.inertial
+    size = OFF_SECOND.format(off.max()) if known else OFF_UNKNOWN
     return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, least) + size
 
 

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.model import Floats, Model
+from slowflow_kernels import inertia
 from slowflow_kernels import second_approximation as kernels
 from slowflow_kernels.second_conventions import HARMONICS, SMALL
 
@@ -47,18 +48,23 @@ class Balance:
     def response(self, Omega: Any, A: Any, F_0: float, averages: tuple[Floats, ...] | None = None) -> Values:
         """What a response curve needs; `averages` of A if they are known."""
         known = self.averages(A) if averages is None else averages
-        return Values(*kernels.response(Omega, A, F_0, self.model.m, self.model.zeta, *known))
+        force = self.model.force(F_0, Omega)
+        found = Values(*kernels.response(Omega, A, force, self.model.m, self.model.zeta, *known))
+        if not self.model.inertial:
+            return found
+        return found._replace(F_Omega=found.F_Omega - 2 * force * inertia.force_slopes(Omega, F_0)[0])
 
     def detachment(self, Omega: Any, A: Any) -> tuple[Floats, ...]:
-        """R, I, u_max, turning"""
-        values: tuple[Floats, ...] = kernels.detachment(Omega, A, self.model.m, self.model.zeta, *self.averages(A))
-        return values
+        """The forcing for which that is a steady state, u_max, turning"""
+        of = kernels.detachment_by_inertia if self.model.inertial else kernels.detachment
+        R, I, u_max, turning = of(Omega, A, self.model.m, self.model.zeta, *self.averages(A))
+        return np.hypot(R, I) / self.model.force(1.0, Omega), u_max, turning
 
     def folds(self, Omega: Any, A: Any, F_0: Any) -> tuple[Floats, ...]:
         """F, F_A, F_AA"""
         m, zeta = self.model.m, self.model.zeta
         values: tuple[Floats, ...] = kernels.folds(
-            Omega, A, F_0, m, zeta, *self.model.averaged(A), *self.model.harmonics(A)
+            Omega, A, self.model.force(F_0, Omega), m, zeta, *self.model.averaged(A), *self.model.harmonics(A)
         )
         return values
 

@@ -15,7 +15,7 @@ from slowflow_kernels.conventions import Status
 def serves(balance: Balance) -> bool:
     """Whether the compiled solvers have the model with its harmonics."""
     native = balance.model.native
-    return native is not None and backend.solver().has_second(native)
+    return native is not None and not balance.model.inertial and backend.solver().has_second(native)
 
 
 def follow(balance: Balance, first: FrequencyResponse) -> Curve:

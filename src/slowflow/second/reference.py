@@ -125,7 +125,7 @@ def peak(balance: Balance, curve: Curve, F_0: float) -> tuple[float, float] | No
         return math.nan
 
     def turning(Omega: float) -> float:
-        return float(balance.detachment(Omega, amplitude(Omega))[3])
+        return float(balance.detachment(Omega, amplitude(Omega))[2])
 
     ends = float(curve.Omega[low]), float(curve.Omega[high])
     with np.errstate(all="ignore"):
@@ -167,14 +167,14 @@ def detachment(balance: Balance, F_cr: float, Omega_cr: float, u_cr: float) -> t
         """A whose largest displacement is u_cr: above that by what friction's harmonics take off."""
         A = u_cr
         for _ in range(STEPS):
-            share = u_cr / float(balance.detachment(Omega, A)[2])
+            share = u_cr / float(balance.detachment(Omega, A)[1])
             if abs(share - 1) <= ROUNDING:
                 break
             A *= share
         return A
 
     def turning(Omega: float) -> float:
-        return float(balance.detachment(Omega, reaching(Omega))[3])
+        return float(balance.detachment(Omega, reaching(Omega))[2])
 
     # no iteration over A and Omega at once: next to u_cr, above which the harmonics change, it gets stuck
     with np.errstate(all="ignore"):
@@ -183,8 +183,7 @@ def detachment(balance: Balance, F_cr: float, Omega_cr: float, u_cr: float) -> t
             if turning(low) < 0 < turning(high):
                 Omega = float(brentq(turning, low, high, rtol=1e-14))
                 A = reaching(Omega)
-                R, I, *_ = balance.detachment(Omega, A)
-                forcing = float(np.hypot(R, I))
+                forcing = float(balance.detachment(Omega, A)[0])
                 # without damping it is nought to rounding
                 near = abs(A / u_cr - 1) < SMALL and abs(forcing - F_cr) < SMALL * F_cr + DONE * u_cr
                 if near and bool(balance.is_small(Omega, A)):
