@@ -37,7 +37,12 @@ from .symbols import u
 _x = sp.Symbol("x", real=True)
 _k_v, _L = sp.symbols("k_v L", positive=True)
 #: what a parameter may not be called: it has that meaning already
-TAKEN = {"u", "A", "Omega", *(parameter.symbol.name for parameter in (*DAMPING, FORCING))}
+TAKEN = {"u", "A", "Omega", "out", *(parameter.symbol.name for parameter in (*DAMPING, FORCING))}
+#: words of C11 that are names in Python: the printed C would not compile
+WORDS_OF_C = frozenset(
+    "auto case char const default do double enum extern float goto inline int long register restrict short signed "
+    "sizeof static struct switch typedef union unsigned void volatile".split()
+)
 HERE = Path(__file__).parent
 DOCUMENT = "derivation.md"
 
@@ -79,6 +84,8 @@ def stated(
     for given in parameters:
         if not given.isidentifier() or keyword.iskeyword(given) or given in TAKEN:
             raise ValueError(f"parameter {given!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
+        if given in WORDS_OF_C:
+            raise ValueError(f"parameter {given!r} is not allowed: it is a word of C")
         symbols[given] = _symbol(given, parameters[given])
     design = tuple(_parameter(symbols[given], about) for given, about in parameters.items())
     if not pieces:

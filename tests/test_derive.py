@@ -286,6 +286,9 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
         ({"name": "a stop"}, ValueError, "name = 'a stop' is not allowed"),
         ({"name": "__import__('os')"}, ValueError, "is not allowed"),
         ({"parameters": {"mu": {}}}, ValueError, "parameter 'mu' is not allowed"),
+        ({"parameters": {"out": {}}}, ValueError, "parameter 'out' is not allowed"),
+        ({"parameters": {"short": {}}}, ValueError, "it is a word of C"),
+        ({"pieces": [(u, None)], "parameters": {}}, ValueError, "has no number of its own"),
         ({"parameters": {"k_1": {"over": 0}}}, ValueError, "'over' is not allowed"),
     ],
 )

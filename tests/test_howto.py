@@ -18,7 +18,12 @@ from slowflow.paper import example
 from slowflow_kernels import rod_spring
 
 DOCS = Path(__file__).parents[1] / "docs"
-PAGES = [DOCS / "index.md", DOCS / "tutorial.md", DOCS / "gallery.md", *sorted((DOCS / "howto").glob("*.md"))]
+PAGES = [
+    *(DOCS / f"{name}.md" for name in ("index", "tutorial", "gallery")),
+    # derives five mechanisms
+    pytest.param(DOCS / "mechanisms.md", marks=pytest.mark.slow),
+    *sorted((DOCS / "howto").glob("*.md")),
+]
 LANGUAGES = (DOCS / "howto" / "languages.md").read_text(encoding="utf-8").split("\n## ")[1:]
 #: what a language's lines need besides a C compiler: programs, and packages of Python
 NEEDED = {
@@ -34,9 +39,9 @@ NEEDED = {
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_the_code_of_a_page_runs(page: Path) -> None:
     blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
-    if page.stem == "gallery":
+    if page.stem in ("gallery", "mechanisms"):
         pytest.importorskip("matplotlib")
-    if page.stem == "own_mechanism":
+    if page.stem in ("own_mechanism", "mechanisms"):
         pytest.importorskip("flint", reason="what derives is not installed")
     exec("\n".join(blocks), {"__name__": page.stem})
 

@@ -1,4 +1,4 @@
-"""A mechanism that the project has not: its file alone, then what `make derive` does, then every question and test."""
+"""A mechanism of the library as one of the package: its file, then what `make derive` does, then every question."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ import pytest
 import sympy as sp
 
 from derivations.averaging import averaged
+from derivations.library import bilinear
 from derivations.mechanisms import Piece
 from derivations.oscillator import oscillator
 from derivations.restoring import restoring
 from derivations.resultants import saddle_node_onset
 from derivations.slow_flow import SCENES, slow_flow
 from slowflow import backend
-from tests.mechanisms import bilinear
 
 ROOT = Path(__file__).parents[1]
 NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__pycache__", "*.so")
@@ -34,7 +34,7 @@ def project(tmp_path_factory):
             shutil.copytree(ROOT / part, folder / part, ignore=NOT_COPIED)
         else:
             shutil.copy(ROOT / part, folder / part)
-    shutil.copy(ROOT / "tests" / "mechanisms" / "bilinear.py", folder / "derivations" / "mechanisms")
+    shutil.copy(Path(bilinear.__file__), folder / "derivations" / "mechanisms")
     run(folder, "-m", "derivations", "--alone")
     if backend.SOLVER is not None:
         run(folder, "setup.py", "-q", "build_ext", "--inplace")
@@ -94,11 +94,11 @@ def test_a_constant_that_makes_the_force_continuous_needs_no_name_and_leaves_no_
 
 
 def test_a_force_that_jumps_needs_a_name_for_its_constant():
-    x, k_1, k_2, d = bilinear.x, bilinear.k_1, bilinear.k_2, bilinear.d
-    pieces = (Piece(k_1 * x, until=x - d), Piece(k_2 * x + 2 * (k_1 - k_2) * d))
+    x, k_v, k_2, d = bilinear.x, bilinear.k_v, bilinear.k_2, bilinear.d
+    pieces = (bilinear.MECHANISM.pieces[0], Piece((k_2 - k_v) * (x - 2 * d)))
     with pytest.raises(ArithmeticError, match="jumps where piece 1 ends"):
         oscillator(changed(pieces=pieces))
-    named = changed(pieces=pieces, coefficients=({1: bilinear.alpha_1}, {0: sp.Symbol("c"), 1: bilinear.alpha_2}))
+    named = changed(pieces=pieces, coefficients=({}, {0: sp.Symbol("c"), 1: bilinear.alpha_2}))
     (jump,) = restoring(oscillator(named).polynomials, named.breakpoints).jumps
     assert jump != 0
 
@@ -106,7 +106,7 @@ def test_a_force_that_jumps_needs_a_name_for_its_constant():
 def test_a_first_piece_with_even_powers_is_refused():
     x, d = bilinear.x, bilinear.d
     with pytest.raises(ArithmeticError, match=r"powers \[0\] of u in the first piece"):
-        oscillator(changed(pieces=(Piece(bilinear.k_1 * (x + d), until=x - d), bilinear.MECHANISM.pieces[1])))
+        oscillator(changed(pieces=(Piece(bilinear.k_v * (x + d), until=x - d), bilinear.MECHANISM.pieces[1])))
 
 
 @pytest.mark.parametrize("scene", SCENES)

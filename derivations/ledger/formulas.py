@@ -245,15 +245,11 @@ def _atan(y: sp.Expr, x: sp.Expr) -> sp.Expr:
     return sp.atan(y / x)
 
 
-def detached_derivative(results: Results, order: int) -> sp.Expr:
-    """H_2 (order 0) or its derivative with respect to A, in A, the coefficients and psi_0.
+def in_angle(expression: sp.Expr, end: sp.Symbol, angle: sp.Symbol) -> sp.Expr:
+    """A closed form of `restoring` beyond one breakpoint, with end = A cos(angle).
 
-    u_cr = A cos psi_0, sqrt(A^2 - u_cr^2) = A sin psi_0; of the two angles at the end one is psi_0, one pi/2 - psi_0.
+    sqrt(A^2 - end^2) = A sin(angle); of the two angles at the end one is the angle, one pi/2 less it.
     """
-    averages = results.mechanisms[MECHANISM].beside_vertical
-    (end,) = averages.breakpoints
-    angle = shared_symbols()["psi_0"]
-    expression = averages.regimes[1].closed_form(order)
     root = {p: p.base for p in expression.atoms(sp.Pow) if p.exp.is_Rational and p.exp.q == 2}
     if any(sp.expand(base) != A**2 - end**2 for base in root.values()):
         raise ArithmeticError(f"an unforeseen root in {expression}")
@@ -264,6 +260,13 @@ def detached_derivative(results: Results, order: int) -> sp.Expr:
         **{form(end, opposite): sp.pi / 2 - angle for form in (sp.atan2, _atan)},
     }
     return expression.xreplace(angles).subs({opposite: A * sp.sin(angle), end: A * sp.cos(angle)})
+
+
+def detached_derivative(results: Results, order: int) -> sp.Expr:
+    """H_2 (order 0) or its derivative with respect to A, in A, the coefficients and psi_0, where u_cr = A cos psi_0."""
+    averages = results.mechanisms[MECHANISM].beside_vertical
+    (end,) = averages.breakpoints
+    return in_angle(averages.regimes[1].closed_form(order), end, shared_symbols()["psi_0"])
 
 
 ANGLE = "u_cr = A cos ψ₀, √(A² − u_cr²) = A sin ψ₀"

@@ -35,29 +35,38 @@ def counts(rows: list[Row]) -> dict[str, dict[str, int]]:
     }
 
 
-def markdown(
-    rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]], cost: list[dict[str, str]]
-) -> str:
-    """LEDGER.md."""
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(Path(__file__).parent),
+def environment(folder: Path) -> jinja2.Environment:
+    """For the templates of a folder."""
+    made = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(folder),
         undefined=jinja2.StrictUndefined,
         autoescape=False,
         keep_trailing_newline=True,
     )
-    environment.filters |= {"cell": _cell, "code": _code}
-    return environment.get_template("LEDGER.md.jinja").render(
-        rows=rows,
-        findings=findings,
-        table_2=table_2,
-        cost=cost,
-        readings=readings(rows),
-        counts=counts(rows),
-        kinds=list(ALLOWED),
-        titles=TITLES,
-        vocabulary=VOCABULARY,
-        citation=CITATION,
-        criteria=measured.CRITERIA,
+    made.filters |= {"cell": _cell, "code": _code}
+    return made
+
+
+def markdown(
+    rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]], cost: list[dict[str, str]]
+) -> str:
+    """LEDGER.md."""
+    return (
+        environment(Path(__file__).parent)
+        .get_template("LEDGER.md.jinja")
+        .render(
+            rows=rows,
+            findings=findings,
+            table_2=table_2,
+            cost=cost,
+            readings=readings(rows),
+            counts=counts(rows),
+            kinds=list(ALLOWED),
+            titles=TITLES,
+            vocabulary=VOCABULARY,
+            citation=CITATION,
+            criteria=measured.CRITERIA,
+        )
     )
 
 

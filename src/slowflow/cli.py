@@ -156,22 +156,20 @@ def explain_scene(given: argparse.Namespace) -> int:
 
 
 def derive_mechanisms(given: argparse.Namespace) -> int:
-    """Run a Python program, and write kernels, C, document and manifest of each mechanism that it derives."""
+    """Write kernels, C, document and manifest of each mechanism that a Python program derives, or of the library's."""
     # here, not above: it opens the door to the derivation
-    from slowflow.derive import Derived
+    from slowflow.derive import Derived, library
 
     program = given.program
-    if not program.is_file():
-        print(f"{program}: there is no such file", file=sys.stderr)
-        return 2
     try:
-        kept = runpy.run_path(str(program))
+        kept = list(runpy.run_path(str(program)).values()) if program.is_file() else [library(str(program))]
     except Exception as error:  # the user's program may raise anything
         lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(program)]
         where = f"{program}, line {lines[-1]}" if lines else program
-        print(f"{where}: {type(error).__name__}: {error}", file=sys.stderr)
+        missing = "" if program.is_file() else "there is no such file; "
+        print(f"{where}: {missing}{type(error).__name__}: {error}", file=sys.stderr)
         return 2
-    found = [value for value in kept.values() if isinstance(value, Derived)]
+    found = [value for value in kept if isinstance(value, Derived)]
     if not found:
         print(f"{program} keeps no mechanism: give what slowflow.derive.mechanism returns a name", file=sys.stderr)
         return 2
@@ -239,7 +237,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add_certify(commands)
     add_scenes(commands)
     derive = commands.add_parser("derive", help="kernels, C and derivation of mechanisms that a Python program states")
-    derive.add_argument("program", type=Path, help="a Python file that calls slowflow.derive.mechanism; it is run")
+    derive.add_argument(
+        "program",
+        type=Path,
+        help="a Python file that derives mechanisms, which is run; or the name of one in the library",
+    )
     derive.add_argument("-o", "--out", type=Path, metavar="DIR", default=Path("derived"), help="default: %(default)s")
     given = parser.parse_args(arguments)
     try:

@@ -115,8 +115,31 @@ def mechanism(
     derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
     where slowflow itself is not compiled. Exact motions are SciPy's, compiled or not.
     """
+    stated = _derivation().stated(name, pieces, parameters, title, *(() if reach is None else (reach, reach_reason)))
+    return _derived(stated, compile)
+
+
+def library(name: str, *, compile: bool = False) -> Derived:
+    """A mechanism of the library, derived: `library("elastic_stop")`, and those that docs/mechanisms.md shows.
+
+    Each is a file of `slowflow_derivation.library`, which states it; printed, it names its numbers. `compile` as above.
+
+    Raises ValueError for a name that is not in the library, with those that are; else as `mechanism` does.
+    """
+    return _derived(_derivation("slowflow_derivation.library").stated(name), compile)
+
+
+def include() -> list[Path]:
+    """The folders of the C headers: the solvers' own, and the generated ones, which they include."""
+    kernels = Path(slowflow_kernels.__file__).parent
+    # of an installed package, or beside it in a checkout
+    generated = kernels if (kernels / "c").is_dir() else kernels.parent
+    return [Path(__file__).parent / "native", generated / "c", generated / "native"]
+
+
+def _derived(stated: Any, compile: bool) -> Derived:
+    """Derived and printed, if it was not, and compiled if that is wanted."""
     live = _derivation()
-    stated = live.stated(name, pieces, parameters, title, *(() if reach is None else (reach, reach_reason)))
     folder = _folder()
     module = live.name_of(stated)
     if not (folder / f"{module}.py").exists():
@@ -128,17 +151,9 @@ def mechanism(
     return Derived(record, folder, stated)
 
 
-def include() -> list[Path]:
-    """The folders of the C headers: the solvers' own, and the generated ones, which they include."""
-    kernels = Path(slowflow_kernels.__file__).parent
-    # of an installed package, or beside it in a checkout
-    generated = kernels if (kernels / "c").is_dir() else kernels.parent
-    return [Path(__file__).parent / "native", generated / "c", generated / "native"]
-
-
-def _derivation() -> ModuleType:
+def _derivation(module: str = "slowflow_derivation.live") -> ModuleType:
     try:
-        return importlib.import_module("slowflow_derivation.live")
+        return importlib.import_module(module)
     except ImportError as error:
         raise ImportError(f"{NEEDED} ({error})") from error
 

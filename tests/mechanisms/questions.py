@@ -17,8 +17,8 @@ from slowflow import backend
 from slowflow.oscillator import Oscillator
 from slowflow_kernels import bilinear
 
-K_1, K_2, D, MU, ZETA = 1.0, 9.0, 0.2, 0.01, 0.03  # with the vertical spring's own stiffness 1
-DESIGN = {"kappa_1": K_1 - 1, "kappa_2": K_2 - 1, "delta": D, "mu": MU, "zeta": ZETA}
+K_1, K_2, D, MU, ZETA = 1.0, 9.0, 0.2, 0.01, 0.03  # K_1 is the unit of stiffness
+DESIGN = {"kappa": K_2, "delta": D, "mu": MU, "zeta": ZETA}
 F_0 = 0.06
 M = 4 * MU / math.pi
 
@@ -122,7 +122,7 @@ def exact(oscillator):
 
 def batches(oscillator):
     """A batch is its single answers."""
-    many = Oscillator.many(bilinear.MECHANISM, **{**DESIGN, "kappa_2": [K_2 - 1, -2.0, 0.0], "delta": [D, D, -1.0]})
+    many = Oscillator.many(bilinear.MECHANISM, **{**DESIGN, "kappa": [K_2, -1.0, 1.0], "delta": [D, D, -1.0]})
     onsets, folds = many.saddle_node_onset(), many.saddle_nodes(F_0)
     close(onsets.F_SN[0], oscillator.saddle_node_onset().F_SN, 1e-13)
     assert folds.count.tolist()[0] == 2 and onsets.status[2] == many.detachment().status[2] == 1

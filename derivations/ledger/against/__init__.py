@@ -1,0 +1,165 @@
+"""What the derivation has in the place of what `literature` states, one file a publication, of the same name.
+
+In:  a `Publication`; what is derived.
+Out: `judged`, one `Judged` for each formula and sentence. What a publication gives as an approximation is not
+     called wrong: what it stands for is certified, and the error is told.
+
+A file has `formulas(derived)`, for each function's name what judges it, and `claims(derived)`, for each sentence's id
+its verdict and evidence.
+"""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import inspect
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from ...averaging import Averaged, averaged
+from ...library import stated
+from ...mechanisms import duffing
+from ...results import OfMechanism, of_mechanism
+from ...slow_flow import SlowFlow, slow_flow
+from ..formulas import DIFFERENCE, Reading, Subject
+from ..judging import judge
+from ..literature import Publication
+from ..rows import DIFFERS, FALSE, IDENTICAL, LOOSE, REWRITTEN, TRUE
+from ..source import EXACT
+
+APPROXIMATE = "approximate"
+
+#: what each verdict says, in the order of the summary
+VOCABULARY = {
+    IDENTICAL: "the same expression but for the order of terms, proved",
+    REWRITTEN: "proved equal once what the row names is used",
+    APPROXIMATE: "the publication gives it as an approximation; the row has its error, from certified values",
+    DIFFERS: "the exact difference is not zero: it is shown",
+    TRUE: "the sentence holds, by the proof or the certified value given",
+    LOOSE: "holds only with a condition that is not stated",
+    FALSE: "does not hold, by the proof given",
+}
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The verdict on a formula: both sides as text, their difference where it is not zero, and the evidence."""
+
+    verdict: str
+    published: str
+    derived: str
+    difference: str = ""
+    evidence: str = ""
+
+
+Judge = Callable[[Callable[..., Any]], Judged]
+Claims = dict[str, tuple[str, str]]
+
+
+class Derived:
+    """What is derived, when it is asked for."""
+
+    @functools.cached_property
+    def averaged(self) -> Averaged:
+        """(8)-(20)."""
+        return averaged()
+
+    @functools.cached_property
+    def flow(self) -> SlowFlow:
+        """(23)-(30), without friction."""
+        return slow_flow(self.averaged, "mu0")
+
+    @functools.cached_property
+    def friction(self) -> sp.Expr:
+        """m (23), friction's share of I."""
+        return slow_flow(self.averaged).m
+
+    @functools.cached_property
+    def duffing(self) -> OfMechanism:
+        """The oscillator with a cubic term."""
+        return of_mechanism(duffing.MECHANISM)
+
+    def library(self, name: str) -> OfMechanism:
+        """A mechanism of the library."""
+        return of_mechanism(stated(name))
+
+
+def value(function: Callable[..., Any], given: Mapping[str, Any]) -> sp.Expr:
+    """A published function at these arguments, exactly."""
+    return sp.sympify(function(**given, xp=EXACT))
+
+
+def plain(function: Callable[..., Any]) -> str:
+    """It in its own symbols."""
+    names = [name for name in inspect.signature(function).parameters if name != "xp"]
+    return sp.sstr(value(function, {name: sp.Symbol(name, positive=True) for name in names}))
+
+
+def equal(
+    derived: sp.Expr,
+    given: Mapping[str, Any],
+    *,
+    rewriting: str = "",
+    remark: str = "",
+    how: str = DIFFERENCE,
+    sample: Mapping[sp.Symbol, sp.Rational] | None = None,
+) -> Judge:
+    """The published value with these arguments is the derived one, or the exact difference; `how` as of a `Subject`."""
+    subject = Subject((Reading(derived, rewriting),), given=dict(given), how=how, sample=dict(sample or {}))
+
+    def check(function: Callable[..., Any]) -> Judged:
+        judgement = judge(function, subject)
+        by = f"By {judgement.rewriting}." if judgement.rewriting else ""
+        return Judged(
+            judgement.verdict,
+            plain(function),
+            judgement.derived,
+            judgement.difference,
+            " ".join(part for part in (by, remark) if part),
+        )
+
+    return check
+
+
+def solves(residual: Callable[[sp.Expr], sp.Expr], given: Mapping[str, Any], derived: str) -> Judge:
+    """The published value, put into a derived equation, solves it, or what is left."""
+
+    def check(function: Callable[..., Any]) -> Judged:
+        left = equal(sp.Integer(0), {}, rewriting=f"putting it into {derived}")(
+            lambda *, xp: residual(value(function, given))
+        )
+        return Judged(left.verdict, plain(function), derived, left.difference, left.evidence)
+
+    return check
+
+
+def approximates(error: Callable[[Callable[..., Any]], str], derived: str) -> Judge:
+    """The published value is an approximation, and the error of it is this."""
+    return lambda function: Judged(APPROXIMATE, plain(function), derived, evidence=error(function))
+
+
+@dataclass(frozen=True)
+class Verdicts:
+    """All on one publication: by the name of a formula's function, and by a sentence's id."""
+
+    publication: Publication
+    formulas: dict[str, Judged]
+    claims: Claims
+
+
+def judged(publication: Publication, derived: Derived) -> Verdicts:
+    """Every formula and sentence, in the publication's order. Call it at the ledger's precision."""
+    against = importlib.import_module(f"{__name__}.{publication.name}")
+    judges: dict[str, Judge] = against.formulas(derived)
+    claims: Claims = against.claims(derived)
+    names, ids = [f.function.__name__ for f in publication.formulas], [claim.id for claim in publication.claims]
+    if set(judges) != set(names) or set(claims) != set(ids):
+        raise ArithmeticError(
+            f"{publication.name}: what is published and what is judged part at "
+            f"{sorted(set(judges) ^ set(names)) + sorted(set(claims) ^ set(ids))}"
+        )
+    formulas = {f.function.__name__: judges[f.function.__name__](f.function) for f in publication.formulas}
+    return Verdicts(publication, formulas, {name: claims[name] for name in ids})

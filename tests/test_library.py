@@ -1,0 +1,87 @@
+"""The library's mechanisms; against their forces typed once more, averaged by quadrature."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mpmath as mp
+import pytest
+import sympy as sp
+
+from derivations import library
+from derivations.results import of_mechanism
+from derivations.symbols import A
+from slowflow import derive
+from slowflow.cli import main
+
+PAGE = Path(__file__).parents[1] / "docs" / "mechanisms.md"
+F = mp.mpf
+
+
+def geometry_of_cams(u):
+    """Two springs of stiffness 0.5 behind rollers of radius 0.8, still compressed by 0.1 on the flank."""
+    across = mp.sqrt(1 - u**2)
+    return -2 * F("0.5") * (F("0.1") + across - F("0.8")) * u / across
+
+
+def geometry_of_springs(u):
+    """Two springs of stiffness 0.9, half as long again as their place when they lie."""
+    length = mp.sqrt(1 + u**2)
+    return 2 * F("0.9") * (length - F("1.5")) * u / length
+
+
+def polynomial(force, order):
+    """Its Taylor polynomial at 0, by numerical differentiation."""
+    coefficients = mp.taylor(force, 0, order)
+    return lambda u: mp.polyval(coefficients[::-1], u)
+
+
+#: numbers, the whole force for u > 0, and where it bends
+CASES = {
+    "bilinear": ({"kappa": "0.4", "delta": "0.2"}, lambda u: u - F("0.6") * max(u - F("0.2"), 0), "0.2"),
+    "cam_roller": (
+        {"r": "0.5", "rho": "0.8", "c": "0.1"},
+        lambda u: u + (polynomial(geometry_of_cams, 5)(u) if u <= F("0.6") else 0),
+        "0.6",
+    ),
+    "dead_zone": ({"delta": "0.2"}, lambda u: max(u - F("0.2"), 0), "0.2"),
+    "elastic_stop": ({"kappa": "8", "delta": "0.2"}, lambda u: u + 8 * max(u - F("0.2"), 0), "0.2"),
+    "three_spring": ({"alpha": "0.9", "ell": "1.5"}, lambda u: u + polynomial(geometry_of_springs, 3)(u), "2"),
+}
+
+
+def test_every_mechanism_of_the_library_is_tried_here_and_shown_on_its_page():
+    assert sorted(CASES) == library.names()
+    shown = PAGE.read_text(encoding="utf-8")
+    assert all(f'picture("{name}"' in shown for name in CASES)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_its_average_is_that_of_its_force(name):
+    numbers, force, bend = CASES[name]
+    derived = of_mechanism(library.stated(name))
+    values = {symbol: sp.Rational(numbers[symbol.name]) for symbol in derived.oscillator.mechanism.ratios}
+    definitions = {symbol: value.subs(values) for symbol, value in derived.oscillator.definitions.items()}
+    with mp.workdps(30):
+        for amplitude in ("0.15", "0.3", "0.9"):
+            size, end = F(amplitude), F(bend)
+            edges = [0, *([mp.acos(end / size)] if size > end else []), mp.pi / 2]
+            expected = -4 / mp.pi * mp.quad(lambda t, size=size: force(size * mp.cos(t)) * mp.cos(t), edges)
+            regime = derived.whole.regimes[int(size > end)]
+            found = regime.closed_form().subs(definitions).subs(A, sp.Rational(amplitude))
+            assert mp.almosteq(F(str(sp.N(found, 30))), expected, rel_eps=F("1e-12"))
+
+
+def test_a_name_that_the_library_has_not_is_refused_with_those_that_it_has(tmp_path, capsys):
+    with pytest.raises(ValueError, match="'stop' is not in the library: it has bilinear, "):
+        derive.library("stop")
+    assert main(["derive", "stop", "-o", str(tmp_path / "out")]) == 2
+    assert "no such file; ValueError: 'stop' is not in the library" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_the_command_line_writes_a_mechanism_of_the_library(tmp_path, capsys):
+    assert main(["derive", "dead_zone", "-o", str(tmp_path)]) == 0
+    text = (tmp_path / "dead_zone" / "derivation.md").read_text()
+    assert text.startswith("# Mass with play between springs")
+    assert str(tmp_path / "dead_zone") in capsys.readouterr().out

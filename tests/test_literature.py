@@ -1,0 +1,75 @@
+"""In: what others published, and every single mutant of it. Out: whether the judgements are current, and bite."""
+
+from __future__ import annotations
+
+import ast
+import copy
+import importlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from derivations.ledger import against, balls
+from derivations.ledger.against.__main__ import PAGE, page
+from derivations.ledger.literature import Publication, all_publications
+from slowflow import Duffing
+from tests.test_ledger import change, places
+
+PUBLICATIONS = all_publications()
+FILES = {
+    on.name: Path(importlib.import_module(f"derivations.ledger.literature.{on.name}").__file__) for on in PUBLICATIONS
+}
+
+
+@pytest.mark.slow
+def test_the_page_is_what_the_judgements_are_now() -> None:
+    assert page() == PAGE.read_text(encoding="utf-8"), "python -m derivations.ledger.against writes it anew"
+
+
+@pytest.mark.parametrize("publication", PUBLICATIONS, ids=lambda on: on.name)
+def test_what_is_published_comes_from_nothing_that_is_derived(publication: Publication) -> None:
+    tree = ast.parse(FILES[publication.name].read_text(encoding="utf-8"))
+    imports = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
+    assert {(node.level, node.module) for node in imports} == {(0, "typing"), (1, None)}
+    assert publication.citation and publication.read_in
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("publication", PUBLICATIONS, ids=lambda on: on.name)
+def test_every_mutant_of_a_formula_is_judged_otherwise(publication: Publication) -> None:
+    module = importlib.import_module(f"derivations.ledger.literature.{publication.name}")
+    tree = ast.parse(FILES[publication.name].read_text(encoding="utf-8"))
+    functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+    assert set(functions) == {formula.function.__name__ for formula in publication.formulas}
+    seen = 0
+    with balls.precision():
+        judges = importlib.import_module(f"derivations.ledger.against.{publication.name}").formulas(against.Derived())
+        for name, original in functions.items():
+            published = judges[name](getattr(module, name))
+            for k in range(len(places(original))):
+                mutant = copy.deepcopy(original)
+                change(places(mutant)[k])
+                namespace: dict[str, Any] = dict(vars(module))
+                exec(compile(ast.Module([mutant], []), "mutant", "exec"), namespace)
+                seen += 1
+                try:
+                    judged = judges[name](namespace[name])
+                except (ArithmeticError, ValueError):
+                    continue  # not even an approximation
+                told, before = ((one.verdict, one.difference, one.evidence) for one in (judged, published))
+                assert told != before, ast.unparse(mutant.body[-1])
+    assert seen
+
+
+@pytest.mark.parametrize("zeta", [0.001, 0.03, 0.4])
+def test_the_onset_of_a_cubic_spring_is_where_its_closed_form_has_it(zeta: float) -> None:
+    """Omega^2 - 1 = 2 sqrt(3) zeta Omega, A^2 = 8 (Omega^2 - 1)/(9 beta), F_SN^2 = 32 (Omega^2 - 1)^3/(81 beta)."""
+    beta = 2.5
+    Omega = np.sqrt(3) * zeta + np.sqrt(1 + 3 * zeta**2)
+    onset = Duffing(alpha=1, beta=beta, mu=0, zeta=zeta).saddle_node_onset()
+    over = 2 * np.sqrt(3) * zeta * Omega
+    assert onset.Omega == pytest.approx(Omega, rel=1e-14)
+    assert onset.A == pytest.approx(np.sqrt(8 * over / (9 * beta)), rel=1e-14)
+    assert onset.F_SN == pytest.approx(np.sqrt(32 * over**3 / (81 * beta)), rel=1e-14)
