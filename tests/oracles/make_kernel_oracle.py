@@ -822,7 +822,8 @@ def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
     if other := stated(name):
         taylor = harmonic_of_polynomials(other, n, passed, amplitude, [ball(x) for x in p])
         ctx.cap = before
-        return derivatives(taylor)
+        # what rounding leaves of a zero: a linear piece has no harmonics
+        return [value * (not taylor[k].contains(0)) for k, value in enumerate(derivatives(taylor))]
     forces = {
         "duffing": lambda u, q: q[0] * u + q[1] * u**3,
         "rod_spring": lambda u, q: q[0] * u + q[1] * u**3 + q[2] * u**5,

@@ -62,7 +62,7 @@ class Stated:
         given = dict(zip(self.parameters, p, strict=True))
         known: list[dict] = []
         for k, names in enumerate(self.names):
-            own = {power: given[name] for power, name in names.items()} or {1: mpf(1)}
+            own = {power: given[name] for power, name in names.items()} or {1: 0 * p[0] + 1 if p else mpf(1)}
             if 0 not in names and k and self.has_constant(k):
                 b = given[self.breakpoints[k - 1]]
                 own[0] = sum(c * b**n for n, c in known[-1].items()) - sum(c * b**n for n, c in own.items())
