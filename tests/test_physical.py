@@ -372,3 +372,47 @@ def test_a_curve_of_the_equation_of_motion_begins_at_a_motion_of_the_mount():
     state = mount.steady_state(f=2.2, F=5.0, A=0.040)
     curve = mount.exact_response(5.0, f=(2.15, 2.3), start=state)
     assert np.abs(curve.A - state.A).min() < 1e-12
+
+
+def differences(ask, numbers, name, step=1e-4):
+    """d(answer)/d(number) by four mounts."""
+    far = numbers[name] * (1 + step * np.array([-2, -1, 1, 2]))
+    ends = np.array([ask({**numbers, name: one}) for one in far.tolist()])
+    return np.array([1, -8, 8, -1]) @ ends / (12 * step * numbers[name])
+
+
+@pytest.mark.parametrize(
+    ("excitation", "damping", "F"), [("force", {"c": 10.0}, 5.0), ("base", {"zeta": 0.05}, 0.004)], ids=("c", "zeta")
+)
+def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping, F):
+    sheet = {name: value for name, value in MOUNT.items() if name != "zeta"} | damping
+    letter = {"force": "F", "base": "Y"}[excitation]
+    numbers = {**sheet, letter: F, "f": 2.5}
+
+    def asked(given):
+        at = {name: given[name] for name in (letter, "f")}
+        mount = Isolator.physical(**{name: given[name] for name in sheet}, excitation=excitation)
+        return mount.amplitudes(f=[at["f"], 1.2 * at["f"]], F=at[letter])
+
+    found = asked(numbers).gradient()
+    assert found.of == ("A", "phi", "transmissibility")
+    assert set(found.by) == set(numbers)
+    # the second state's frequency is 1.2 times the number that is moved; a number of springs is whole
+    for name in set(numbers) - {"n"}:
+        for answer, value in (("A", lambda of: of.A), ("phi", lambda of: of.answer.phi)):
+            moved = differences(lambda given, value=value: value(asked(given)), numbers, name)
+            share = np.array([1.0, 1.2 if name == "f" else 1.0])
+            assert found[answer, name] * share == pytest.approx(moved, rel=1e-7), (answer, name)
+    moved = np.abs(found["A"][0] * [numbers[name] for name in found.by]).sum()
+    assert found.condition("A")[0] == pytest.approx(moved / asked(numbers).A[0], rel=1e-13)
+
+
+def test_what_has_no_gradient_in_si_units_says_why(mount):
+    with pytest.raises(ValueError, match="gradients are known of averaged answers"):
+        mount.at_rest().gradient()
+    with pytest.raises(ValueError, match="gradients are known of averaged answers"):
+        mount.second_approximation.peak(5).gradient()
+    with pytest.raises(ValueError, match="without preload the springs never touch"):
+        mount.replace(preload=0.0).peak(5).gradient()
+    # SI units, whatever the answer is shown in
+    assert mount.peak(5).in_units().gradient()["A"].tolist() == mount.peak(5).gradient()["A"].tolist()

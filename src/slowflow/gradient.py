@@ -25,7 +25,9 @@ WITHOUT_GRADIENT = {
 
 @dataclass(frozen=True, eq=False)
 class Gradient(Answer):
-    """How numbers of an answer change with each parameter, exactly: d(number)/d(parameter), all dimensionless.
+    """How numbers of an answer change with each parameter, exactly: d(number)/d(parameter).
+
+    Dimensionless, or in SI units of an answer in units.
 
     of      -- the numbers, as "Omega", "A", "F_SN"
     by      -- the parameters: those of the design, mu, zeta, and what was asked at, F_0 and Omega

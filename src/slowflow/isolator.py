@@ -124,7 +124,8 @@ class Isolator(Oscillator):
         would rest off the centre, and move about there without symmetry: it is refused, and its sag told.
         Raises ValueError for a number outside its domain, and for such a load.
         """
-        scales = Scales(m=m, k_v=k_v, L=L, excitation=validate.choice("excitation", excitation, tuple(EXCITATIONS)))
+        excited = validate.choice("excitation", excitation, tuple(EXCITATIONS))
+        scales = Scales(m=m, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
         known = {"n": n, "k_h": si("k_h", k_h, "newton/meter"), "preload": si("preload", preload, "meter")}
         of_design = zip(known.items(), ROD_SPRING.design, ROD_SPRING.scales, strict=True)
         lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)

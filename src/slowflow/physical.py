@@ -21,6 +21,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
 from slowflow.averaged.plan import Plan
+from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
 from slowflow.results import SteadyStates
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
@@ -104,6 +105,8 @@ LETTERS = (
     (r"\bu = 0\b", "x = 0"),
 )
 NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
+#: a mount's words for the letters of the scales of its design and its damping
+WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c"}
 #: what can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
 #: standard gravity, m/s^2
@@ -118,12 +121,14 @@ class Quantities(Answer):
     units  -- the unit of each that has one
     answer -- the same, dimensionless: its `.validity`, `.measure()` and so on
     entry  -- names of what makes up one entry; an answer with several has a length, and an index or a loop gives one
+    scales -- what the numbers of the answer are measured in, None where they are no such answer's
     """
 
     values: Mapping[str, Any]
     units: Mapping[str, str]
     answer: Any
     entry: tuple[str, ...] = ()
+    scales: Scales | None = dataclasses.field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         for value in self.values.values():
@@ -133,7 +138,7 @@ class Quantities(Answer):
             self.__dict__[name] = MappingProxyType(dict(getattr(self, name)))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry)
+        return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry, self.scales)
 
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("values", {})  # not there yet while it is made
@@ -203,7 +208,21 @@ class Quantities(Answer):
         for name, value in values.items():
             if isinstance(value, Quantities):
                 values[name] = value.in_units(*units)
-        return Quantities(values, found, self.answer, self.entry)
+        return Quantities(values, found, self.answer, self.entry, self.scales)
+
+    def gradient(self) -> Gradient:
+        """How the numbers move with those of the mount and with what was asked at, exactly: d(number)/d(number).
+
+        As the gradient of the dimensionless answer, but in SI units, whatever units this answer is in. `.of` are its
+        names, as "Y_SN" or "A", `.by` those of the mount: "k_h", "preload", "friction", "zeta" or "c", "m", "k_v", "L",
+        "n" as if it were any number, and F (Y, U) and f where it was asked there.
+        Raises ValueError for what is no averaged answer, and for a mount without preload, whose springs never touch.
+        """
+        if self.scales is None or not hasattr(self.answer, "gradient"):
+            raise ValueError("gradients are known of averaged answers: this is none")
+        from slowflow import physical_moves
+
+        return physical_moves.in_units(self.answer.gradient(), self.scales)
 
     def __str__(self) -> str:
         return "\n".join(_lines(self.in_units()))
@@ -305,6 +324,7 @@ class Scales:
     """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
 
     excitation -- what F_0 is the amplitude of, a key of `EXCITED`: of a base in L, of an unbalance in m L
+    damping    -- which number viscous damping is given by, "zeta" or "c"
 
     Numbers, or quantities of pint. Raises ValueError for one that is not > 0.
     """
@@ -313,6 +333,7 @@ class Scales:
     k_v: float
     L: float
     excitation: str = "force"
+    damping: str = "zeta"
 
     def __post_init__(self) -> None:
         for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
@@ -381,7 +402,7 @@ class Scales:
             if kind:
                 values[shown] = _times(value, self.sizes[kind])
                 units[shown] = next(iter(UNITS[kind]))
-        return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry))
+        return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)
 
 
 @dataclass(frozen=True, repr=False)
@@ -599,7 +620,7 @@ class Physical:
         said = {name: getattr(found, name) for name in (*entry, "F_0", "closed", "message")}
         curve = self.scales.named(said, found, entry)
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, columns)}
-        return Quantities(values, curve.units, found, curve.entry)
+        return Quantities(values, curve.units, found, curve.entry, self.scales)
 
     def sweep(self, *, f: Any, F: Any) -> Quantities:
         """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.

@@ -19,13 +19,11 @@ from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
 from slowflow.oscillator import Designs
-from slowflow.physical import EXCITED, UNITS, Physical, size, sizes
+from slowflow.physical import EXCITED, UNITS, WORDS, Physical, size, sizes
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scaling import SCALES
 
-#: a mount's words for the letters of the scales of its design and its damping
-WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c"}
 #: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator, and
 #: an amplitude of the excitation is what `EXCITED` says
 OF_ALL_FORCINGS = {"F_SN": "amplitude", "F_cr": "amplitude", "rest": "frequency"}
