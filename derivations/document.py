@@ -1,6 +1,6 @@
 """The derivation of one mechanism as a document to read.
 
-In:  a `Mechanism`, and its steps of the derivation.
+In:  a `Mechanism`, and its steps of the derivation, or its `Quadrature`.
 Out: Markdown with LaTeX: equation of motion, force, parameters, slow flow, the average in each regime, response, folds.
 
 What stands here is what `emit/` prints for programs, before its passes: the expressions are the same objects.
@@ -8,13 +8,14 @@ What stands here is what `emit/` prints for programs, before its passes: the exp
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
 from .averaging import Averaged
-from .mechanisms import DAMPING, FORCING, Parameter
-from .restoring import Regime
+from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
+from .quadrature import Quadrature, sums
+from .restoring import ORDERS, Regime
 from .results import OfMechanism
 from .slow_flow import SlowFlow
 from .slow_flow import m as friction
@@ -26,13 +27,44 @@ LESS = r"\le"
 
 def document(derived: OfMechanism, equations: Averaged, flow: SlowFlow) -> str:
     """All of it, in the order in which it is derived."""
-    mechanism = derived.oscillator.mechanism
+    whole = derived.whole
+    return in_sections(
+        derived.oscillator.mechanism,
+        motion(whole.pieces, whole.breakpoints),
+        parameters(derived.oscillator.mechanism, derived.oscillator.definitions),
+        averages(derived),
+        equations,
+        flow,
+    )
+
+
+def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations: Averaged, flow: SlowFlow) -> str:
+    """The same for a force whose average is a quadrature."""
+    return in_sections(
+        mechanism,
+        motion(average.pieces, tuple(average.breakpoints)),
+        parameters(mechanism, average.breakpoints),
+        integrals(average),
+        equations,
+        flow,
+    )
+
+
+def in_sections(
+    mechanism: Mechanism,
+    of_motion: Iterator[str],
+    of_parameters: Iterator[str],
+    of_average: Iterator[str],
+    equations: Averaged,
+    flow: SlowFlow,
+) -> str:
+    """The text."""
     sections = (
         (mechanism.title[0].upper() + mechanism.title[1:], ()),
-        ("Equation of motion", motion(derived)),
-        ("Parameters", parameters(derived)),
+        ("Equation of motion", of_motion),
+        ("Parameters", of_parameters),
         ("Slow flow", slow(equations, flow)),
-        ("The average of the force", averages(derived)),
+        ("The average of the force", of_average),
         ("Response and folds", response(flow)),
     )
     lines = []
@@ -48,32 +80,31 @@ def display(*equations: tuple[str, sp.Expr | str], number: str = "") -> Iterator
     yield from ("$$", "\\begin{aligned}", " \\\\\n".join(rows), f"\\end{{aligned}}{tag}", "$$", "")
 
 
-def motion(derived: OfMechanism) -> Iterator[str]:
+def motion(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Iterator[str]:
     """(3), and the force piece by piece."""
-    whole = derived.whole
     yield "With displacements in $L$, forces in $k_v L$ and time in $1/\\omega_n$, $\\omega_n^2 = k_v/m$:"
     yield ""
     yield from display(
         ("u'' + 2 \\zeta u' + \\mu\\, \\mathrm{sign}\\, u' + f(u)", "F_0 \\cos \\Omega\\tau"), number="3"
     )
-    ends = [*map(sp.latex, whole.breakpoints), ""]
+    ends = [*map(sp.latex, breakpoints), ""]
     yield "The force is odd. For $u > 0$:"
     yield ""
-    for number, (piece, end) in enumerate(zip(whole.pieces, ends, strict=True), start=1):
+    for number, (piece, end) in enumerate(zip(pieces, ends, strict=True), start=1):
         low, high = f"{ends[number - 2]} < " if number > 1 else "", rf" \le {end}" if end else ""
         where = rf"\quad {low}u{high}" if low or high else ""
-        yield from display(("f(u)", sp.latex(sp.collect(sp.expand(piece), u)) + where))
+        shown = sp.collect(sp.expand(piece), u) if piece.is_polynomial(u) else piece
+        yield from display(("f(u)", sp.latex(shown) + where))
 
 
-def parameters(derived: OfMechanism) -> Iterator[str]:
-    """The design's numbers with their domains, and what the force's coefficients are in them."""
-    mechanism = derived.oscillator.mechanism
+def parameters(mechanism: Mechanism, definitions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[str]:
+    """The design's numbers with their domains, and what coefficients and breakpoints are in them."""
     yield from ("| number | measured in | what it is | allowed |", "|---|---|---|---|")
     for parameter in (*mechanism.design, *DAMPING, FORCING):
         unit = "" if parameter.unit == "1" else parameter.unit
         yield f"| ${sp.latex(parameter.symbol)}$ | {unit} | {parameter.doc} | {allowed(parameter)} |"
     yield ""
-    given = {name: value for name, value in derived.oscillator.definitions.items() if name != value}
+    given = {name: value for name, value in definitions.items() if name != value}
     if given:
         yield from display(*((sp.latex(name), value) for name, value in given.items()))
 
@@ -101,17 +132,48 @@ def slow(equations: Averaged, flow: SlowFlow) -> Iterator[str]:
     )
 
 
+def average(integral: str = "") -> Iterator[str]:
+    """(20)."""
+    definition = "-\\frac{1}{\\pi} \\int_0^{2\\pi} f(A \\cos\\psi) \\cos\\psi \\, d\\psi"
+    yield from display(("h", definition + integral), number="20")
+
+
+def regime_of(breakpoints: Sequence[sp.Symbol], count: int) -> Iterator[str]:
+    """Which amplitudes exceed that many breakpoints; nothing where there are none."""
+    passed = [sp.latex(b) for b in breakpoints[:count]]
+    following = [sp.latex(b) for b in breakpoints[count : count + 1]]
+    if passed or following:
+        yield f"For ${' < '.join([*passed[-1:], 'A'])}{''.join(rf' {LESS} {b}' for b in following)}$:"
+        yield ""
+
+
+def integrals(average_: Quadrature) -> Iterator[str]:
+    """h and its slopes by integrals over the quarter cycle, and what moving angles add."""
+    yield from average(r" = -\frac{4}{\pi} \int_0^{\pi/2} f(A \sin t) \sin t \, dt")
+    yield "The integrals are summed by Gauss's rule, piece by piece, as derivatives are taken under the integral:"
+    yield ""
+    orders = range(ORDERS + 1)
+    names = [f"\\Sigma_{order}" for order in orders]
+    slopes = ("f", "f'", "f''", "f'''")
+    values = [rf"\int_0^{{\pi/2}} {slopes[order]}(A \sin t) \sin^{order + 1} t \, dt" for order in orders]
+    yield from display(*zip(names, values, strict=True))
+    shown = {symbol: sp.Symbol(name) for symbol, name in zip(sums(ORDERS + 1), names, strict=True)}
+    breakpoints = tuple(average_.breakpoints)
+    for count in range(len(average_.pieces)):
+        yield from regime_of(breakpoints, count)
+        regime = average_.regime(count)
+        roots = [(sp.latex(symbol), value) for symbol, value in regime.lets if symbol not in average_.breakpoints]
+        closed = zip(("h", "h_A", "h_{AA}", "h_{AAA}"), regime.averaged, strict=True)
+        yield from display(*roots, *((name, value.subs(shown)) for name, value in closed))
+
+
 def averages(derived: OfMechanism) -> Iterator[str]:
     """h and its slope in each regime."""
     whole = derived.whole
-    yield from display(("h", "-\\frac{1}{\\pi} \\int_0^{2\\pi} f(A \\cos\\psi) \\cos\\psi \\, d\\psi"), number="20")
+    yield from average()
     regimes: Sequence[Regime] = whole.regimes
     for count, regime in enumerate(regimes):
-        passed = [sp.latex(b) for b in whole.breakpoints[:count]]
-        following = [sp.latex(b) for b in whole.breakpoints[count : count + 1]]
-        if passed or following:
-            yield f"For ${' < '.join([*passed[-1:], 'A'])}{''.join(rf' {LESS} {b}' for b in following)}$:"
-            yield ""
+        yield from regime_of(whole.breakpoints, count)
         lets = [(sp.latex(symbol), value) for symbol, value in regime.lets]
         yield from display(*lets, ("h", regime.derivatives[0]), ("h_A", regime.derivatives[1]))
 

@@ -95,12 +95,12 @@ def _degrees(piece: sp.Expr) -> list[tuple[int, sp.Expr]]:
     return [(degree, coefficient) for (degree,), coefficient in sp.Poly(piece, u).terms() if coefficient != 0]
 
 
-def _boundary(jump: sp.Expr, n: int, order: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
+def boundary(jump: sp.Expr, n: int, order: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
     """What an order-th derivative gets from the end of the interval: g^(order)(b) (b/A)^order T_n(b/A) dtheta/dA."""
     return -jump * (b / A) ** order * chebyshev(n, b / A) * b / (A * root)
 
 
-def _derivatives(
+def derivatives_of(
     under: Sequence[sp.Expr], boundaries: Sequence[tuple[sp.Symbol, Sequence[sp.Expr]]]
 ) -> tuple[sp.Expr, ...]:
     """h_n and its derivatives from the integrals by order, and from each end's root and boundary terms by order."""
@@ -153,11 +153,11 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
         boundaries = [
             (
                 end.root,
-                [_boundary(at_breakpoint(sp.diff(jump, u, k), end.b), n, k, end.b, end.root) for k in range(ORDERS)],
+                [boundary(at_breakpoint(sp.diff(jump, u, k), end.b), n, k, end.b, end.root) for k in range(ORDERS)],
             )
             for end, jump in zip(ends, jumps, strict=True)
         ]
-        found = _derivatives([under(order) for order in range(ORDERS + 1)], boundaries)
+        found = derivatives_of([under(order) for order in range(ORDERS + 1)], boundaries)
         derivatives += [sp.factor_terms(value) if count else sp.horner(sp.expand(value), A) for value in found]
     return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), tuple(derivatives))
 
@@ -310,8 +310,8 @@ def untruncated_detached(b: sp.Expr, corner_: Corner) -> Regime:
         # of the force, of its slope 1/c^3 - 1/c = u_cr^2/c^3, and of its second derivative
         curvature, q = _rational(2)
         jumps = [sp.Integer(0), end**2 / c**3, curvature.subs(u, end) / c**q]
-        boundaries = [_boundary(jump, n, k, end, root) for k, jump in enumerate(jumps)]
-        derivatives += [b * value for value in _derivatives(names, [(root, boundaries)])]
+        boundaries = [boundary(jump, n, k, end, root) for k, jump in enumerate(jumps)]
+        derivatives += [b * value for value in derivatives_of(names, [(root, boundaries)])]
     return Regime((end,), (), tuple(lets), tuple(derivatives))
 
 

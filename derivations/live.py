@@ -5,6 +5,9 @@ Out: `stated`, the `Mechanism` that a file of `mechanisms/` would hold; `sources
      Python module, and C headers with a record that the compiled solvers take; `told`, its derivation as a document;
      `written`, both as files.
 
+A piecewise polynomial has a closed average, and solvers know of it what `monotone` proves. The average of any other
+force is a quadrature, of which they take what holds it between two amplitudes.
+
 Nothing here reads a string as code: forces are SymPy expressions already, and names are names.
 """
 
@@ -22,20 +25,25 @@ from typing import Any
 import sympy as sp
 
 from .averaging import averaged
-from .document import document
+from .document import document, document_of_quadrature
 from .emit.catalogue.mechanism import mechanism_module
+from .emit.catalogue.quadrature import quadrature_module
 from .emit.form import Module
 from .emit.provenance import tools, versions
 from .emit.targets import c, interval, numpy, pair
 from .emit.views import programs
 from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter, Piece
+from .monotone import not_shown
+from .oscillator import oscillator
+from .quadrature import FUNCTIONS, Quadrature, singular_at
 from .results import of_mechanism
 from .slow_flow import slow_flow
 from .symbols import u
 
 _x = sp.Symbol("x", real=True)
 _k_v, _L = sp.symbols("k_v L", positive=True)
+_above = sp.Symbol("above", positive=True)
 #: what a parameter may not be called: it has that meaning already
 TAKEN = {"u", "A", "Omega", "out", *(parameter.symbol.name for parameter in (*DAMPING, FORCING))}
 #: words of C11 that are names in Python: the printed C would not compile
@@ -98,27 +106,20 @@ def stated(
         forces.append(_in_ours(f"piece {number}", force, symbols, {"u": u}))
         if end is not None:
             ends.append(_in_ours(f"the end of piece {number}", end, symbols, {}))
+    _check_ends(name, ends)
     dimensional = {symbol: sp.Symbol(f"{symbol.name}_dimensional", positive=True) for symbol in symbols.values()}
     back = {given: symbol for symbol, given in dimensional.items()}
-    coefficients = []
-    for number, force in enumerate(forces, start=1):
-        if not force.is_polynomial(u):
-            raise ArithmeticError(
-                f"{name}: piece {number} is no polynomial in u. Other forces need a quadrature, which there is not yet"
-            )
-        powers = {power for (power,), value in sp.Poly(force, u).terms() if value != 0} | {1}
-        if number > 1 and 0 in powers and _is_continuous(forces, ends, number):
-            powers.discard(0)
-        coefficients.append({power: sp.Symbol(f"c{number}_{power}", real=True) for power in sorted(powers)})
+    closed = all(force.is_polynomial(u) for force in forces)
     to_dimensional = {u: _x / _L, **dimensional}
     made = tuple(
         Piece(
-            sp.expand(_k_v * _L * (force - u).subs(to_dimensional)),
+            _k_v * _L * (force - u).subs(to_dimensional),
             until=_x - _L * end.subs(dimensional) if end is not None else None,
         )
         for force, end in zip(forces, [*ends, None], strict=True)
     )
-    return Mechanism(
+    coefficients = _coefficients(forces, ends) if closed else ({},) * len(forces)
+    mechanism = Mechanism(
         name=name,
         title=title or f"{name}, stated in a program",
         x=_x,
@@ -128,18 +129,43 @@ def stated(
         design=design,
         ratios=dimensional,
         dimensional=back,
-        order=max(max(powers) for powers in coefficients),
-        coefficients=tuple(coefficients),
+        order=max(max(powers) for powers in coefficients) if closed else sp.oo,
+        coefficients=coefficients,
         breakpoints=tuple(sp.Symbol(f"u_{number}", real=True) for number in range(1, len(pieces))),
-        reach=sp.sympify(reach) if isinstance(reach, (int, float)) else reach,
+        instead=() if closed else tuple(symbols.values()),
+        reach=sp.Rational(str(reach)) if isinstance(reach, (int, float)) else reach,
         reach_reason=reach_reason,
     )
+    if not closed:
+        check(quadrature(mechanism), name)
+    return mechanism
+
+
+def quadrature(mechanism: Mechanism) -> Quadrature:
+    """The average of a force of any kind, as `stated` has it."""
+    dimensionless = {mechanism.x: u, mechanism.length: 1, mechanism.k_v: 1, **mechanism.dimensional}
+    pieces = tuple(u + piece.force.subs(dimensionless) for piece in mechanism.pieces)
+    ends = (u - piece.until.subs(dimensionless) for piece in mechanism.pieces[:-1])
+    return Quadrature(pieces, dict(zip(mechanism.breakpoints, ends, strict=True)))
+
+
+def by_quadrature(mechanism: Mechanism) -> Mechanism | None:
+    """The mechanism with the design for parameters, where its average is a quadrature; None elsewhere."""
+    if mechanism.order == sp.oo:
+        return mechanism
+    even = [power for power in mechanism.coefficients[0] if power % 2 == 0]
+    if not even and not not_shown(oscillator(mechanism)):
+        return None
+    given = tuple(parameter.symbol for parameter in mechanism.design)
+    return replace(mechanism, order=sp.oo, coefficients=({},) * len(mechanism.pieces), instead=given)
 
 
 def sources(mechanism: Mechanism) -> Sources:
     """All that is printed of it, under `name_of`. Raises ArithmeticError where the derivation refuses it, and why."""
     module = _module(mechanism)
     code = {module.name: programs(module)}
+    if module.sums:
+        return Sources(module.name, numpy.text(module, code[module.name]), {}, "")
     files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
     return Sources(
         module.name,
@@ -152,7 +178,11 @@ def sources(mechanism: Mechanism) -> Sources:
 def told(mechanism: Mechanism) -> str:
     """Its derivation as Markdown with LaTeX."""
     equations = averaged()
-    return document(of_mechanism(mechanism), equations, slow_flow(equations))
+    flow = slow_flow(equations)
+    integrated = by_quadrature(mechanism)
+    if integrated is not None:
+        return document_of_quadrature(integrated, quadrature(integrated), equations, flow)
+    return document(of_mechanism(mechanism), equations, flow)
 
 
 def written(mechanism: Mechanism, folder: Path) -> list[str]:
@@ -178,6 +208,9 @@ def name_of(mechanism: Mechanism) -> str:
 
 def _module(mechanism: Mechanism) -> Module:
     """Its kernels, without those that compose it with the slow flow and without resultants: solvers ask neither."""
+    integrated = by_quadrature(mechanism)
+    if integrated is not None:
+        return quadrature_module(name_of(mechanism), integrated, quadrature(integrated))
     named = replace(mechanism, name=name_of(mechanism))
     derived = of_mechanism(named)
     module = mechanism_module({named.name: derived}, named.name, None)
@@ -185,6 +218,54 @@ def _module(mechanism: Mechanism) -> Module:
     # no Taylor recurrences are printed: exact motions are SciPy's
     laws = tuple(replace(law, name="") for law in record.pieces)
     return replace(module, inputs=("live.py",), native=False, record=replace(record, pieces=laws, scales=()))
+
+
+def _coefficients(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[dict[int, sp.Symbol], ...]:
+    """Names of the coefficients of piecewise polynomials."""
+    coefficients = []
+    for number, force in enumerate(forces, start=1):
+        powers = {power for (power,), value in sp.Poly(force, u).terms() if value != 0} | {1}
+        if number > 1 and 0 in powers and _is_continuous(forces, ends, number):
+            powers.discard(0)
+        coefficients.append({power: sp.Symbol(f"c{number}_{power}", real=True) for power in sorted(powers)})
+    return tuple(coefficients)
+
+
+def _check_ends(name: str, ends: Sequence[sp.Expr]) -> None:
+    """That each piece ends beyond the one below it, where that is known without the numbers."""
+    for number, (low, high) in enumerate(zip([sp.Integer(0), *ends], ends, strict=False), start=1):
+        if (high - low).is_negative or high.is_real is False:
+            where = f"{low}, where piece {number - 1} does" if number > 1 else "0"
+            raise ArithmeticError(f"{name}: piece {number} ends at |u| = {high}, which is not above {where}")
+
+
+def check(average: Quadrature, name: str) -> None:
+    """That a force can be summed: made of known functions, and smooth where its pieces meet.
+
+    Raises ArithmeticError with the reason.
+    """
+    known = (sp.Add, sp.Mul, sp.Pow, sp.Symbol, sp.Number, sp.NumberSymbol, *FUNCTIONS)
+    ends = [sp.Integer(0), *average.breakpoints.values()]
+    for number, piece in enumerate(average.pieces, start=1):
+        for part in sp.preorder_traversal(piece):
+            if not isinstance(part, known):
+                raise ArithmeticError(
+                    f"{name}: piece {number} has {part.func.__name__}, which no average is known for; forces are made "
+                    f"of {', '.join(function.__name__ for function in FUNCTIONS)}, powers and |u|, and what else "
+                    "changes at some |u| is a piece of its own"
+                )
+        at = [*([ends[number - 1]] if number > 1 else []), *ends[number : number + 1]]
+        for end in at:
+            singular = singular_at(piece, end)
+            if singular:
+                raise ArithmeticError(
+                    f"{name}: piece {number} has {singular[0]}, which is singular at |u| = {end}, where it "
+                    f"{'begins' if end == ends[number - 1] else 'ends'}: h has no third derivative there"
+                )
+        for end in ends[number - 1 : number + 1]:
+            value = sp.simplify(piece.subs(u, end)) if end != 0 or number > 1 else average.at_rest
+            if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
+                raise ArithmeticError(f"{name}: piece {number} is infinite at |u| = {end}")
 
 
 def _symbol(name: str, about: Mapping[str, Any]) -> sp.Symbol:
@@ -214,7 +295,9 @@ def _in_ours(what: str, given: Any, symbols: Mapping[str, sp.Symbol], others: Ma
     unknown = sorted({symbol.name for symbol in given.free_symbols} - set(known))
     if unknown:
         raise ValueError(f"{what} has {', '.join(unknown)}, which {'is' if len(unknown) == 1 else 'are'} no parameter")
-    return sp.nsimplify(given.subs({symbol: known[symbol.name] for symbol in given.free_symbols}), rational=True)
+    ours = sp.nsimplify(given.subs({symbol: known[symbol.name] for symbol in given.free_symbols}), rational=True)
+    # a force is stated for u > 0: |u| is u there
+    return ours.subs(u, _above).subs(_above, u) if ours.has(sp.Abs, sp.sign) else ours
 
 
 def _is_continuous(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr], number: int) -> bool:

@@ -1,7 +1,7 @@
 """Beside (20)-(22): h_AAA is monotone in A on each piece of the force, so its values at two amplitudes bound it.
 
 In:  `Dimensionless`: the force piece by piece, its coefficients and breakpoints in the design numbers; their domains.
-Out: `prove_monotone`: nothing where it is proved, ArithmeticError where it is not.
+Out: `prove_monotone`: nothing where it is proved, ArithmeticError where it is not; `not_shown`: why not.
 
 Where A exceeds the first j breakpoints, the force is its next piece f all along, plus, below each breakpoint b that A
 exceeds, the step d from the piece above b to the piece below it. As u = A sin t goes over the quarter cycle,
@@ -34,25 +34,30 @@ _y = sp.Symbol("y", nonnegative=True)
 
 def prove_monotone(oscillator: Dimensionless) -> None:
     """That h_AAA is monotone on each piece for every design, and h_A or h_AA infinite above each breakpoint."""
+    reason = not_shown(oscillator)
+    if reason:
+        raise ArithmeticError(f"{oscillator.mechanism.name}: {reason}")
+
+
+def not_shown(oscillator: Dimensionless) -> str:
+    """What is not shown of that, in words; "" where all is."""
     values = _on_positive_numbers(oscillator)
     breakpoints = oscillator.mechanism.breakpoints
     pieces = oscillator.polynomials
     steps = [below - above for below, above in itertools.pairwise(pieces)]
     for step, b in zip(steps, breakpoints, strict=True):
         if all(sp.simplify(sp.diff(step, u, order).subs(u, b).subs(values)) == 0 for order in (0, 1)):
-            raise ArithmeticError(
-                f"{oscillator.mechanism.name}: neither the force nor its slope jumps at {b}: amplitudes above it are "
-                "searched as if one did"
-            )
+            return f"neither the force nor its slope jumps at {b}: amplitudes above it are searched as if one did"
     for passed, piece in enumerate(pieces):
         coefficients = [*_bernstein(sp.diff(piece, u, 4), (*breakpoints, None)[passed], values)]
         for step, b in zip(steps[:passed], breakpoints, strict=False):
             coefficients += _bernstein(step, b, values)
         if not _have_one_sign(coefficients):
-            raise ArithmeticError(
-                f"{oscillator.mechanism.name}: not shown that h_AAA is monotone on piece {passed + 1} of the force. "
+            return (
+                f"not shown that h_AAA is monotone on piece {passed + 1} of the force. "
                 "Folds are searched between amplitudes by its values there, so that none is missed"
             )
+    return ""
 
 
 def _on_positive_numbers(oscillator: Dimensionless) -> dict[sp.Symbol, sp.Expr]:

@@ -228,6 +228,46 @@ class TwofoldKernel:
 
 
 @dataclass(frozen=True)
+class Sums:
+    """A function of A that closes integrals over the quarter cycle, summed by `slowflow_support.quadrature`.
+
+    terms   -- of each piece of the force, the generic kernel of what stands under the integrals
+    closing -- the kernel of A, the integrals and the parameters that gives the outputs
+    graded  -- of each piece the power of what is divided into panels that its angle is
+    """
+
+    name: str
+    terms: tuple[Kernel, ...]
+    closing: Kernel
+    doc: str
+    equation: str
+    graded: tuple[int, ...]
+    scalar: bool = False
+
+    @property
+    def parameters(self) -> tuple[sp.Symbol, ...]:
+        """Of the mechanism."""
+        return self.closing.arguments[len(self.closing.arguments) - self.closing.parameters :]
+
+
+@dataclass(frozen=True)
+class Enclosed:
+    """What holds the average on an interval of amplitudes, by names of kernels on intervals.
+
+    terms   -- of each piece of the force, what stands under the integrals of h and h_AAAA
+    closing -- both in the integrals, by how many breakpoints the amplitude exceeds
+    """
+
+    terms: tuple[Kernel, ...]
+    closing: tuple[Kernel, ...]
+
+    @property
+    def kernels(self) -> tuple[Kernel, ...]:
+        """All of them."""
+        return self.terms + self.closing
+
+
+@dataclass(frozen=True)
 class Module:
     """One generated module.
 
@@ -240,6 +280,8 @@ class Module:
     cells      -- kernels that are wanted on intervals, and nowhere on doubles
     settled    -- kernels that are wanted in double-double only
     native     -- whether its loops over arrays are compiled into the package
+    sums       -- averages by quadrature
+    enclosed   -- what holds such an average on intervals; None where h_AAA is proved to be monotone
     """
 
     name: str
@@ -256,6 +298,8 @@ class Module:
     cells: tuple[Kernel, ...] = ()
     settled: tuple[Kernel, ...] = ()
     native: bool = True
+    sums: tuple[Sums, ...] = ()
+    enclosed: Enclosed | None = None
 
     @property
     def looped(self) -> tuple[Kernel | Selection | Composition, ...]:

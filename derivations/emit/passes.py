@@ -49,7 +49,7 @@ def operations(expression: sp.Expr, within_product: bool = False) -> int:
         return inner + len(expression.args) - len(constants) + has_factor - 1
     if expression.is_Pow:
         # the division by a factor of a product is the operation that joins it to the others
-        divides = expression.exp.is_negative and not within_product
+        divides = bool(expression.exp.is_negative) and not within_product
         return inner + divides + (abs(int(expression.exp)) - 1 if expression.exp.is_Integer else 1)
     return inner + 1
 

@@ -117,7 +117,12 @@ def programs(module: Module) -> Code:
     """The straight-line code of every branch, by kernel."""
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
-        for kernel in (*module.kernels, *module.cells, *module.settled)
+        for kernel in (
+            *module.kernels,
+            *module.cells,
+            *module.settled,
+            *(module.enclosed.kernels if module.enclosed else ()),
+        )
     }
 
 

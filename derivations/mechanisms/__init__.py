@@ -115,7 +115,7 @@ class Mechanism:
     def parameters(self) -> tuple[sp.Symbol, ...]:
         """The parameters of the generated kernels, in their order: coefficients piece by piece, then breakpoints."""
         coefficients = tuple(name for piece in self.coefficients for name in piece.values())
-        return coefficients + (self.instead or self.breakpoints)
+        return coefficients + (self.instead if self.order == sp.oo else self.breakpoints)
 
 
 def all_mechanisms() -> list[Mechanism]:

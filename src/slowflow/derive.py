@@ -88,7 +88,8 @@ class Derived:
 
     def __repr__(self) -> str:
         names = ", ".join(parameter.name for parameter in self.record.design)
-        return f"{self.record.title}: {names}, mu, zeta; {'compiled' if self.compiled else 'on NumPy'}"
+        how = "compiled" if self.compiled else "on NumPy" if self.record.enclosed is None else "on NumPy, by quadrature"
+        return f"{self.record.title}: {names}, mu, zeta; {how}"
 
 
 def mechanism(
@@ -104,15 +105,17 @@ def mechanism(
     """Derive a mechanism from its force f(u), dimensionless and odd; about a second, once for the same content.
 
     name       -- of a module
-    pieces     -- by rising |u|: the whole restoring force for u > 0, a polynomial in the SymPy symbol u and the
-                  parameters, and the |u| at which the piece ends, None for the last one. The first piece has odd powers
+    pieces     -- by rising |u|: the whole restoring force for u > 0, an expression in the SymPy symbol u and the
+                  parameters, and the |u| at which the piece ends, None for the last one. |u| is u there, a constant in
+                  the first piece is a preload. Polynomials have averages in closed form; those of powers that are no
+                  whole numbers, and of elementary functions, are summed by quadrature
     parameters -- by name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one
     reach      -- the largest |u| that makes sense, and why
     compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
                   the compiled solvers answer
 
-    Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
-    derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
+    Raises ValueError and TypeError for what is not allowed, with what is, as compile=True where averages are summed by
+    quadrature; ArithmeticError for a force that cannot be derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
     where slowflow itself is not compiled. Exact motions are SciPy's, compiled or not.
     """
     stated = _derivation().stated(name, pieces, parameters, title, *(() if reach is None else (reach, reach_reason)))
@@ -146,6 +149,8 @@ def _derived(stated: Any, compile: bool) -> Derived:
         _write(folder, live.sources(stated))
     importlib.invalidate_caches()
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
+    if compile and record.enclosed is not None:
+        raise ValueError(f"compile=True is not allowed for {name}: averages by quadrature are NumPy's")
     if compile and backend.record_of(record) is None:
         _attach(record.name, _compiled(folder, module))
     return Derived(record, folder, stated)

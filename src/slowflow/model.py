@@ -69,6 +69,8 @@ class Model:
     def __post_init__(self) -> None:
         if self.inertial and self.zeta == 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
+        if self.inertial and self.mechanism.averaged(0.0, *self.parameters)[0] != 0:
+            raise ValueError(f"excitation = {self.excitation!r} is not allowed for a force that jumps at u = 0")
         damping = self.mu, self.zeta
         native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
@@ -123,6 +125,16 @@ class Model:
     def negative_stiffness(self) -> bool:
         """Whether the stiffness at rest is negative, which is -h_A there."""
         return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
+
+    @cached_property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """What slope and curvature of the force lose at each breakpoint; 1 for a slope that is not told."""
+        if self.mechanism.kinks is None:
+            return ((1.0, 0.0),) * len(self.breakpoints)
+        ends = map(float, self.mechanism.breakpoints(*self.parameters))
+        flat = [float(value) for value in self.mechanism.kinks(*self.parameters)]
+        pairs = zip(ends, zip(flat[::2], flat[1::2], strict=True), strict=True)
+        return tuple(pair for end, pair in pairs if end > 0)
 
     @property
     def inertial(self) -> bool:

@@ -155,9 +155,14 @@ class Oscillator(Averaged):
     def equation_of_motion(self, which: str | None = None) -> EquationOfMotion:
         """Equation (3) without its forcing, which it is told the kind of; the force as in `restoring_force`.
 
-        Raises ValueError as `restoring_force`.
+        Raises ValueError as `restoring_force`, and for a force that jumps at u = 0.
         """
-        return EquationOfMotion(self.restoring_force(which), self.mu, self.zeta, self.model.inertial)
+        force = self.restoring_force(which)
+        if force.value(0.0) != 0:
+            raise ValueError(
+                f"motions of {self.model.mechanism.name} are not followed: its force jumps at u = 0, where a mass rests"
+            )
+        return EquationOfMotion(force, self.mu, self.zeta, self.model.inertial)
 
     def steady_state(
         self, *, Omega: float, F_0: float, A: float | None = None, force: str | None = None

@@ -73,6 +73,19 @@ class Law(NamedTuple):
     name: str = ""
 
 
+class Enclosed(NamedTuple):
+    """What holds an average on intervals of the amplitude, for a force of which no more is known.
+
+    terms   -- of each piece, at (around, A, u less its begin, sine, *parameters): what stands under the integrals of h
+               and h_AAAA
+    closing -- by how many breakpoints are exceeded, at (around, A, sqrt(A^2 - b^2) for each of these, both integrals,
+               *parameters): h and h_AAAA
+    """
+
+    terms: tuple[Function, ...]
+    closing: tuple[Function, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Mechanism:
     """A restoring force u + F_k(u), its average and its parameters. Two are equal if all that they state is.
@@ -96,6 +109,9 @@ class Mechanism:
     by_parameter -- d/dp of h, h_A, h_AA at (A, h, h_A, h_AA, *parameters), for each parameter p in turn
     by_design   -- d/d of each number of the design, of each parameter in turn, then of each breakpoint; without these
                    two there are no gradients
+    kinks       -- of the parameters: what slope and curvature of the force lose at each breakpoint; None where the
+                   force or its slope jumps at all of them
+    enclosed    -- what holds the average on intervals; None where h_AAA is proved to be monotone on each piece
     """
 
     name: str
@@ -118,6 +134,8 @@ class Mechanism:
     scales: tuple[Scale, ...] = ()
     by_parameter: Function | None = None
     by_design: Function | None = None
+    kinks: Function | None = None
+    enclosed: Enclosed | None = None
 
     @cached_property
     def is_generated(self) -> bool:

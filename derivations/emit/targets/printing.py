@@ -28,8 +28,9 @@ def literal(number: sp.Expr) -> str:
         raise Unprintable(f"a floating-point number among exact ones: {number}")
     number = number.doit()
     for node in sp.preorder_traversal(number):
-        if not (node.is_Rational or node is sp.pi or node.is_Add or node.is_Mul or node.is_Pow):
-            raise Unprintable(f"not a rational, pi, or a root, sum or product of such: {node}")
+        built = node.is_Rational or node.is_Add or node.is_Mul or node.is_Pow or isinstance(node, sp.Function)
+        if not (built or node in (sp.pi, sp.E)):
+            raise Unprintable(f"not a rational, pi, e, or made of such: {node}")
     if not number.is_real:
         raise Unprintable(f"not a finite real number: {number}")
     # 40 digits first: SymPy's own conversion rounds once more
@@ -107,7 +108,9 @@ class Rules:
             return f"{self._print(base)} * {self._print(base)}"
         if exponent in (-1, -2, sp.Rational(-1, 2)):
             return self._print_Mul(sp.Mul(sp.Integer(1), expr, evaluate=False))
-        raise Unprintable(f"the power {expr} is not a chain of multiplications: it has to go through the passes")
+        if exponent.is_Integer or sp.Pow not in self.functions:
+            raise Unprintable(f"the power {expr} is not a chain of multiplications: it has to go through the passes")
+        return f"{self.functions[sp.Pow]}({self._print(base)}, {self._print(exponent)})"
 
     def _print(self, expr: sp.Basic, **settings: object) -> str:
         # SymPy's printers have a method for each function they know, which would come before the table
@@ -142,7 +145,7 @@ class Rules:
 
     def _checked(self, expr: sp.Expr) -> str:
         for node in sp.preorder_traversal(expr):
-            number = getattr(node, "is_Rational", False) or node in (sp.pi, sp.oo)
+            number = getattr(node, "is_Rational", False) or node in (sp.pi, sp.E, sp.oo)
             built = isinstance(node, sp.Symbol | sp.Add | sp.Mul | sp.Pow | sp.UnevaluatedExpr)
             if not (number or built or (isinstance(node, sp.Function) and node.func in self.functions)):
                 self.emptyPrinter(node)

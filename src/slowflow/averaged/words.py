@@ -79,6 +79,12 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     return A_max, f"{words}{A_max:g}"
 
 
+def cut_at_reach(model: Model) -> tuple[float, str]:
+    """Where a response is cut that goes beyond the mechanism's reach, and a remark."""
+    reason = f", {model.mechanism.reach_reason}" if model.mechanism.reach_reason else ""
+    return model.reach, f"cut at A = {model.reach:g}{reason}"
+
+
 def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
     """The onset, with the remark that there are folds at lower forcings: the locus ends at Omega = 0 at this level."""
     if not rest < (math.inf if onset.F_SN is None else onset.F_SN):

@@ -9,6 +9,7 @@ from sympy.printing.c import C99CodePrinter
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
+from ....quadrature import FUNCTIONS
 from ...passes import is_constant
 from ..printing import Rules, Unprintable, literal
 
@@ -131,3 +132,46 @@ class PythonIntervalPrinter(Rules, NumPyPrinter):
         if is_constant(expr) or method is None:
             return super()._print_Pow(expr, rational)
         return f"{self.parenthesize(expr.base, PRECEDENCE['Atom'], strict=True)}.{method}()"
+
+
+class EnclosurePrinter(PythonIntervalPrinter):
+    """The same with a method for each elementary function, and `around` for numbers that no double is equal to."""
+
+    functions: ClassVar = {function: function.__name__ for function in FUNCTIONS} | {sp.sqrt: "root", sp.Pow: "power"}
+
+    def _number(self, expr: sp.Expr) -> str:
+        text = literal(expr)
+        return text if is_double(expr.doit()) else f"around({text})"
+
+    _print_Rational = _print_Integer = _print_Half = _number
+    _print_One = _print_Zero = _print_NegativeOne = _print_Pi = _print_Exp1 = _number
+
+    def _print_Add(self, expr: sp.Expr, order: str | None = None) -> str:
+        return self._number(expr) if is_constant(expr) else super()._print_Add(expr, order)
+
+    def _print_Mul(self, expr: sp.Expr) -> str:
+        if is_constant(expr):
+            return self._number(expr)
+        constant = sp.Mul(*(factor.doit() for factor in expr.args if is_constant(factor)))
+        if is_double(constant):
+            return super()._print_Mul(expr)
+        rest = sp.Mul(*(factor for factor in expr.args if not is_constant(factor)))
+        return f"{self._number(constant)} * {self.parenthesize(rest, PRECEDENCE['Mul'])}"
+
+    def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
+        if is_constant(expr) or expr.exp == 2:
+            return self._number(expr) if is_constant(expr) else super()._print_Pow(expr, rational)
+        base = self.parenthesize(expr.base, PRECEDENCE["Atom"], strict=True)
+        if expr.exp == sp.Rational(1, 2):
+            return f"{base}.root()"
+        if expr.exp == -1:
+            return f"1.0 / {base}"
+        if expr.exp.could_extract_minus_sign():
+            return f"1.0 / {self._print_Pow(sp.Pow(expr.base, -expr.exp))}"
+        return f"{base}.power({self._print(expr.exp)})"
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        (argument,) = expr.args
+        if is_constant(expr):
+            return self._number(expr)
+        return f"{self.parenthesize(argument, PRECEDENCE['Atom'], strict=True)}.{self.functions[expr.func]}()"

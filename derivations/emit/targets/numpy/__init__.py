@@ -14,6 +14,7 @@ import sympy as sp
 
 from ....conventions import CONVENTIONS
 from ....mechanisms import DAMPING, EXCITATIONS, Parameter
+from ....quadrature import rule
 from ....scaling import Scale, of_every_excitation, of_every_oscillator
 from ....slow_flow import SCENES
 from ...form import AVERAGED, GENERAL, Module, suffix
@@ -30,10 +31,12 @@ from ...views import (
     twofold_view,
     view,
 )
-from ..printing import stated
+from ..interval.printer import EnclosurePrinter
+from ..printing import literal, stated
 from .printer import NumpyPrinter
 
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
+ENCLOSED = Language(EnclosurePrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))
 
 
@@ -62,6 +65,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 
 def text(module: Module, code: Code) -> str:
     """One module."""
+    enclosed = module.enclosed.kernels if module.enclosed else ()
     return (
         _environment()
         .get_template("module.py.jinja")
@@ -75,6 +79,8 @@ def text(module: Module, code: Code) -> str:
             borrowed=sorted(module.borrowed, key=in_import),
             general=GENERAL,
             regimes=regimes(module),
+            enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in enclosed],
+            rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             constants={name: constant(value) for name, value in module.constants.items()},
             **compiled(module),
             tools=tools(),

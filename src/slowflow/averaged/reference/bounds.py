@@ -7,7 +7,8 @@ import numpy as np
 from slowflow.averaged import words
 from slowflow.averaged.reference import inertia
 from slowflow.averaged.reference.cells import cells_of, samples_at
-from slowflow.averaged.reference.roots import peak_roots
+from slowflow.averaged.reference.enclosed import enclosed
+from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS
@@ -49,13 +50,33 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     if model.inertial:
         closed = inertia.bound(model, F_0, rungs)
         return (closed, "") if closed is not None else words.does_not_close(inertia.cut(model, F_0, rungs))
-    at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
-    slope = cells_of(at, far).h_A
-    rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
-    bounds = rises & (np.abs(at.h) > slow_flow.most_restoring(rungs, F_0, model.m, model.zeta))
+    most = slow_flow.most_restoring(rungs, F_0, model.m, model.zeta)
+    if model.mechanism.enclosed is not None:
+        bounds = least_beyond(model, rungs) > most
+        if np.isfinite(model.reach) and not (bounds & (rungs <= model.reach)).any():
+            h = model.averaged(model.reach)[0]
+            _, states = response_roots(np.array([model.reach]), np.array([h]), model.m, model.zeta, F_0)
+            return words.cut_at_reach(model) if states.any() else (model.reach, "")
+    else:
+        at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
+        slope = cells_of(model, at, far).h_A
+        rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
+        bounds = rises & (np.abs(at.h) > most)
     if not bounds.any():
         raise OverflowError(f"no amplitude bounds the response at F_0 = {F_0:.17g}")
     return float(rungs[np.argmax(bounds)]), ""
+
+
+def least_beyond(model: Model, rungs: Floats) -> Floats:
+    """What |h| is not less than from each of some rising amplitudes on, up to the reach or an endless one."""
+    end = min(model.reach, ENDLESS * max(rungs[0], 1.0))
+    steps = rungs[0] * 2.0 ** np.arange(np.ceil(np.log2(end / rungs[0])) + 1)
+    nodes = np.unique(np.concatenate((rungs[rungs < end], steps[steps < end], [end])))
+    nodes = np.unique(np.concatenate((nodes, [b for b in model.breakpoints if nodes[0] < b < end])))
+    h, _ = enclosed(model, nodes[:-1], nodes[1:])
+    least = np.where(h.has_sign, np.minimum(np.abs(h.lo), np.abs(h.hi)), 0.0)
+    beyond = np.minimum.accumulate(least[::-1])[::-1]
+    return np.asarray(np.append(beyond, 0.0)[np.minimum(np.searchsorted(nodes, rungs), beyond.size)])
 
 
 def closes(model: Model, F_0: float) -> bool:

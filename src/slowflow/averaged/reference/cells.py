@@ -1,8 +1,9 @@
 """Cells: two amplitudes of one piece of the force in, what h and its derivatives are on all of the interval out.
 
 On each piece h_AAA is monotone: the derivation proves it (derivations/monotone.py). So its values at the ends bound it,
-and what is known of a slope bounds the function between two of its values. Where the force or its slope jumps, the
-derivatives of h tend to infinity as A falls to the breakpoint: that is the sample at the beginning of a piece.
+and what is known of a slope bounds the function between two of its values. Of a force of which that is not proved it is
+h_AAAA that is enclosed. Where the force or its slope jumps, the derivatives of h tend to infinity as A falls to the
+breakpoint: that is the sample at the beginning of a piece.
 k = h - A h_A is where the tangent of h meets A = 0. As in native/cells.h.
 """
 
@@ -13,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels.conventions import CANCELLED, DOUBT
@@ -68,7 +70,8 @@ def samples_at(model: Model, A: Any) -> Samples:
     """At amplitudes of any number; k without what cancels in it, where it has lost digits as a difference."""
     A = np.array(A, dtype=float, ndmin=1)
     h, h_A, h_AA, h_AAA = model.averaged(A)
-    k = np.asarray(h - A * h_A)
+    # at A = 0 a slope that is infinite there takes nothing off h
+    k = np.where(A > 0, h - A * h_A, h)
     lost = np.abs(k) < CANCELLED * np.abs(h)
     if lost.any():
         k[lost] = model.mechanism.intercept(A[lost], *model.parameters)
@@ -79,6 +82,13 @@ def sample_above(model: Model, i: int) -> Samples:
     """The limit from above at breakpoint i: the force's jump makes h_A infinite there, a jump of its slope h_AA."""
     b, jump = model.breakpoints[i], model.jumps[i]
     A, h, h_A, h_AA, h_AAA, k = samples_at(model, b).rows[:, 0]
+    slope, curvature = model.kinks[i]
+    if jump == slope == 0:
+        beyond = samples_at(model, np.nextafter(b, np.inf)).rows
+        beyond[0] = b
+        if curvature != 0:
+            beyond[4] = np.copysign(np.inf, beyond[4] - h_AAA)
+        return Samples(beyond)
     if jump != 0:
         h_A = h_AAA = np.copysign(np.inf, jump)
         h_AA = k = -h_A
@@ -98,6 +108,11 @@ class Stretch:
     first: Samples
     last: Samples
     base: float
+
+    @property
+    def has_force(self) -> bool:
+        """Whether there is any on it."""
+        return bool(self.first.rows[1:].any() or self.last.rows[1:].any())
 
 
 def stretches_up_to(model: Model, A_max: float) -> list[Stretch]:
@@ -150,7 +165,7 @@ class Cells:
         return Cells(*(getattr(self, name).take(which) for name in self.__dataclass_fields__))
 
 
-def cells_of(a: Samples, b: Samples) -> Cells:
+def cells_of(model: Model, a: Samples, b: Samples) -> Cells:
     """From samples at the ends, by rising A."""
     width = b.A - a.A
 
@@ -167,7 +182,11 @@ def cells_of(a: Samples, b: Samples) -> Cells:
         return Interval(np.array((doubled.ends[0, :n], doubled.ends[1, n:])))
 
     A = Interval(np.array((a.A, b.A)))
-    h_AAA = Interval.hull(a.h_AAA, b.h_AAA)
+    if model.mechanism.enclosed is None:
+        h_AAA = Interval.hull(a.h_AAA, b.h_AAA)
+    else:
+        bend = enclosed(model, a.A, b.A)[1]
+        h_AAA = along(a.h_AAA, b.h_AAA, bend.lo, bend.hi, bend)
     h_AA = along(a.h_AA, b.h_AA, a.h_AAA, b.h_AAA, h_AAA)
     h_A = along(a.h_A, b.h_A, a.h_AA, b.h_AA, h_AA)
     h = along(a.h, b.h, a.h_A, b.h_A, h_A)

@@ -68,21 +68,21 @@ class Interval:
         return np.asarray((self.ends[0] > 0) | (self.ends[1] < 0))
 
     def __neg__(self) -> Interval:
-        return Interval(-self.ends[::-1])
+        return type(self)(-self.ends[::-1])
 
     def __add__(self, other: Any) -> Interval:
-        return Interval(_wider(self.ends + (other.ends if isinstance(other, Interval) else other)))
+        return type(self)(_wider(self.ends + (other.ends if isinstance(other, Interval) else other)))
 
     def __sub__(self, other: Any) -> Interval:
-        return Interval(_wider(self.ends - (other.ends[::-1] if isinstance(other, Interval) else other)))
+        return type(self)(_wider(self.ends - (other.ends[::-1] if isinstance(other, Interval) else other)))
 
     def __rsub__(self, other: float) -> Interval:
-        return Interval(_wider(other - self.ends[::-1]))
+        return type(self)(_wider(other - self.ends[::-1]))
 
     def __mul__(self, other: Any) -> Interval:
         if not isinstance(other, Interval):
             product = (self.ends if other >= 0 else self.ends[::-1]) * other
-            return Interval(_wider(product) + _LEAST * (product != 0))
+            return type(self)(_wider(product) + _LEAST * (product != 0))
         a, b = self.ends[:, np.newaxis], other.ends
         product = a * b
         doubt = 2.0**-52 * np.abs(product) + 2.0**-1022
@@ -95,7 +95,7 @@ class Interval:
         unknown = np.isnan(product) & ~zero
         if unknown.any():
             ends[:, unknown.any(axis=(0, 1))] = np.nan
-        return Interval(ends)
+        return type(self)(ends)
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -114,7 +114,7 @@ class Interval:
         low = np.where(hi > 0, np.where(lo >= 0, np.maximum(inverse[0], 0.0), -np.inf), inverse[0])
         high = np.where(lo < 0, np.where(hi <= 0, np.minimum(inverse[1], 0.0), np.inf), inverse[1])
         low, high = np.where(hi == 0, -np.inf, low), np.where(lo == 0, np.inf, high)
-        return Interval(np.where(lo <= hi, np.array((low, high)), np.nan))
+        return type(self)(np.where(lo <= hi, np.array((low, high)), np.nan))
 
     def square(self) -> Interval:
         """The square, which is not negative."""
@@ -122,20 +122,128 @@ class Interval:
         least, most = np.maximum(np.maximum(lo, -hi), 0.0), np.maximum(-lo, hi)
         squares = np.array((least * least, most * most))
         squares = _wider(squares) + _LEAST * (squares != 0)
-        return Interval(np.where(lo <= hi, np.maximum(squares, 0.0), np.nan))
+        return type(self)(np.where(lo <= hi, np.maximum(squares, 0.0), np.nan))
 
     def sqrt(self) -> Interval:
         """The root of the part that is not negative."""
-        return Interval(np.maximum(_wider(np.sqrt(np.maximum(self.ends, 0.0))), 0.0))
+        return type(self)(np.maximum(_wider(np.sqrt(np.maximum(self.ends, 0.0))), 0.0))
 
     def both(self, other: Interval) -> Interval:
         """What both hold, each being known to hold the value."""
-        return Interval(np.array((np.fmax(self.ends[0], other.ends[0]), np.fmin(self.ends[1], other.ends[1]))))
+        return type(self)(np.array((np.fmax(self.ends[0], other.ends[0]), np.fmin(self.ends[1], other.ends[1]))))
 
     def where(self, condition: Bools, other: Interval) -> Interval:
         """These where the condition holds, others elsewhere."""
-        return Interval(np.where(condition, self.ends, other.ends))
+        return type(self)(np.where(condition, self.ends, other.ends))
 
     def take(self, which: Any) -> Interval:
         """Some of them."""
-        return Interval(self.ends[:, which])
+        return type(self)(self.ends[:, which])
+
+
+#: what an elementary function of NumPy may err by, relatively; it is known to err by some ulps
+_LARGEST = 2.0**960
+_FUNCTION = np.array([[-(2.0**-46)], [2.0**-46]])
+
+
+def _apart(ends: Floats) -> Floats:
+    """What a function's values may be; one that is too large for a double is large at least."""
+    least, most = np.array([[-np.inf], [-_LARGEST]]), np.array([[_LARGEST], [np.inf]])
+    return np.asarray(np.clip(ends + _FUNCTION * np.where(np.isinf(ends), 0.0, np.abs(ends)), least, most))
+
+
+class Elementary(Interval):
+    """Intervals with elementary functions; where an argument leaves a function's domain nothing is known: NaN."""
+
+    __slots__ = ()
+
+    def _rising(self, function: Any, least: float = -np.inf, most: float = np.inf) -> Elementary:
+        """A function that rises, on its domain."""
+        values = _apart(function(self.ends))
+        return Elementary(np.where((self.ends[0] >= least) & (self.ends[1] <= most), values, np.nan))
+
+    def exp(self) -> Elementary:
+        """e to it."""
+        return self._rising(np.exp)
+
+    def log(self) -> Elementary:
+        """Its natural logarithm."""
+        return self._rising(np.log, 0.0)
+
+    def root(self) -> Elementary:
+        """Its square root."""
+        return self._rising(np.sqrt, 0.0)
+
+    def sinh(self) -> Elementary:
+        """Its hyperbolic sine."""
+        return self._rising(np.sinh)
+
+    def tanh(self) -> Elementary:
+        """Its hyperbolic tangent."""
+        return self._rising(np.tanh)
+
+    def asin(self) -> Elementary:
+        """Its arcsine."""
+        return self._rising(np.arcsin, -1.0, 1.0)
+
+    def acos(self) -> Elementary:
+        """Its arccosine."""
+        return Elementary((0.5 * np.pi - self.asin()).ends)
+
+    def atan(self) -> Elementary:
+        """Its arctangent."""
+        return self._rising(np.arctan)
+
+    def asinh(self) -> Elementary:
+        """Its inverse hyperbolic sine."""
+        return self._rising(np.arcsinh)
+
+    def acosh(self) -> Elementary:
+        """Its inverse hyperbolic cosine."""
+        return self._rising(np.arccosh, 1.0)
+
+    def atanh(self) -> Elementary:
+        """Its inverse hyperbolic tangent."""
+        return self._rising(np.arctanh, -1.0, 1.0)
+
+    def tan(self) -> Elementary:
+        """Its tangent, between two poles."""
+        branch = np.floor(self.ends / np.pi + 0.5)
+        return Elementary(np.where(branch[0] == branch[1], self._rising(np.tan).ends, np.nan))
+
+    def cosh(self) -> Elementary:
+        """Its hyperbolic cosine, which is not less than 1."""
+        least = np.maximum(np.maximum(self.ends[0], -self.ends[1]), 0.0)
+        return Elementary(np.array((least, np.abs(self.ends).max(axis=0))))._rising(np.cosh)
+
+    def sin(self) -> Elementary:
+        """Its sine, by the maxima and minima that it passes."""
+        quarter = 0.5 * np.pi
+        return self._waves(np.sin, quarter)
+
+    def cos(self) -> Elementary:
+        """Its cosine."""
+        return self._waves(np.cos, 0.0)
+
+    def _waves(self, function: Any, maximum: float) -> Elementary:
+        """A function of period 2 pi that is 1 at its maximum and -1 half a period off."""
+        wider = _wider(self.ends)
+        at = function(wider)
+
+        def holds(place: float) -> Bools:
+            turns = (wider - place) / (2 * np.pi)
+            # a rounding more of a turn than there is
+            doubt = 2.0**-50 * (1 + np.abs(turns))
+            return np.asarray(np.ceil(turns[0] - doubt[0]) <= np.floor(turns[1] + doubt[1]))
+
+        low = np.where(holds(maximum + np.pi), -1.0, np.minimum(at[0], at[1]) - 2.0**-48)
+        high = np.where(holds(maximum), 1.0, np.maximum(at[0], at[1]) + 2.0**-48)
+        known = np.isfinite(wider).all(axis=0)
+        return Elementary(np.where(known, np.array((low, high)), np.array([[-1.0], [1.0]])))
+
+    def power(self, exponent: Any) -> Elementary:
+        """Not negative, to a power that is an interval or a number."""
+        ends = exponent.ends if isinstance(exponent, Interval) else np.full((2, 1), float(exponent))
+        values = np.power(self.ends[:, np.newaxis], ends)
+        low, high = values.min(axis=(0, 1)), values.max(axis=(0, 1))
+        return Elementary(np.where(self.ends[0] >= 0, _apart(np.array((low, high))), np.nan))

@@ -37,7 +37,8 @@ class Stations:
 
     @classmethod
     def of(cls, model: Model, A_max: float) -> Stations:
-        pieces = stretches_up_to(model, A_max)
+        # where there is no force, as in a dead zone, there is no fold
+        pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
         if model.zeta == 0:
             stiffness, cusps = find_zeros(model, [Stiffness(model), Undamped(model)], pieces)
             return cls(pieces, stiffness, cusps, None, None)
@@ -63,7 +64,7 @@ class Stations:
                         low = own.channel[i] == 0
                         kind, gain = (Kind.PAIR_LOW if low else Kind.PAIR_HIGH), 2 if own.rising[i] == low else -2
                     inside.append(Event(float(own.A[i]), float(own.Omega[i]), kind, gain))
-            first = piece.base if number == 0 else float(np.nextafter(piece.base, np.inf))
+            first = piece.base if piece.base == 0 else float(np.nextafter(piece.base, np.inf))
             ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
             found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
         return merged(found)

@@ -120,7 +120,10 @@ def _lowest(model: Model) -> _Best:
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
         at, above = samples_at(model, b), sample_above(model, i)
         _consider_breakpoint(model, at, jump, float(above.h_AA[0]), best)
-        bounded.append(Stretch(first, at, float(first.A[0])))
+        # where there is no force, as in a dead zone, there is no fold
+        stretch = Stretch(first, at, float(first.A[0]))
+        if stretch.has_force:
+            bounded.append(stretch)
         first = above
     if bounded:
         _consider_pieces(model, bounded, best)
@@ -235,6 +238,8 @@ def peak(model: Model, F_0: float) -> PeakFound:
         if not len(tops):
             return PeakFound(None, None, F_0, words.NO_TOP.format(F_0))
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
+    if cut:
+        return PeakFound(None, None, F_0, cut)
     peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], stretches_up_to(model, A_max))
     # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
     tops = peaks.take(peaks.rising == (peaks.channel == 1))

@@ -91,7 +91,7 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
             raise ArithmeticError("the response is unresolved: too many intervals of the amplitude stay undecided")
         n, middle = len(a), amid(base[piece], a.A, b.A)
         last = ~((middle > a.A) & (middle < b.A)) | (b.A - a.A <= NARROW * b.A)
-        cells = cells_of(a, b)
+        cells = cells_of(model, a, b)
         for number, question in enumerate(questions):
             some = np.flatnonzero(is_open[number].any(axis=0))
             if not some.size:

@@ -1,0 +1,199 @@
+"""The kernels of a mechanism whose average is a quadrature: integrands, what stands around them, the force, its data.
+
+In:  a `Mechanism` and its `Quadrature`.
+Out: `quadrature_module`.
+
+The parameters are the design's numbers, and nothing is named between: a force of any kind has no coefficients.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...mechanisms import Mechanism
+from ...quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
+from ...restoring import ORDERS
+from ...second_approximation import OF_HARMONIC
+from ...symbols import A, u
+from ..compensated import copysign
+from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
+from .mechanism import INTERCEPT
+
+#: sums are named by the terms under their integrals
+ANY = "any parameters"
+
+
+def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> Module:
+    """The module of one mechanism that is stated in a program."""
+    pieces, laws = piece_kernels(mechanism, average)
+    averages = average_sums(mechanism, average)
+    return Module(
+        name=name,
+        title=mechanism.title[0].upper() + mechanism.title[1:],
+        inputs=("live.py", "quadrature.py"),
+        kernels=(
+            *data_kernels(mechanism, average),
+            *pieces,
+            *(kernel for one in averages for kernel in (*one.terms, one.closing)),
+        ),
+        record=Record(mechanism, mechanism.design, laws, sp.oo, False, "", ()),
+        native=False,
+        sums=averages,
+        enclosed=enclosed(mechanism, average),
+    )
+
+
+def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
+    """`averaged`, `intercept` and `harmonics`."""
+    parameters = mechanism.parameters
+    graded = tuple(BROKEN if k == 0 and average.is_broken else DENSE for k in range(len(average.pieces)))
+    regimes = [average.regime(count) for count in range(len(average.pieces))]
+    listed = ", ".join(str(symbol) for family in OF_HARMONIC.values() for symbol in family)
+    found = []
+    for number, (name, doc, equation) in enumerate(
+        (
+            ("averaged", ", ".join(map(str, AVERAGED)) + " together.", "(20)-(22), (31)"),
+            ("intercept", INTERCEPT, "from (20)"),
+            ("harmonics", f"Higher harmonics of the force, as h is its first: {listed}.", "beyond (20)"),
+        )
+    ):
+        terms = tuple(
+            plain(
+                f"{name}_terms_{k}",
+                (v, s, c, *parameters),
+                average.integrands(piece)[number],
+                f"Under the integrals of `{name}` on piece {k} of the force, which u = A sine is beyond the begin of.",
+                equation,
+                "where the piece holds",
+                parameters=len(parameters),
+                generic=True,
+            )
+            for k, piece in enumerate(average.from_begin, start=1)
+        )
+        outputs = [(one.averaged, (one.intercept,), one.harmonics)[number] for one in regimes]
+        given = tuple(sums(terms[0].width))
+        closing = Kernel(
+            f"{name}_of",
+            (A, *given, *parameters),
+            branches(average, [(one.lets, values) for one, values in zip(regimes, outputs, strict=True)]),
+            f"`{name}` in the sums of its integrals over the pieces.",
+            equation,
+            "A >= 0",
+            parameters=len(parameters),
+            returns="tuple",
+        )
+        found.append(Sums(name, terms, closing, doc, equation, graded, scalar=name == "intercept"))
+    return tuple(found)
+
+
+def branches(average: Quadrature, cases: list[tuple[tuple[Let, ...], tuple[sp.Expr, ...]]]) -> tuple[Branch, ...]:
+    """One for each number of breakpoints that the amplitude exceeds."""
+    ends = [*average.breakpoints.values()]
+    return tuple(
+        Branch(
+            f"passed_{count}" if ends else "",
+            ((A, ends[count]),) if count < len(ends) else (),
+            lets,
+            outputs,
+            passed=count,
+        )
+        for count, (lets, outputs) in enumerate(cases)
+    )
+
+
+def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
+    """Parameters from the design, breakpoints, jumps, kinks."""
+    parameters = mechanism.parameters
+    losses = average.losses
+    return [
+        plain("coefficients", parameters, parameters, "The parameters are the design.", "(4)", "any design"),
+        *(
+            plain(name, parameters, values, doc, equation, ANY, parameters=len(parameters))
+            for name, values, doc, equation in (
+                (
+                    "breakpoints",
+                    tuple(average.breakpoints.values()),
+                    "The |u| at which a piece of the force ends.",
+                    "(5)",
+                ),
+                (
+                    "jumps",
+                    tuple(lost[0] for lost in losses),
+                    "What the force loses at each breakpoint: f below less f above.",
+                    "(5)",
+                ),
+                (
+                    "kinks",
+                    tuple(lost[order] for lost in losses for order in (1, 2)),
+                    "What its slope and its curvature lose at each breakpoint.",
+                    "(5)",
+                ),
+                (
+                    "hardening",
+                    (sp.Integer(-1),),
+                    "The force over the displacement, f(u)/u, is not known to rise.",
+                    "from (3)",
+                ),
+            )
+        ),
+    ]
+
+
+def piece_kernels(mechanism: Mechanism, average: Quadrature) -> tuple[list[Kernel], tuple[Law, ...]]:
+    """The pieces of the force and their slopes on both sides of u = 0, for the equation of motion."""
+    parameters = mechanism.parameters
+    kernels, laws = [], []
+    for k, piece in enumerate(average.pieces, start=1):
+        name, slope = f"force_{k}", f"force_{k}_u"
+        lets, printed, inclined = on_both_sides(piece)
+        what = f"iece {k} of the whole restoring force u + F_k(u)."
+        for one, value, text in ((name, printed, "P" + what), (slope, inclined, "d/du of p" + what)):
+            kernels.append(
+                plain(one, (u, *parameters), value, text, "(3), (5)", "where it holds", lets=lets, generic=True)
+            )
+        laws.append(Law(name, slope, ""))
+    return kernels, tuple(laws)
+
+
+def on_both_sides(piece: sp.Expr) -> tuple[list[Let], sp.Expr, sp.Expr]:
+    """A piece and its slope, stated for u > 0: as it is where it is odd, by the size of u and its side elsewhere."""
+    inclined = sp.powsimp(sp.diff(piece, u))
+    if sp.expand(piece.subs(u, -u) + piece) == 0:
+        return [], piece, inclined
+    side, size = sp.Symbol("side", real=True), sp.Symbol("size", nonnegative=True)
+    lets = [(side, copysign(1, u)), (size, sp.Abs(u))]
+    return lets, side * piece.subs(u, size), inclined.subs(u, size)
+
+
+def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
+    """What holds h and h_AAAA on an interval of amplitudes."""
+    parameters = mechanism.parameters
+    about = ("(20), (31)", "on intervals")
+    terms = tuple(
+        plain(
+            f"enclosed_terms_{k}",
+            (A, v, s, *parameters),
+            average.bent(piece),
+            f"Under the integrals of h and h_AAAA on piece {k} of the force, which u = A sine is beyond the begin of.",
+            *about,
+            generic=True,
+        )
+        for k, piece in enumerate(average.from_begin, start=1)
+    )
+    closing = []
+    for count in range(len(average.pieces)):
+        known = dict(list(average.breakpoints.items())[:count])
+        numbers = {b: value for b, value in known.items() if value.is_number}
+        roots = tuple(sp.Symbol(f"root_{k}", nonnegative=True) for k in range(1, count + 1))
+        closing.append(
+            plain(
+                f"enclosed_of_{count}",
+                (A, *roots, *sums(2), *parameters),
+                tuple(value.xreplace(numbers) for value in average.bends(count)),
+                f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
+                *about,
+                lets=[let for let in known.items() if let[0] not in numbers],
+                generic=True,
+            )
+        )
+    return Enclosed(terms, tuple(closing))

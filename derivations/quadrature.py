@@ -1,0 +1,233 @@
+"""Step 3 for a force of any kind, equations (20)-(22), (31): what a quadrature sums, and what it puts around the sums.
+
+In:  the pieces of an odd force, each an expression in u and parameters that holds for u > 0, and where they end.
+Out: `Quadrature`: integrands over the quarter cycle, piece by piece, and h, its derivatives, h - A h_A and the higher
+     harmonics in the integrals' values; beside these h_AAAA, whose bounds tell what h_AAA does between two amplitudes.
+
+A piece is written in what u exceeds its beginning by, of which no digit is lost where that is little.
+
+As in `restoring` and `harmonics`, with u = A s, s = sin t, c = cos t:
+
+    h_n = -(4/pi) sum over pieces of int f(A s) T_n(s) dt,   d/dA int f^(j) s^j T_n dt = int f^(j+1) s^(j+1) T_n dt
+
+and at each breakpoint b the moving angle adds its terms, in what f, f', f'' lose there. By parts h - A h_A is a sum
+without the difference of h and A h_A, f(0+) being what the force is next to rest:
+
+    h - A h_A = (4/pi) [A^2 int f''(A s) s c^2 dt - f(0+) + sum over b of ((r/A) (J_0 - b J_1) - J_0 b^2/(A r))]
+
+where J_0, J_1 are what f and f' lose at b, and r^2 = A^2 - b^2.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from .elliptic import gauss
+from .harmonics import HARMONICS, boundary, chebyshev, derivatives_of
+from .restoring import ORDERS, slope
+from .symbols import A, u
+
+#: sine and cosine of the angle that is integrated over
+s, c = sp.symbols("sine cosine", positive=True)
+#: what u exceeds the beginning of a piece by
+v = sp.Symbol("beyond", nonnegative=True)
+#: nodes of Gauss's rule on each panel: halving a panel divides the error by 2^(2 NODES), of a power t^a by 2^(a + 1)
+NODES = 16
+#: the angle from where a piece begins is the power DENSE of what is divided into panels: where A is large all that a
+#: force does at some u lies there. BROKEN in the first piece, for powers of u that are no whole numbers: t^a becomes
+#: x^(BROKEN (a + 1) - 1)
+DENSE, BROKEN = 3, 6
+#: functions that a force may be made of: their derivatives are made of them too, and all targets know them
+FUNCTIONS = (
+    *(sp.exp, sp.log, sp.sin, sp.cos, sp.tan, sp.sinh, sp.cosh, sp.tanh),
+    *(sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh),
+)
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+
+@dataclass(frozen=True)
+class Regime:
+    """What stands around the integrals where A exceeds `passed` breakpoints and not the next.
+
+    passed    -- their names
+    lets      -- they in the parameters, and sqrt(A^2 - b^2) for each
+    averaged  -- h, h_A, h_AA, h_AAA in the sums over the pieces
+    intercept -- h - A h_A
+    harmonics -- h_3 with its derivatives, then h_5
+    """
+
+    passed: tuple[sp.Symbol, ...]
+    lets: tuple[Let, ...]
+    averaged: tuple[sp.Expr, ...]
+    intercept: sp.Expr
+    harmonics: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
+class Quadrature:
+    """The average of a force of any kind.
+
+    pieces      -- u + F_k(u) for u > 0, by rising u
+    breakpoints -- where they end, by name
+    """
+
+    pieces: tuple[sp.Expr, ...]
+    breakpoints: dict[sp.Symbol, sp.Expr]
+
+    @cached_property
+    def losses(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """What f, f', f'', f''' lose at each breakpoint."""
+        ends = self.breakpoints.values()
+        return tuple(
+            tuple(lost_at(below - above, end, order) for order in range(ORDERS + 1))
+            for below, above, end in zip(self.pieces, self.pieces[1:], ends, strict=False)
+        )
+
+    @cached_property
+    def at_rest(self) -> sp.Expr:
+        """f(0+): 0 but for a preload, which an odd force loses at u = 0."""
+        value = sp.limit(self.pieces[0], u, 0, "+") if self.is_broken else self.pieces[0].subs(u, 0)
+        return sp.simplify(value)
+
+    @property
+    def is_broken(self) -> bool:
+        """Whether powers of u that are no whole numbers are in the first piece, or logarithms."""
+        return bool(singular_at(self.pieces[0], sp.Integer(0)))
+
+    @cached_property
+    def from_begin(self) -> tuple[sp.Expr, ...]:
+        """The pieces in what u exceeds their beginning by."""
+        begins = (sp.Integer(0), *self.breakpoints.values())
+        return tuple(piece.subs(u, begin + v) for piece, begin in zip(self.pieces, begins, strict=True))
+
+    def integrands(self, piece: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+        """Under the integral, at u = A s: of h and its derivatives, of h - A h_A, of the harmonics."""
+        slopes = derivatives(piece, ORDERS)
+        averaged, *further = (
+            tuple(value * s**order * chebyshev(n, s) for order, value in enumerate(slopes)) for n in (1, *HARMONICS)
+        )
+        return averaged, (slopes[2] * s * c**2,), tuple(value for one in further for value in one)
+
+    def regime(self, count: int) -> Regime:
+        """Where A exceeds the first `count` breakpoints."""
+        names = tuple(self.breakpoints)[:count]
+        roots = [sp.Symbol(f"root_{k}", nonnegative=True) for k in range(1, count + 1)]
+        lets = [
+            let for b, root in zip(names, roots, strict=True) for let in ((b, self.breakpoints[b]), (root, _root(b)))
+        ]
+        ends = [*zip(names, roots, self.losses[:count], strict=True)]
+
+        def around(n: int, first: int) -> tuple[sp.Expr, ...]:
+            """h_n and its derivatives; the sums are numbered from `first` on."""
+            terms = [(root, [boundary(losses[k], n, k, b, root) for k in range(ORDERS)]) for b, root, losses in ends]
+            return derivatives_of(sums(ORDERS + 1, first), terms)
+
+        (integral,) = sums(1)
+        at_ends = [root / A * (lost[0] - b * lost[1]) - lost[0] * b**2 / (A * root) for b, root, lost in ends]
+        intercept = 4 / sp.pi * (A**2 * integral - self.at_rest + sum(at_ends))
+        harmonics = [value for k, n in enumerate(HARMONICS) for value in around(n, k * (ORDERS + 1))]
+        return Regime(names, tuple(lets), around(1, 0), intercept, tuple(harmonics))
+
+    # --- between two amplitudes ---
+
+    def bent(self, piece: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Under the integrals of h and h_AAAA.
+
+        Next to rest a broken power's fourth derivative is infinite, but u^4 times it is a power again.
+        """
+        order = ORDERS + 1
+        fourth = derivatives(piece, order)[-1]
+        if singular_at(piece, sp.Integer(0)):
+            scaled = sp.powsimp(sp.expand(fourth * v**order))
+            powers = sorted((power for power in scaled.atoms(sp.Pow) if power.base == v), key=str)
+            return nested(piece) * s, sp.collect(scaled, powers, sp.factor) * s / A**order
+        return nested(piece) * s, nested(fourth) * s ** (order + 1)
+
+    def bends(self, count: int) -> tuple[sp.Expr, sp.Expr]:
+        """h and h_AAAA in their integrals where A exceeds `count` breakpoints.
+
+        The terms of a breakpoint are one quotient, in whose numerator the loss of lowest order leads as A falls to b.
+        """
+        of_h, of_h_AAAA = sums(2)
+        total = of_h_AAAA
+        for k, (b, losses) in enumerate(zip(self.breakpoints, self.losses, strict=True), start=1):
+            if k > count:
+                break
+            root = sp.Symbol(f"root_{k}", nonnegative=True)
+            lowest = next((order for order, lost in enumerate(losses) if lost != 0), None)
+            if lowest is None:
+                continue
+            numerator = sp.Integer(0)
+            for order in range(ORDERS, lowest - 1, -1):
+                numerator = numerator * root**2 + losses[order] * _shape(order, b, root)
+            total += numerator / root ** (2 * (ORDERS - lowest) + 1)
+        return -4 / sp.pi * of_h, -4 / sp.pi * total
+
+
+def sums(count: int, first: int = 0) -> list[sp.Symbol]:
+    """Names of the integrals."""
+    return [sp.Symbol(f"sum_{k}", real=True) for k in range(first, first + count)]
+
+
+def rule() -> tuple[tuple[sp.Rational, sp.Rational], ...]:
+    """Positive nodes of Gauss's rule on [-1, 1] and their weights."""
+    return gauss(NODES // 2)
+
+
+class _Sech2(sp.Function):
+    """1/cosh^2, in which the derivatives of tanh have no difference 1 - tanh^2."""
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return -2 * sp.tanh(self.args[0]) * self
+
+
+def derivatives(piece: sp.Expr, count: int) -> list[sp.Expr]:
+    """A piece and its derivatives, in forms in which little cancels."""
+    found, current = [piece], piece
+    for _ in range(count):
+        current = sp.powsimp(sp.diff(current, v))
+        for argument in sorted({one.args[0] for one in current.atoms(sp.tanh)}, key=str):
+            current = current.subs(1 - sp.tanh(argument) ** 2, _Sech2(argument))
+        if any(power.exp.is_Rational and not power.exp.is_Integer for power in current.atoms(sp.Pow)):
+            # v^2/r^3 - 1/r of a root r
+            current = min(current, sp.factor(current), key=sp.count_ops)
+        found.append(current)
+    return [one.replace(_Sech2, lambda argument: sp.cosh(argument) ** -2) for one in found]
+
+
+def lost_at(difference: sp.Expr, end: sp.Expr, order: int) -> sp.Expr:
+    """A derivative of the difference of two pieces where the one ends; 0 where it is."""
+    return sp.simplify(sp.diff(difference, u, order).subs(u, end))
+
+
+def singular_at(piece: sp.Expr, place: sp.Expr) -> list[sp.Expr]:
+    """What in a piece is not smooth at a displacement: broken powers, and logarithms, of what vanishes.
+
+    Vanishing denominators are not listed: the force is infinite there.
+    """
+    bases = [(power, power.base) for power in piece.atoms(sp.Pow) if not power.exp.is_Integer]
+    bases += [(value, value.args[0]) for value in piece.atoms(sp.log)]
+    where = {u: place, v: place}
+    return sorted((whole for whole, base in bases if base.has(u, v) and sp.simplify(base.subs(where)) == 0), key=str)
+
+
+def nested(expression: sp.Expr) -> sp.Expr:
+    """A polynomial in Horner's form, in which intervals are narrower; anything else as it is."""
+    return sp.horner(expression, v) if expression.is_polynomial(v) and expression.has(v) else expression
+
+
+def _root(b: sp.Symbol) -> sp.Expr:
+    return sp.sqrt((A - b) * (A + b))
+
+
+def _shape(order: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
+    """What stands beside a loss of that order in h_AAAA, times root^(2 (ORDERS - order) + 1): a polynomial over A^n."""
+    term = boundary(sp.Integer(1), 1, order, b, root)
+    for _ in range(ORDERS - order):
+        term = slope(term, root)
+    value = sp.expand(sp.cancel(sp.expand(term * root ** (2 * (ORDERS - order) + 1))))
+    return sp.factor(value)

@@ -1,0 +1,123 @@
+"""Averages of forces of any kind between two amplitudes: in go intervals of A, out comes what h and h_AAAA are there.
+
+The quarter cycle is divided at displacements, each piece of the force for itself: at fixed ones where the amplitude
+exceeds the piece, at fixed shares of the last piece. On each part u, sine and the angle that it takes are known on an
+interval of A by their values at its ends, as each is monotone in A; what stands under the integrals is generated.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Elementary, Interval
+from slowflow.model import Floats, Model
+
+#: parts of the quarter cycle, of each piece
+PARTS = 24
+#: shares of a piece at which it is divided: of equal angles where it begins at u = 0
+_SHARES = np.sin(np.linspace(0.0, 0.5 * np.pi, PARTS + 1))
+_SHARES[-1] = 1.0
+#: an angle's relative error, and its least
+_ANGLE = 2.0**-48
+_LARGEST = 2.0**960
+
+
+def enclosed(model: Model, low: Floats, high: Floats) -> tuple[Interval, Interval]:
+    """h and h_AAAA on intervals of A, arrays (n,), each on one piece of the force; infinite or NaN where not known."""
+    n = low.size
+    h, bend = np.full((2, n), np.nan), np.full((2, n), np.nan)
+    ends = np.array([float(end) for end in model.mechanism.breakpoints(*model.parameters)])
+    passed = np.sum(low >= ends[:, np.newaxis], axis=0)
+    with np.errstate(all="ignore"):
+        for count in np.unique(passed):
+            here = passed == count
+            h[:, here], bend[:, here] = _enclosed(model, ends[:count], low[here], high[here])
+    return Interval(h), Interval(bend)
+
+
+def _enclosed(model: Model, ends: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """The same where the amplitudes exceed these breakpoints."""
+    record = model.mechanism.enclosed
+    assert record is not None
+    given = [Elementary.point(value) for value in model.parameters]
+    sums = [Interval(np.zeros((2, low.size))) for _ in range(2)]
+    starts = np.concatenate(([0.0], ends))
+    for number, start in enumerate(starts):
+        last = number == len(ends)
+        if last:
+            beyond, sine, angle = _last_piece(start, low, high)
+        elif ends[number] > start:
+            beyond, sine, angle = _passed_piece(start, ends[number], low, high)
+        else:
+            continue
+        amplitudes = Elementary.of(np.tile(low, PARTS), np.tile(high, PARTS))
+        values = record.terms[number](Elementary.point, amplitudes, beyond, sine, *given)
+        for k, value in enumerate(values):
+            parts = _interval(value, angle) * angle
+            added = sums[k] + Interval(parts.ends.reshape(2, PARTS, -1).sum(axis=1))
+            # a sum that is too large for a double is at least this large
+            sums[k] = Interval(np.clip(added.ends, [[-np.inf], [-_LARGEST]], [[_LARGEST], [np.inf]]))
+    roots = [_root(end, low, high) for end in ends]
+    A = Elementary.of(low, high)
+    h, bend = record.closing[len(ends)](Elementary.point, A, *roots, *sums, *given)
+    return _interval(h, A).ends, _interval(bend, A).ends
+
+
+def _interval(value: Any, like: Interval) -> Interval:
+    """A value that may be a number."""
+    if not isinstance(value, Interval):
+        value = Interval.point(float(value))
+    return Interval(np.broadcast_to(value.ends, like.ends.shape))
+
+
+def _root(end: float, low: Floats, high: Floats) -> Elementary:
+    """sqrt(A^2 - b^2)"""
+    A = Interval.of(low, high)
+    return Elementary(((A - float(end)) * (A + float(end))).ends).root()
+
+
+def _angles(sines: Floats) -> Floats:
+    return np.asarray(np.arcsin(np.minimum(sines, 1.0)))
+
+
+def _parts(lower: Floats, upper: Floats) -> Elementary:
+    """Flat intervals, part by part."""
+    wider = Elementary.of(lower.ravel(), upper.ravel()).ends
+    return Elementary(wider + np.array([[-_ANGLE], [_ANGLE]]) * np.abs(wider))
+
+
+def _passed_piece(start: float, end: float, low: Floats, high: Floats) -> tuple[Elementary, Elementary, Interval]:
+    """u less its begin, sine and angles on the parts of a piece that the amplitude exceeds: angles fall as it rises."""
+    beyond = ((end - start) * _SHARES)[:, np.newaxis]
+    at = start + beyond
+    at[-1] = end
+    whole = np.ones(low.size)
+    lowest, highest = _angles(at / high), _angles(at / low)
+    return (
+        _parts(beyond[:-1] * whole, beyond[1:] * whole),
+        _parts(at[:-1] / high, np.minimum(at[1:] / low, 1.0)),
+        _widths(np.diff(lowest, axis=0), np.diff(highest, axis=0)),
+    )
+
+
+def _last_piece(start: float, low: Floats, high: Floats) -> tuple[Elementary, Elementary, Interval]:
+    """The same on the piece that the amplitude ends in: there the angles rise with it."""
+    share = _SHARES[:, np.newaxis]
+
+    def sines(A: Floats) -> Floats:
+        return np.asarray(np.where(A > 0, share + (1 - share) * start / A, share))
+
+    from_low, from_high = sines(low), sines(high)
+    return (
+        _parts(((low - start) * share)[:-1], ((high - start) * share)[1:]),
+        _parts(from_high[:-1], np.minimum(from_low[1:], 1.0)),
+        _widths(np.diff(_angles(from_low), axis=0), np.diff(_angles(from_high), axis=0)),
+    )
+
+
+def _widths(one: Floats, other: Floats) -> Interval:
+    """Angles between two values, which are differences of others."""
+    least, most = np.minimum(one, other) - _ANGLE, np.maximum(one, other) + _ANGLE
+    return Interval.of(np.maximum(least, 0.0).ravel(), most.ravel())

@@ -1,0 +1,163 @@
+"""Integrals over the quarter cycle by Gauss's rule, piece by piece: integrands of a generated module in, sums out.
+
+A piece that ends at |u| = b ends at t = asin(b/A), 0 <= t <= pi/2. Its part of the quarter is divided into 1, 2, 4, ...
+equal panels until twice as many change no sum by more than `AGREED` of the integral of its size. As halving the panels
+divides a rule's error by 2^12 at least, what is left then is below 2^-58 of that integral: less than rounding. Where
+the changes fall no more they are rounding's own, which a force that is a difference makes larger.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from slowflow_support.broadcast import Floats
+
+#: what halving may change of a sum that has settled, in the integral of the integrand's size
+AGREED = 2.0**-46
+#: what rounding may change of it, and a part of the quarter that one panel is enough for
+ROUNDING, SHORT = 2.0**-24, 2.0**-20
+#: panels up to which a change that does not fall may be the rule's, and is not called rounding
+FEWEST = 16
+#: an amplitude next to 0
+NEXT = 2.0**-400
+#: panels, after which a sum is given up
+MOST_PANELS = 512
+#: numbers that are held at a time
+TOGETHER = 1 << 20
+
+Terms = Callable[..., Sequence[Any]]
+
+
+def over_quarter(
+    A: Any,
+    parameters: Sequence[Any],
+    breakpoints: Callable[..., Sequence[Any]],
+    terms: Sequence[Terms],
+    closing: Callable[..., Sequence[Any]],
+    width: int,
+    graded: Sequence[int],
+    rule: Sequence[tuple[float, float]],
+) -> tuple[Any, ...]:
+    """The outputs of `closing` at A and parameters that broadcast.
+
+    terms  -- of each piece at (u less where it begins, sine, cosine, *parameters), u = A sine: `width` integrands
+    graded -- of each piece the power of what is divided into panels that its angle, from where it begins, is
+    rule   -- positive nodes on [-1, 1], which stand for their negatives too, and weights
+
+    Raises ArithmeticError where a sum does not settle: the force is all but singular.
+    """
+    arrays = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in (A, *parameters)))
+    shape, flat = arrays[0].shape, [one.reshape(-1) for one in arrays]
+    at = np.array([x for node, _ in reversed(rule) for x in (-node,)] + [node for node, _ in rule])
+    weights = np.array([weight for _, weight in reversed(rule)] + [weight for _, weight in rule])
+    sums = np.zeros((width, flat[0].size))
+    size = max(1, TOGETHER // (width * at.size * MOST_PANELS // 8))
+    with np.errstate(all="ignore"):
+        for first in range(0, flat[0].size, size):
+            part = slice(first, first + size)
+            some = [one[part] for one in flat]
+            sums[:, part] = found = _sums(some, breakpoints, terms, width, graded, (at, weights))
+            # a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it
+            lost = np.isnan(found).any(axis=0) & (some[0] == 0)
+            if lost.any():
+                beside = [np.full(int(lost.sum()), NEXT), *(one[lost] for one in some[1:])]
+                near = _sums(beside, breakpoints, terms, width, graded, (at, weights))
+                sums[:, np.flatnonzero(lost) + first] = np.where(np.isnan(found[:, lost]), near, found[:, lost])
+    return tuple(closing(arrays[0], *(one.reshape(shape) for one in sums), *arrays[1:]))
+
+
+def _sums(
+    numbers: list[Floats],
+    breakpoints: Callable[..., Sequence[Any]],
+    terms: Sequence[Terms],
+    width: int,
+    graded: Sequence[int],
+    rule: tuple[Floats, Floats],
+) -> Floats:
+    """The sums over the pieces, an array (width, n)."""
+    A, *parameters = numbers
+    total = np.zeros((width, A.size))
+    ends = [np.broadcast_to(np.asarray(end, dtype=float), A.shape) for end in breakpoints(*parameters)]
+    low = np.zeros(A.shape)
+    for number, piece in enumerate(terms):
+        last = number == len(ends)
+        passed = np.zeros(A.shape, dtype=bool) if last else A > ends[number]
+        # the complement of the angle, which is exact where the amplitude is next to the breakpoint
+        end = ends[number - 1 if last else number] if ends else low
+        beside = np.arctan2(np.sqrt((A - end) * (A + end)), end)
+        angle = np.arctan2(end, np.sqrt((A - end) * (A + end)))
+        high = np.where(passed, angle, np.pi / 2)
+        from_top = last and number > 0
+        span = np.where(A > end, beside, 0.0) if from_top else high - low
+        wide = span > 0
+        if wide.any():
+            chosen = [one[wide] for one in numbers]
+            total[:, wide] += _settled(piece, chosen, low[wide], span[wide], width, graded[number], from_top, rule)
+        low = high
+    return total
+
+
+def _settled(
+    piece: Terms,
+    numbers: list[Floats],
+    low: Floats,
+    span: Floats,
+    width: int,
+    graded: int,
+    from_top: bool,
+    rule: tuple[Floats, Floats],
+) -> Floats:
+    """One piece's integrals over low < t < low + span, or over the `span` below t = pi/2."""
+    found = np.empty((width, span.size))
+    left, before, panels = np.arange(span.size), None, 1
+    last = np.full((width, span.size), np.inf)
+    while left.size:
+        if panels > MOST_PANELS:
+            raise ArithmeticError(
+                f"the average at A = {numbers[0][left[0]]:.17g} does not settle: the force is all but singular there"
+            )
+        some = [one[left] for one in numbers]
+        value, sizes = _panels(piece, some, low[left], span[left], width, graded, from_top, rule, panels)
+        if before is not None:
+            moved = np.abs(value - before)
+            falls = (moved < 0.125 * last) | (panels < FEWEST)
+            rounds = (~falls & (moved <= ROUNDING * sizes)) | (span[left] <= SHORT)
+            # an infinite sum stays so
+            settled = ~((moved > AGREED * sizes) & ~rounds).any(axis=0)
+            found[:, left[settled]] = value[:, settled]
+            left, value, last = left[~settled], value[:, ~settled], moved[:, ~settled]
+        before, panels = value, 2 * panels
+    return found
+
+
+def _panels(
+    piece: Terms,
+    numbers: list[Floats],
+    low: Floats,
+    span: Floats,
+    width: int,
+    graded: int,
+    from_top: bool,
+    rule: tuple[Floats, Floats],
+    panels: int,
+) -> tuple[Floats, Floats]:
+    """The integrals by that many panels, and those of the integrands' sizes."""
+    at, weights = rule
+    x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + at)) / panels).ravel()
+    w = np.tile(0.5 * weights / panels, panels)
+    x, w = x**graded, w * graded * x ** (graded - 1)
+    wide, start = span[:, np.newaxis], low[:, np.newaxis]
+    t = wide * (1 - x) if from_top else start + wide * x
+    sine, cosine = (np.cos(t), np.sin(t)) if from_top else (np.sin(t), np.cos(t))
+    A, *parameters = (one[:, np.newaxis] for one in numbers)
+    # u less where the piece begins: a difference of sines
+    middle = np.sin(wide * (1 - 0.5 * x)) if from_top else np.cos(start + 0.5 * wide * x)
+    beyond = 2 * A * middle * np.sin(0.5 * wide * x)
+    values = piece(beyond, sine, cosine, *parameters)
+    weighted = [np.broadcast_to(value, sine.shape) * w for value in values]
+    sums = np.array([one.sum(axis=-1) for one in weighted]) * span
+    sizes = np.array([np.abs(one).sum(axis=-1) for one in weighted]) * span
+    return sums.reshape(width, -1), sizes.reshape(width, -1)

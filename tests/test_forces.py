@@ -1,0 +1,205 @@
+"""Forces of any kind, stated in a program: averages by quadrature and what stands on them, against closed forms."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+
+import slowflow_derived
+from slowflow import derive
+from slowflow.averaged.reference.cells import samples_at
+from slowflow.averaged.reference.enclosed import enclosed
+
+u, k, c, p, gap = sp.symbols("u k c p gap")
+ABOVE_0 = {"above": 0}
+DAMPING = {"mu": 0.01, "zeta": 0.03}
+#: pieces for u > 0 and their numbers
+FORCES = {
+    "pendulum": ([(k * sp.sin(u), None)], {"k": 1.3}),
+    "preload": ([(c + k * u + u**3, None)], {"c": 0.02, "k": 1.0}),
+    "quadratic": ([(k * u + c * sp.Abs(u) * u, None)], {"k": 0.3, "c": 1.0}),
+    "power": ([(k * u**p, None)], {"k": 1.0, "p": 2.5}),
+    "wave": ([(u + k * sp.sin(c * u), None)], {"k": 0.3, "c": 5.0}),
+    "septic": ([(u - k * u**3 + c * u**5 - p * u**7 + u**9 / 50, None)], {"k": 1.0, "c": 0.6, "p": 0.15}),
+    "dead": ([(sp.Integer(0), gap), (k * (u - gap) ** 2, None)], {"k": 3.0, "gap": 0.1}),
+    "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], {"k": 3.0, "c": 5.0, "gap": 0.2}),
+    "numbers": ([(sp.sin(u), sp.Rational(1, 2)), (u, None)], {}),
+}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def folder(tmp_path_factory):
+    """A folder of its own for what is derived here."""
+    with pytest.MonkeyPatch.context() as patch:
+        made = tmp_path_factory.mktemp("derived")
+        patch.setattr(slowflow_derived, "FOLDER", made)
+        patch.setattr(slowflow_derived, "__path__", [str(made)])
+        yield made
+
+
+@pytest.fixture(scope="module")
+def derived(folder):
+    """Each mechanism, derived once."""
+    made = {}
+
+    def get(name):
+        if name not in made:
+            pieces, numbers = FORCES[name]
+            reach = {"reach": 3.1} if name == "pendulum" else {}
+            made[name] = derive.mechanism(name, pieces, {number: ABOVE_0 for number in numbers}, **reach)
+        return made[name]
+
+    return get
+
+
+@pytest.fixture
+def oscillator(derived):
+    """One of them with its numbers."""
+    return lambda name, **damping: derived(name)(**FORCES[name][1], **(damping or DAMPING))
+
+
+def closed(name, A, n=1):
+    """h_n of two forces whose integrals have names."""
+    if name == "pendulum":
+        return -2 * mp.mpf(1.3) * (-1) ** ((n - 1) // 2) * mp.besselj(n, A)
+    power = mp.mpf(2.5)
+    return -2 / mp.sqrt(mp.pi) * A**power * mp.gamma(power / 2 + 1) / mp.gamma(power / 2 + 1.5)
+
+
+@pytest.mark.parametrize("name", ["pendulum", "power"])
+@pytest.mark.parametrize("A", [1e-3, 0.3, 1.7, 3.0])
+def test_an_average_and_its_slopes_are_those_of_a_closed_form(oscillator, name, A):
+    found = oscillator(name).model.averaged(A)
+    with mp.workdps(40):
+        expected = [mp.diff(lambda a: closed(name, a), mp.mpf(A), order) for order in range(4)]
+    for one, other in zip(found, expected, strict=True):
+        assert float(one) == pytest.approx(float(other), rel=4e-15)
+
+
+def test_harmonics_are_those_of_a_closed_form(oscillator):
+    found = oscillator("pendulum").model.harmonics(1.7)
+    with mp.workdps(40):
+        for n, values in ((3, found[:4]), (5, found[4:])):
+            expected = [mp.diff(lambda a, n=n: closed("pendulum", a, n), mp.mpf(1.7), order) for order in range(4)]
+            np.testing.assert_allclose(values, [float(one) for one in expected], rtol=1e-14, atol=1e-15)
+
+
+@pytest.mark.parametrize("name", FORCES)
+def test_h_less_its_tangent_at_rest_is_the_difference_that_it_stands_for(oscillator, name):
+    model = oscillator(name).model
+    A = np.array([0.15, 0.7, 2.0])
+    h, h_A, *_ = model.averaged(A)
+    found = model.mechanism.intercept(A, *model.parameters)
+    np.testing.assert_allclose(found, h - A * h_A, rtol=1e-12, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", FORCES)
+def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(oscillator, name):
+    """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
+    model = oscillator(name).model
+    edges = sorted({1e-3, *model.breakpoints, 0.1, 0.3, 0.31, 0.8, 1.5, 3.0})
+    for low, high in pairwise(edges):
+        h, bend = (one.ends[:, 0] for one in enclosed(model, np.array([low]), np.array([high])))
+        inside = np.linspace(low, high, 12)[1:-1]
+        at = samples_at(model, inside)
+        assert np.all(h[0] <= at.h) and np.all(at.h <= h[1])
+        slopes = np.diff(at.h_AAA) / np.diff(inside)
+        slack = 1e-9 * (1 + np.abs(slopes))
+        assert np.all(bend[0] <= slopes + slack) and np.all(slopes - slack <= bend[1])
+
+
+@pytest.mark.parametrize("name", FORCES)
+def test_no_state_is_missed_or_made_up(oscillator, name):
+    """Against the signs of the balance on a fine grid of amplitudes."""
+    one = oscillator(name)
+    A = np.geomspace(1e-6, min(30, one.model.reach), 10001)
+    h = one.model.averaged(A)[0]
+    frequencies = [0.3, 0.8, 1.0, 1.4, 2.3]
+    for F_0 in (0.05, 0.3):
+        found = one.amplitudes(Omega=frequencies, F_0=F_0)
+        for Omega in frequencies:
+            balance = (A * Omega**2 + h) ** 2 + (2 * one.zeta * A * Omega + one.model.m) ** 2 - F_0**2
+            expected = A[:-1][np.signbit(balance[1:]) != np.signbit(balance[:-1])]
+            np.testing.assert_allclose(found.A[found.Omega == Omega], expected, rtol=2e-3)
+
+
+@pytest.mark.parametrize("name", ["wave", "septic", "soft_stop"])
+def test_folds_end_the_branches_of_the_curve(oscillator, name):
+    """Each fold satisfies F = F_A = 0, and there are as many as the curve has turns."""
+    one = oscillator(name)
+    folds = one.saddle_nodes(0.3)
+    assert len(folds) >= 4
+    h, h_A, *_ = one.model.averaged(folds.A)
+    R, sine = folds.A * folds.Omega**2 + h, 2 * one.zeta * folds.A * folds.Omega + one.model.m
+    np.testing.assert_allclose(np.hypot(R, sine), 0.3, rtol=1e-12)
+    slope = R * (folds.Omega**2 + h_A) + 2 * one.zeta * folds.Omega * sine
+    np.testing.assert_allclose(slope[~folds.corner], 0, atol=1e-11)
+    curve = one.frequency_response(0.3)
+    turns = np.sum(np.diff(curve.stable.astype(int)) != 0)
+    assert turns == len(folds)
+
+
+def test_answers_at_all_depths_agree(oscillator):
+    """The second approximation lies between averaging and the motion by SciPy."""
+    one = oscillator("soft_stop")
+    (A,) = one.amplitudes(Omega=0.9, F_0=0.1).A
+    motion = one.steady_state(Omega=0.9, F_0=0.1)
+    near = one.second_approximation.amplitudes(Omega=0.9, F_0=0.1)
+    assert abs(near.A[0] / motion.A - 1) < abs(A / motion.A - 1) < 0.1
+    assert "not measured" in str(one.amplitudes(Omega=0.9, F_0=0.1).validity)
+
+
+def test_many_designs_are_single_ones(derived):
+    _, numbers = FORCES["wave"]
+    many = derived("wave").many(**{**numbers, "k": np.array([0.2, 0.3])}, **DAMPING).saddle_node_onset()
+    assert many.F_SN[1] == derived("wave")(**numbers, **DAMPING).saddle_node_onset().F_SN
+
+
+def test_what_it_is_and_how_it_is_derived_is_said(derived):
+    made = derived("soft_stop")
+    assert repr(made).endswith("on NumPy, by quadrature")
+    text = made.document()
+    assert text.count("$$") % 2 == 0
+    assert r"\int_0^{\pi/2} f''(A \sin t) \sin^3 t" in text and "For $u_{1} < A$:" in text
+
+
+def test_averages_by_quadrature_are_not_compiled(folder):
+    with pytest.raises(ValueError, match="compile=True is not allowed for wave"):
+        derive.mechanism("wave", FORCES["wave"][0], {"k": ABOVE_0, "c": ABOVE_0}, compile=True)
+
+
+def test_a_dead_zone_has_an_onset(folder):
+    """Where there is no force at all there is nothing to search; beyond the onset there are two folds more."""
+    zone = derive.mechanism("zone", [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0})
+    one = zone(k=1.0, gap=0.1, **DAMPING)
+    onset = one.saddle_node_onset()
+    below, above = (len(one.saddle_nodes(onset.F_SN * factor)) for factor in (1 - 1e-6, 1 + 1e-6))
+    assert above == below + 2
+
+
+def test_a_response_is_cut_at_the_reach(folder):
+    """A pendulum that is driven over the top has no steady state there; below it the response is whole."""
+    pendulum = derive.mechanism(
+        "to_the_top", [(k * sp.sin(u), None)], {"k": ABOVE_0}, reach=3.1, reach_reason="it stands on its head"
+    )
+    one = pendulum(k=1.3, **DAMPING)
+    curve = one.frequency_response(0.2)
+    assert "cut at A = 3.1, it stands on its head" in curve.message
+    assert curve.A.max() <= 3.1
+    assert one.peak(0.2).A is None
+    assert one.frequency_response(0.05).message == ""
+    assert one.peak(0.05).A < 3.1
+
+
+def test_a_preload_moves_but_is_not_followed_in_time(oscillator):
+    """A force that jumps at rest: averaging has an answer, exact motions and excitation by inertia refuse in words."""
+    one = oscillator("preload")
+    assert len(one.saddle_nodes(0.1)) == 2
+    with pytest.raises(ValueError, match="its force jumps at u = 0"):
+        one.steady_state(Omega=0.9, F_0=0.1)
+    with pytest.raises(ValueError, match="a force that jumps at u = 0"):
+        one.replace(excitation="base")
