@@ -143,9 +143,9 @@ def stated(
 
 def quadrature(mechanism: Mechanism) -> Quadrature:
     """The average of a force of any kind, as `stated` has it."""
-    dimensionless = {mechanism.x: u, mechanism.length: 1, mechanism.k_v: 1, **mechanism.dimensional}
-    pieces = tuple(u + piece.force.subs(dimensionless) for piece in mechanism.pieces)
-    ends = (u - piece.until.subs(dimensionless) for piece in mechanism.pieces[:-1])
+    units = {mechanism.x: u, mechanism.length: 1, mechanism.k_v: 1}
+    pieces = tuple(u + piece.force.subs(mechanism.dimensional).subs(units) for piece in mechanism.pieces)
+    ends = (u - piece.until.subs(mechanism.dimensional).subs(units) for piece in mechanism.pieces[:-1])
     return Quadrature(pieces, dict(zip(mechanism.breakpoints, ends, strict=True)))
 
 
@@ -153,6 +153,9 @@ def by_quadrature(mechanism: Mechanism) -> Mechanism | None:
     """The mechanism with the design for parameters, where its average is a quadrature; None elsewhere."""
     if mechanism.order == sp.oo:
         return mechanism
+    forces = [piece.force for piece in mechanism.pieces]
+    if not all(one.is_polynomial(mechanism.x) and sp.degree(one, mechanism.x) <= mechanism.order for one in forces):
+        return None  # it is truncated
     even = [power for power in mechanism.coefficients[0] if power % 2 == 0]
     if not even and not not_shown(oscillator(mechanism)):
         return None

@@ -27,7 +27,7 @@ FORCES = {
     "septic": ([(u - k * u**3 + c * u**5 - p * u**7 + u**9 / 50, None)], {"k": 1.0, "c": 0.6, "p": 0.15}),
     "dead": ([(sp.Integer(0), gap), (k * (u - gap) ** 2, None)], {"k": 3.0, "gap": 0.1}),
     "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], {"k": 3.0, "c": 5.0, "gap": 0.2}),
-    "numbers": ([(sp.sin(u), sp.Rational(1, 2)), (u, None)], {}),
+    "numbers": ([(sp.sin(u), sp.Rational(1, 2)), (k * u, None)], {"k": 1.5}),
 }
 
 

@@ -115,8 +115,9 @@ def mechanism(
                   the compiled solvers answer
 
     Raises ValueError and TypeError for what is not allowed, with what is, as compile=True where averages are summed by
-    quadrature; ArithmeticError for a force that cannot be derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
-    where slowflow itself is not compiled. Exact motions are SciPy's, compiled or not.
+    quadrature; ArithmeticError for a force that cannot be derived, with the reason; ImportError without the extra;
+    RuntimeError where the compiler fails, with its words, or where slowflow itself is not compiled. Exact motions are
+    SciPy's, compiled or not.
     """
     stated = _derivation().stated(name, pieces, parameters, title, *(() if reach is None else (reach, reach_reason)))
     return _derived(stated, compile)
@@ -150,7 +151,7 @@ def _derived(stated: Any, compile: bool) -> Derived:
     importlib.invalidate_caches()
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
     if compile and record.enclosed is not None:
-        raise ValueError(f"compile=True is not allowed for {name}: averages by quadrature are NumPy's")
+        raise ValueError(f"compile=True is not allowed for {stated.name}: averages by quadrature are NumPy's")
     if compile and backend.record_of(record) is None:
         _attach(record.name, _compiled(folder, module))
     return Derived(record, folder, stated)
