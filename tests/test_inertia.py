@@ -213,6 +213,25 @@ def test_what_a_linear_mount_passes_on_has_its_closed_form_and_no_harmonics():
     assert passed.first == pytest.approx(absolute, rel=1e-12)
     assert passed.peak == pytest.approx(absolute, rel=1e-10)
     assert passed.rms == pytest.approx(absolute / math.sqrt(2), rel=1e-12)
+    assert passed.dB.first == pytest.approx(20 * math.log10(absolute), rel=1e-12)
+    averaged = Duffing(alpha, 0.0, zeta=zeta, excitation="base").amplitudes(Omega=Omega, F_0=Y)
+    assert averaged.relative == pytest.approx([Omega**2 / math.sqrt(below)], rel=1e-12)
+
+
+def test_what_a_whole_exact_curve_passes_on_is_what_each_of_its_motions_does():
+    iso = Isolator(**example.TABLE_1, excitation="base")
+    curve = iso.exact_response(0.04, Omega=(0.75, 1.05), step=0.1)
+    passed = curve.transmitted()
+    assert passed.first.shape == curve.Omega.shape
+    # rms^2 is half the squares of all harmonics: more than that of the first, by little
+    assert (passed.rms**2 >= passed.first**2 / 2 * (1 - 1e-12)).all()
+    assert (passed.peak >= passed.rms).all()
+    for k in range(0, len(curve), 7):
+        motion = curve.steady_state(k)
+        force = motion.force
+        # of the wave the first harmonic is the force's plus inertia's
+        c_1 = motion.harmonics(1)[1]
+        assert passed.first[k] == pytest.approx(abs(force + motion.Omega**2 * c_1) / force, rel=1e-10)
 
 
 @pytest.mark.parametrize(

@@ -281,6 +281,15 @@ class SteadyStates(Table):
         with np.errstate(divide="ignore"):
             return np.asarray(20.0 * np.log10(self.transmissibility))
 
+    @property
+    def relative(self) -> Floats:
+        """A over F_0 of each state, a displacement over another one.
+
+        On a base that shakes that from the base over the base's. Of a force it is over the static deflection of the
+        vertical spring alone, of an unbalance over the amplitude that the mass tends to as Omega tends to inf.
+        """
+        return np.asarray(self.A / self.F_0)
+
     @cached_property
     def validity(self) -> Validity:
         """How far each state may be from the equation of motion, by measurement; looked up when first asked for."""

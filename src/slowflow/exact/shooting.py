@@ -37,11 +37,20 @@ class NotSettled(ArithmeticError):
 
 
 class Transmitted(NamedTuple):
-    """What a motion passes on over the amplitude of the force: at its frequency, at most, and root mean square."""
+    """What a motion passes on over the amplitude of the force: at its frequency, at most, and root mean square.
 
-    first: float
-    peak: float
-    rms: float
+    Numbers, or arrays with that of each point of a curve. Without harmonics peak is first, and rms that over sqrt(2).
+    """
+
+    first: Any
+    peak: Any
+    rms: Any
+
+    @property
+    def dB(self) -> Transmitted:
+        """The same in decibels, 20 log10."""
+        with np.errstate(divide="ignore"):
+            return Transmitted(*(20.0 * np.log10(ratio) for ratio in self))
 
 
 @dataclass(frozen=True, eq=False)
