@@ -56,6 +56,7 @@ class Inertia:
     level_bend  -- its derivative by Omega, positive where it vanishes
     Omega_A     -- slope of the response, in R, I and F_A
     terms, least -- fall, linear, rest; and the x at which an amplitude's level is least in these, for fall > 0
+    least_Omega_A -- dOmega/dA there, along these
     peak        -- level there less F_0, and its slope along A: R follows from I, and nothing cancels
     isola       -- what that slope vanishes with, and its own slope along A
     level_rise, cusp_bend -- along the fold locus, as in `Slopes`
@@ -73,6 +74,7 @@ class Inertia:
     Omega_A: sp.Expr
     terms: tuple[sp.Expr, ...]
     least: sp.Expr
+    least_Omega_A: sp.Expr
     peak_lets: tuple[Let, ...]
     peak: tuple[sp.Expr, ...]
     isola_lets: tuple[Let, ...]
@@ -121,6 +123,7 @@ def inertia(flow: SlowFlow) -> Inertia:
         raise ArithmeticError(f"the level's slope is no quadratic in Omega: {falls}")
     terms, least = _least(quadratic)
     peak_lets, peak, isola = _peak(flow, slope_of_level, falls)
+    least_Omega_A = sp.factor_terms(-_x_A(falls) / x**2)
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
     # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
     hessian_lets, of_force = hessian(flow)
@@ -137,6 +140,7 @@ def inertia(flow: SlowFlow) -> Inertia:
         Omega_A=-Omega * flow.F_A / slope_of_level,
         terms=terms,
         least=least,
+        least_Omega_A=least_Omega_A,
         peak_lets=peak_lets,
         peak=peak,
         isola_lets=((drag, friction * x + zeta * A),),
@@ -157,6 +161,12 @@ def _least(quadratic: sp.Poly) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
     value = 8 * fall / (linear + sp.sqrt(linear**2 + 64 * fall * rest))
     _vanishes(4 * rest * value**2 + linear * value - 4 * fall, "where the level is least")
     return terms, value
+
+
+def _x_A(falls: sp.Expr) -> sp.Expr:
+    """Slope of x along A where the level's slope over Omega^2 stays as it is: 0 where the level is least."""
+    of_x = sp.expand(falls.subs(Omega, 1 / x) * x**2)
+    return -slope(of_x) / sp.diff(of_x, x)
 
 
 def _peak(
@@ -180,9 +190,8 @@ def _peak(
     peak = (slow * root - F_0, rises / root)
     # -h F_A x^3/(2 I), h < 0
     value = drag * (1 + h_A * x**2) - 2 * zeta * h * x**2
-    of_x = sp.expand(falls.subs(at_x) * x**2)
     whole = value.subs(of_drag)
-    return lets, peak, (value, slope(whole) - sp.diff(whole, x) * slope(of_x) / sp.diff(of_x, x))
+    return lets, peak, (value, slope(whole) + sp.diff(whole, x) * _x_A(falls))
 
 
 def _bound(G: sp.Expr) -> tuple[sp.Expr, ...]:

@@ -110,6 +110,18 @@ static const sf_loop inertia_least_loops[] = {
     inertia_least_loop,
 };
 
+static SF_WIDE void inertia_least_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double x = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
+        out[0][i] = inertia_least_Omega_A(x, A, m, zeta, h, h_A);
+    }
+}
+
+static const sf_loop inertia_least_Omega_A_loops[] = {
+    inertia_least_Omega_A_loop,
+};
+
 static SF_WIDE void inertia_peak_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -225,6 +237,10 @@ static const sf_kernel kernels[] = {
      "x = 1/Omega where the level of an amplitude is least, by its `terms`. Equation from (24). Domain: fall > 0, "
      "linear >= 0, rest > 0.",
      3, 1, 1, NULL, inertia_least_loops},
+    {"least_Omega_A",
+     "dOmega/dA where the level of an amplitude is least: what a rounding of A does to Omega there. Equation from "
+     "(24). Domain: x of `least`, h < 0.",
+     6, 1, 1, NULL, inertia_least_Omega_A_loops},
     {"peak",
      "The least level of an amplitude less F_0, and its slope along A. Equation from (24). Domain: x of `least`, h < "
      "0.",

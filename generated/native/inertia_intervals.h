@@ -50,12 +50,12 @@ static inline void inertia_intervals_isola(sf_interval x, sf_interval A, sf_inte
     const sf_interval t8 = sfi_times(8.0, x);
     const sf_interval t9 = sfi_times(4.0, h);
     out[0] = sfi_sub(sfi_mul(t2, t7), sfi_mul(t4, t5));
-    out[1] = sfi_sub(sfi_add(sfi_sub(sfi_mul(sfi_mul(h_AA, t2), t3), sfi_mul(t5, t6)), sfi_mul(t7, zeta)),
+    out[1] = sfi_add(sfi_add(sfi_sub(sfi_mul(sfi_mul(h_AA, t2), t3), sfi_mul(t5, t6)), sfi_mul(t7, zeta)),
         sfi_div(sfi_mul(sfi_sub(sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(h_A, t2), x)), sfi_mul(m, t7)),
-        sfi_mul(sfi_mul(t9, x), zeta)), sfi_sub(sfi_sub(sfi_add(sfi_neg(sfi_times(16.0, sfi_mul(A,
-        sfi_square(zeta)))), sfi_mul(h_A, sfi_sub(sfi_neg(sfi_times(4.0, A)), sfi_times(8.0, t4)))), sfi_times(12.0,
-        sfi_mul(t1, zeta))), t9)), sfi_sub(sfi_sub(sfi_neg(sfi_mul(sfi_square(h), t8)), sfi_mul(sfi_square(m), t8)),
-        sfi_times(12.0, sfi_mul(m, t0)))));
+        sfi_mul(sfi_mul(t9, x), zeta)), sfi_add(sfi_add(sfi_sub(sfi_times(16.0, sfi_mul(A, sfi_square(zeta))),
+        sfi_mul(h_A, sfi_sub(sfi_neg(sfi_times(4.0, A)), sfi_times(8.0, t4)))), sfi_times(12.0, sfi_mul(t1, zeta))),
+        t9)), sfi_sub(sfi_sub(sfi_neg(sfi_mul(sfi_square(h), t8)), sfi_mul(sfi_square(m), t8)), sfi_times(12.0,
+        sfi_mul(m, t0)))));
 }
 
 #endif

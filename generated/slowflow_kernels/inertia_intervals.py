@@ -64,7 +64,7 @@ def isola(x, A, m, zeta, h, h_A, h_AA):
     t9 = 4.0 * h
     return (
         t2 * t7 - t4 * t5,
-        h_AA * t2 * t3 - t5 * t6 + t7 * zeta - (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (-16.0 * A *
-        zeta.square() + h_A * (-4.0 * A - 8.0 * t4) - 12.0 * t1 * zeta - t9) / (-h.square() * t8 - m.square() * t8 -
+        h_AA * t2 * t3 - t5 * t6 + t7 * zeta + (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (16.0 * A *
+        zeta.square() - h_A * (-4.0 * A - 8.0 * t4) + 12.0 * t1 * zeta + t9) / (-h.square() * t8 - m.square() * t8 -
         12.0 * m * t0),
     )

@@ -1288,6 +1288,17 @@ def shaken_peak(x, A, F_0, m, zeta, h, h_A):
     return [least - F_0, slope_of_response(1, w, A, m, zeta, R - A * w**2, h_A) / (2 * least * shaken(w, 1) ** 2)]
 
 
+def shaken_drift(x, A, m, zeta, *values):
+    """dOmega/dA where the level's slope over Omega^2 stays: by a root next to it, at amplitudes next to it."""
+    h = near(A, values)
+
+    def falls(w, a):
+        return shaken_level_slope(w, a, m, zeta, h(a)) / w**2
+
+    stays = falls(1 / x, A)
+    return mp.diff(lambda a: mp.findroot(lambda w: falls(w, a) - stays, 1 / x, tol=mpf(10) ** -110), A)
+
+
 def shaken_isola(x, A, m, zeta, *values):
     """-h F_A/(2 I Omega^3) at that R; its slope along the amplitudes where the level's slope over Omega^2 stays."""
     h, h_A = near(A, values), near(A, values[1:])
@@ -1472,6 +1483,7 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "beside": ("Omega A F_0 m zeta h h_A", shaken_beside),
     "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", shaken_moves_of_phase),
     "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
+    "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
 }
 
 

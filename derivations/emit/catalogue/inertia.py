@@ -73,6 +73,14 @@ def inertia_module(results: Results) -> Module:
                 "fall > 0, linear >= 0, rest > 0",
             ),
             plain(
+                "least_Omega_A",
+                (x, A, *damped, h, h_A),
+                of.least_Omega_A,
+                "dOmega/dA where the level of an amplitude is least: what a rounding of A does to Omega there.",
+                "from (24)",
+                "x of `least`, h < 0",
+            ),
+            plain(
                 "peak",
                 (x, A, F_0, *damped, h, h_A),
                 of.peak,

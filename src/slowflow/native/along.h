@@ -277,6 +277,7 @@ static inline void sf_ask_inertial(const sf_asked *asked, const sf_sample *at, s
         inertia_isola(x, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, found);
     out->exists[channel] = 1;
     out->Omega[channel] = 1 / x;
+    out->Omega_A[channel] = inertia_least_Omega_A(x, at->A, model->m, model->zeta, at->h, at->h_A);
     out->y[channel] = found[0], out->dy[channel] = found[1];
 }
 

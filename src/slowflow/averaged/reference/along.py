@@ -427,6 +427,10 @@ class _Inertia(Asked):
         exists = (at.A > 0) & (fall > 0)
         return exists, np.where(exists, inertia.least(np.where(exists, fall, 1.0), linear, rest), 1.0)
 
+    def _Omega_A(self, x: Floats, at: Samples) -> Floats:
+        """What a rounding of A does to 1/x."""
+        return np.asarray(inertia.least_Omega_A(x, at.A, self.model.m, self.model.zeta, at.h, at.h_A))
+
     def _where(self, cells: Cells) -> tuple[np.ndarray[Any, np.dtype[np.int_]], Interval]:
         """x rises with fall and falls with the others, so the corners hold it."""
         fall, linear, rest = inertia_intervals.terms(cells.A, self.m, self.zeta, cells.h)
@@ -445,7 +449,7 @@ class InertiaPeak(_Inertia):
     def ask(self, at: Samples) -> list[Channel]:
         exists, x = self._exists(at)
         y, dy = inertia.peak(x, at.A, self.F_0, self.model.m, self.model.zeta, at.h, at.h_A)
-        return [_channel(at, exists, y, dy, 1 / x)]
+        return [_channel(at, exists, y, dy, 1 / x, self._Omega_A(x, at))]
 
     def range(self, cells: Cells) -> list[Range]:
         where, x = self._where(cells)
@@ -460,7 +464,7 @@ class InertiaIsola(_Inertia):
     def ask(self, at: Samples) -> list[Channel]:
         exists, x = self._exists(at)
         y, dy = inertia.isola(x, at.A, self.model.m, self.model.zeta, at.h, at.h_A, at.h_AA)
-        return [_channel(at, exists, y, dy, 1 / x)]
+        return [_channel(at, exists, y, dy, 1 / x, self._Omega_A(x, at))]
 
     def range(self, cells: Cells) -> list[Range]:
         where, x = self._where(cells)
