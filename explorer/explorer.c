@@ -7,6 +7,7 @@
 #include "curve.h"
 #include "onset.h"
 #include "records.h"
+#include "solver/root_lanes.c"
 #include "states.h"
 
 #include "forces.h"

@@ -7,7 +7,9 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from slowflow import backend
 from slowflow.averaged.reference.roots import (
+    fold_roots,
     numpy_fold_roots,
     numpy_peak_roots,
     numpy_response_roots,
@@ -23,6 +25,7 @@ from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_ca
 BOUND = 0.75 * U
 
 SOLVE = {"response": numpy_response_roots, "fold": numpy_fold_roots, "peak": numpy_peak_roots}
+INSTALLED = {"response": response_roots, "fold": fold_roots, "peak": peak_roots}
 FAMILIES = [(kind, name) for kind in KINDS for name in stress_cases(kind, 1, 0)]
 
 
@@ -30,10 +33,18 @@ def numpy_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return SOLVE[kind](*rows.T)
 
 
-@pytest.fixture(scope="session", params=["numpy", "C", "C clones"])
+def installed_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return INSTALLED[kind](*rows.T)
+
+
+@pytest.fixture(scope="session", params=["numpy", "installed", "C", "C clones"])
 def solver(request, tmp_path_factory) -> Solver:
     if request.param == "numpy":
         return numpy_solver
+    if request.param == "installed":
+        if backend.SOLVER is None:
+            pytest.skip("the installed solver is NumPy's")
+        return installed_solver
     clones = request.param == "C clones"
     reason = why_not(clones)
     if reason:
@@ -61,6 +72,14 @@ def test_every_root_and_no_other(solver, certified, kind, name):
     for values, exact in zip(Omega, expected, strict=True):
         for value, (root, kappa) in zip(values, exact, strict=False):
             assert relative_error(float(value), root) <= BOUND * (1 + kappa)
+
+
+def test_a_quartic_has_the_same_roots_alone_and_among_others():
+    rows = np.concatenate([*stress_cases("response", 40, 3).values()])
+    Omega, count = response_roots(*rows.T)
+    for row, found, number in zip(rows, Omega, count, strict=True):
+        alone, one = response_roots(*row)
+        assert one == number and np.array_equal(alone, found, equal_nan=True)
 
 
 def test_the_stress_cases_reach_three_roots(certified):

@@ -7,6 +7,7 @@
 #define SF_CURVE_H
 
 #include "decide.h"
+#include "root_lanes.h"
 
 static void sf_add_response_event(const sf_zero *zero, int biquadratic, sf_graph *graph) {
     const int up = zero->rising ? 1 : -1;
@@ -354,10 +355,45 @@ static void sf_amplitudes_inside(const sf_segment *segment, int n, double *A) {
     }
 }
 
+/* Omega at n amplitudes inside a segment: by blocks, and one at a time where these do not count the roots that there are, or
+ * for an excitation by inertia. */
+static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A, double *Omega) {
+    const sf_curve curve = {model, F_0};
+    sf_quartics block;
+    sf_jobs jobs;
+    sf_sample at;
+    int first, i, k;
+    for (first = 0; first < n; first += SF_QUARTICS) {
+        const int here = n - first < SF_QUARTICS ? n - first : SF_QUARTICS;
+        double averages[2 * SF_QUARTICS];
+        jobs.n = 0;
+        if (!sf_inertial(model)) {
+            model->mechanism->averaged_2(here, A + first, model->p, averages);
+            for (i = 0; i < here; i++) {
+                block.A[i] = A[first + i], block.h[i] = averages[i];
+                block.m[i] = model->m, block.zeta[i] = model->zeta, block.F_0[i] = F_0;
+            }
+            sf_isolate_lanes(here, &block);
+        }
+        for (i = 0; i < here; i++) {
+            int place[3];
+            if (!sf_inertial(model) && block.signs[i] != SF_UNSURE &&
+                sf_places_of_signs((int)block.signs[i], place) == segment->count) {
+                sf_add_job(&block, i, place[segment->index], &jobs);
+            } else {
+                sf_sample_at(model, A[first + i], &at);
+                Omega[first + i] = sf_branch_at(&curve, &at, segment->count, segment->index);
+            }
+        }
+        sf_refine_lanes(&jobs);
+        for (k = 0; k < jobs.n; k++)
+            Omega[first + jobs.of[k]] = sf_root_of_job(&jobs, k);
+    }
+}
+
 /* Points of all shown segments in order. */
 static void sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, double *Omega,
                        double *A, unsigned char *stable, long long *branch) {
-    const sf_curve curve = {model, F_0};
     sf_sharing sharing;
     long at = 0, point;
     int i, k;
@@ -373,11 +409,8 @@ static void sf_draw(const sf_model *model, double F_0, double samples, const sf_
             const double kept = A[at + k];
             A[at + k] = A[at + n - 2 - k], A[at + n - 2 - k] = kept;
         }
-        for (k = 1; k < n; k++) {
-            sf_sample sample;
-            sf_sample_at(model, A[at], &sample);
-            Omega[at++] = sf_branch_at(&curve, &sample, segment->count, segment->index);
-        }
+        sf_frequencies_along(model, F_0, segment, n - 1, A + at, Omega + at);
+        at += n - 1;
         A[at] = sf_last_of(segment, segment->A), Omega[at++] = sf_last_of(segment, segment->Omega);
         for (point = first; point < at; point++)
             stable[point] = (unsigned char)segment->stable, branch[point] = segment->curve;

@@ -1,0 +1,109 @@
+/* See root_lanes.h. */
+#include "root_lanes.h"
+
+#include <math.h>
+
+#include "clones.h"
+#include "frequencies.h"
+
+enum { HALLEY = 2 };
+
+#define LESSER(a, b) ((a) < (b) ? (a) : (b))
+#define GREATER(a, b) ((a) > (b) ? (a) : (b))
+
+/* As many places from n on as fill a vector, with copies of the last. */
+static ptrdiff_t filled(ptrdiff_t n) { return (n + SF_IN_VECTOR - 1) & ~(ptrdiff_t)(SF_IN_VECTOR - 1); }
+
+/* sf_critical_points and what sf_isolate does with them */
+SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
+{
+    n &= ~(ptrdiff_t)(SF_IN_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = block->A[i], h = block->h[i], m = block->m[i], zeta = block->zeta[i], F_0 = block->F_0[i];
+        const double c0 = 0.86602540378443865, rise = 0.13397459621556135;
+        double derivative[5], at_0[2], at_1[2], at_2[2];
+        frequencies_response_derivative(A, m, zeta, h, derivative);
+        frequencies_response_at_0(F_0, m, h, at_0);
+        const double p = derivative[0], q = derivative[2], below = p < 0 ? -p : 1.0;
+        const double r = sqrt(below / (3 * A)), rho = 1.5 * q / (below * r), gap = (1 - rho) * (1 + rho);
+        const double from = c0 + rho * (1. / 6 + rho * ((3 * rise - 4. / 9) + rho * (5. / 18 - 2 * rise)));
+        const double nearer = (8 * from * from * from + rho) / (12 * from * from - 3);
+        const double c = (8 * nearer * nearer * nearer + rho) / (12 * nearer * nearer - 3);
+        const double y2 = c + 1.7320508075688773 * sqrt(GREATER(gap, 0.0)) / (4 * c * c - 1);
+        const double w1 = r * rho / (y2 * c), w2 = r * y2;
+        const int is_critical = (p < 0) & (rho <= 1 - 0x1p-26);
+        frequencies_response(w1, A, F_0, m, zeta, h, at_1);
+        frequencies_response(w2, A, F_0, m, zeta, h, at_2);
+        const int is_sure = ((p >= 0) | (rho <= 1 - 0x1p-26) | (rho > 1 + 0x1p-26)) & (fabs(at_0[0]) >= SF_ROUGH * at_0[1]) &
+                            ((is_critical == 0) |
+                             ((fabs(at_1[0]) > SF_ROUGH * at_1[1]) & (fabs(at_2[0]) > SF_ROUGH * at_2[1]))) &
+                            (A > 0) & (m >= 0) & (zeta >= 0) & (F_0 >= m) & (A + fabs(h) + m + zeta + F_0 < HUGE_VAL);
+        const double signs = (at_0[0] < 0 ? SF_F0_BELOW : 0.0) + (at_1[0] > 0 ? SF_F1_ABOVE : 0.0) +
+                             (at_2[0] < 0 ? SF_F2_BELOW : 0.0) + (is_critical ? SF_CRITICAL : 0.0);
+        block->p[i] = p, block->q[i] = q, block->w1[i] = w1, block->w2[i] = w2;
+        block->f0[i] = at_0[0], block->f1[i] = at_1[0], block->f2[i] = at_2[0];
+        block->signs[i] = is_sure ? signs : SF_UNSURE;
+    }
+}
+
+/* The starts of sf_root_below, sf_root_between, sf_root_above and sf_root_of_rising, places 0 to 3, and sf_refine. */
+SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
+{
+    n &= ~(ptrdiff_t)(SF_IN_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = jobs->A[i], h = jobs->h[i], m = jobs->m[i], zeta = jobs->zeta[i], F_0 = jobs->F_0[i];
+        const double p = jobs->p[i], q = jobs->q[i], w1 = jobs->w1[i], w2 = jobs->w2[i], place = jobs->place[i];
+        const double f1 = jobs->f1[i], f2 = jobs->f2[i], k = 4 * A, E = -jobs->f0[i] / k, line = E / q;
+        const double sum = 3 * w2 * w2 + p / A, vv = 0.5 * GREATER(sum, 0.0);
+        const double depth = GREATER(-f2, 0.0), twice_S = 2 * sqrt(depth / (k * A)), signed_S = place == 2 ? twice_S : -twice_S;
+        const double under = vv + signed_S;
+        const double by_minimum = w2 + signed_S / (sqrt(vv) + sqrt(GREATER(under, 0.0)));
+        const double drop = sqrt(2 * GREATER(f1, 0.0) / (-k * frequencies_cubic_slope(w1, A, p)));
+        const double less = w1 - drop;
+        const double root = sqrt(p * p + 4 * A * E), high = sqrt(p > 0 ? 4 * E / (p + root) : (root - p) / A);
+        const double below = GREATER(line, less), between = f1 < -f2 ? w1 + drop : by_minimum;
+        const double rising = p >= 0 ? LESSER(high, line) : high;
+        const double start = place == 0 ? below : place == 1 ? between : place == 2 ? by_minimum : rising;
+        const double lo = place == 1 ? w1 : place == 2 ? w2 : 0.0;
+        const double hi = place == 0 ? w1 : place == 1 ? w2 : 2 * (place == 2 ? by_minimum : high);
+        double w = (start > lo) & (start < hi) ? start : 0.5 * (lo + hi);
+        for (int step = 0; step < HALLEY; step++) {
+            double value[2];
+            frequencies_response(w, A, F_0, m, zeta, h, value);
+            const double C = frequencies_cubic(w, A, p, q), D = frequencies_cubic_slope(w, A, p);
+            const double next = w - 2 * value[0] * C / (2 * k * C * C - value[0] * D);
+            w = (next > lo) & (next < hi) ? next : 0.5 * (lo + hi);
+        }
+        double fine[2];
+        frequencies_response_fine(w, A, F_0, m, zeta, h, fine);
+        const double C = frequencies_cubic(w, A, p, q), D = frequencies_cubic_slope(w, A, p), step = fine[0] / (k * C);
+        const double next = w - step;
+        const int is_last = (fabs(step * D) * fabs(step) <= 0x1p-57 * fabs(C) * w) & (next >= lo) & (next <= hi);
+        jobs->Omega[i] = next, jobs->is_last[i] = is_last;
+    }
+}
+
+void sf_isolate_lanes(ptrdiff_t n, sf_quartics *block)
+{
+    const ptrdiff_t all = filled(n);
+    for (ptrdiff_t i = n; i < all; i++) {
+        block->A[i] = block->A[n - 1], block->h[i] = block->h[n - 1], block->m[i] = block->m[n - 1];
+        block->zeta[i] = block->zeta[n - 1], block->F_0[i] = block->F_0[n - 1];
+    }
+    isolate(all, block);
+}
+
+void sf_refine_lanes(sf_jobs *jobs)
+{
+    const ptrdiff_t n = jobs->n, all = filled(n); /* none, if there are no jobs */
+    for (ptrdiff_t i = n; i < all; i++) {
+        jobs->A[i] = jobs->A[n - 1], jobs->h[i] = jobs->h[n - 1], jobs->m[i] = jobs->m[n - 1];
+        jobs->zeta[i] = jobs->zeta[n - 1], jobs->F_0[i] = jobs->F_0[n - 1], jobs->p[i] = jobs->p[n - 1];
+        jobs->q[i] = jobs->q[n - 1], jobs->w1[i] = jobs->w1[n - 1], jobs->w2[i] = jobs->w2[n - 1];
+        jobs->f0[i] = jobs->f0[n - 1], jobs->f1[i] = jobs->f1[n - 1], jobs->f2[i] = jobs->f2[n - 1];
+        jobs->place[i] = jobs->place[n - 1];
+    }
+    refine(all, jobs);
+}
