@@ -340,6 +340,16 @@ def test_the_second_approximation_of_a_linear_mount_with_friction_is_den_hartogs
     assert osc.amplitudes(Omega=Omega, F_0=Y).A == pytest.approx(known, rel=1e-7)
 
 
+@pytest.mark.parametrize(("excitation", "F_0"), [("force", 0.04), ("base", 0.05), ("unbalance", 0.05)])
+def test_what_the_second_approximation_passes_on_is_nearer_to_what_exact_motions_do(excitation, F_0):
+    iso = Isolator(**example.TABLE_1, force="untruncated", excitation=excitation)
+    for Omega in (1.2, 1.6):
+        exact = iso.steady_state(Omega=Omega, F_0=F_0).transmitted().first
+        first, second = (of.amplitudes(Omega=Omega, F_0=F_0) for of in (iso, iso.second_approximation))
+        assert abs(second.transmissibility[0] / exact - 1) < 0.2 * abs(first.transmissibility[0] / exact - 1)
+        assert second.transmissibility_dB[0] == pytest.approx(20 * math.log10(exact), abs=0.01)
+
+
 def test_at_the_least_base_amplitude_that_lifts_the_springs_the_highest_displacement_is_the_stroke():
     iso = Isolator(**{**example.TABLE_1, "zeta": 0.05}, force="untruncated", excitation="base")
     second = iso.second_approximation

@@ -23,7 +23,7 @@ from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
 from slowflow.averaged.plan import Plan
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
-from slowflow.results import SteadyStates
+from slowflow.results import SecondStates, SteadyStates
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.record import Parameter, Scale
@@ -61,7 +61,7 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Omega_high": ("f_high", "frequency"),
         "Omega_cr": ("f_cr", "frequency"),
         "Omega_undecided": ("f_undecided", "frequency"),
-        **{name: (name, "force") for name in ("break_loose", "sticking")},
+        **{name: (name, "force") for name in ("break_loose", "sticking", "force")},
         "f_n": ("f_n", "frequency"),
         "f_0": ("f_0", "frequency"),
         "jumps": ("jumps", "frequency"),
@@ -366,6 +366,8 @@ class Scales:
         entry = tuple(answer.entry._fields) if isinstance(answer, Table) else ()
         if isinstance(answer, SteadyStates):
             entry += ("transmissibility_dB", "F_0") if np.ndim(answer.F_0) else ("transmissibility_dB",)
+        elif isinstance(answer, SecondStates):
+            entry += ("transmissibility_dB",)
         return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
 
     def worded(self, text: str) -> str:

@@ -494,9 +494,11 @@ class SecondStates(Table):
     A_1, phi -- amplitude of the first harmonic, and its phase in radians, in [-pi, 0]
     stable   -- True where the steady state is stable
     message  -- remarks in words; empty if there is nothing to say
+    force    -- amplitude of the force on the mass in each state
     """
 
     entry: ClassVar[Any] = SecondState
+    beside: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
 
     Omega: Floats
     A: Floats
@@ -504,6 +506,18 @@ class SecondStates(Table):
     phi: Floats
     stable: npt.NDArray[np.bool_]
     message: str
+    force: Floats = field(kw_only=True, repr=False)
+
+    @property
+    def transmissibility(self) -> Floats:
+        """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
+        return np.asarray(np.abs(1.0 + self.Omega**2 * self.A_1 / self.force * np.exp(1j * self.phi)))
+
+    @property
+    def transmissibility_dB(self) -> Floats:
+        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(20.0 * np.log10(self.transmissibility))
 
 
 @dataclass(frozen=True, eq=False)
@@ -521,10 +535,10 @@ class SecondResponse(SecondStates):
     picture: ClassVar[str] = "response"
 
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:
-        """Draw the curve as `FrequencyResponse.plot` does; `of` is "A", "A_1" or "phi"."""
+        """Draw the curve as `FrequencyResponse.plot` does; `of` may be "A_1" too."""
         from slowflow import pictures
 
-        return pictures.response(ax, self, validate.choice("of", of, ("A", "A_1", "phi")))
+        return pictures.response(ax, self, validate.choice("of", of, ("A_1", *DRAWN)))
 
 
 @dataclass(frozen=True, eq=False)

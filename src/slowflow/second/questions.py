@@ -127,7 +127,9 @@ class SecondApproximation:
         curve = self._solvers.follow(self._balance, first)
         message = self._remarked(curve.message, curve.Omega, curve.u_max)
         return SecondResponse(
-            curve.Omega, curve.u_max, curve.A_1, curve.phi, curve.stable, message, curve.branch, curve.isola, first.F_0
+            *(curve.Omega, curve.u_max, curve.A_1, curve.phi, curve.stable, message),
+            *(curve.branch, curve.isola, first.F_0),
+            force=self._force(first.F_0, curve.Omega),
         )
 
     def amplitudes(self, *, Omega: Any, F_0: float) -> SecondStates:
@@ -136,13 +138,14 @@ class SecondApproximation:
         wanted = np.asarray(Omega, dtype=float).ravel()
         if not wanted.size or not first.A.size:
             none = np.empty(0)
-            return SecondStates(none, none, none, none, np.empty(0, dtype=bool), first.message)
+            return SecondStates(none, none, none, none, np.empty(0, dtype=bool), first.message, force=none)
         curve = self._around(F_0, wanted)
         found = self._solvers.states(self._balance, curve, wanted, float(F_0))
         at, u_max, A_1, phi, stable = np.array(found).reshape(-1, 5).T
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
-        return SecondStates(at, u_max, A_1, phi, stable != 0, self._remarked(message, at, u_max))
+        said, force = self._remarked(message, at, u_max), self._force(F_0, at)
+        return SecondStates(at, u_max, A_1, phi, stable != 0, said, force=force)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve between two of its points, by rising Omega.
@@ -210,6 +213,10 @@ class SecondApproximation:
         model = self.first.model
         beside = remarks.of_one(model, math.nan, Omega, A) & ~Remark.OF_TRUNCATION
         return joined(message, *remarks.in_words(beside, model, math.nan), validity.of_second(model, Omega, A))
+
+    def _force(self, F_0: float, Omega: Floats) -> Floats:
+        """The amplitude of the force at each frequency."""
+        return np.broadcast_to(self.first.model.force(F_0, Omega), Omega.shape)
 
     def _around(self, F_0: float, Omega: Floats) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""
