@@ -9,6 +9,7 @@ import json
 import math
 import re
 import runpy
+import tomllib
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -73,6 +74,14 @@ def test_the_example_of_ones_own_force_averages_that_force(A: float) -> None:
     below, above = (example["averaged"](at, s, gap) for at in (A - step, A + step))
     for order in (0, 1, 2) if A != gap else ():
         assert (above[order] - below[order]) / (2 * step) == pytest.approx(found[order + 1], rel=1e-5, abs=1e-8)
+
+
+def test_every_extra_of_a_user_stands_on_the_page_that_tells_how_to_install() -> None:
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    told = re.findall(
+        r"^\| `(\w+)` \|", (ROOT / "docs" / "howto" / "install.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
+    assert set(told) == set(extras) - {"paper", "explorer", "browser", "docs", "dev"}
 
 
 def test_the_code_in_the_readme_runs() -> None:

@@ -77,11 +77,3 @@ def test_a_name_that_the_library_has_not_is_refused_with_those_that_it_has(tmp_p
         derive.library("stop")
     assert main(["derive", "stop", "-o", str(tmp_path / "out")]) == 2
     assert "no such file; ValueError: 'stop' is not in the library" in capsys.readouterr().err
-
-
-@pytest.mark.slow
-def test_the_command_line_writes_a_mechanism_of_the_library(tmp_path, capsys):
-    assert main(["derive", "dead_zone", "-o", str(tmp_path)]) == 0
-    text = (tmp_path / "dead_zone" / "derivation.md").read_text()
-    assert text.startswith("# Mass with play between springs")
-    assert str(tmp_path / "dead_zone") in capsys.readouterr().out

@@ -35,8 +35,16 @@ def write(docs: Path) -> None:
     for source, page in ELSEWHERE.items():
         if page.startswith("_made"):
             (docs / page).write_text(moved(ROOT / source, docs / page), encoding="utf-8")
+    limits(made / "limits.md")
     derivation(made / "derivation")
     reference(made / "reference")
+
+
+def limits(page: Path) -> None:
+    """What the README says that it is not good for."""
+    title = "What it is not good for"
+    section = moved(ROOT / "README.md", page).split(f"## {title}\n")[1].split("\n## ")[0]
+    page.write_text(f"# {title}\n{section}", encoding="utf-8")
 
 
 def moved(source: Path, page: Path) -> str:
@@ -119,6 +127,15 @@ def judged(text: str, rows: list[dict[str, str]]) -> str:
     return re.sub(r"\$\$\n(?:(?!\$\$).)*?\\tag\{([^}]*)\}\n\$\$\n", beside, text, flags=re.DOTALL)
 
 
+def told_later(module: str) -> list[str]:
+    """Names of it that are defined in no public module and stand on a later page too: Sphinx takes them once."""
+    later = [import_module(other) for other in MODULES[MODULES.index(module) + 1 :]]
+    listed = {id(getattr(other, name)) for other in later for name in getattr(other, "__all__", ())}
+    own = {name: getattr(import_module(module), name) for name in getattr(import_module(module), "__all__", ())}
+    elsewhere = {name for name, value in own.items() if getattr(value, "__module__", module) not in MODULES}
+    return sorted(name for name in elsewhere if id(own[name]) in listed)
+
+
 def reference(folder: Path) -> None:
     """A page for each public module, from its docstrings."""
     for module in MODULES:
@@ -127,6 +144,8 @@ def reference(folder: Path) -> None:
         children = [other.rpartition(".")[2] for other in MODULES if other.rpartition(".")[0] == module]
         twice = any(callable(getattr(import_module(module), child, None)) for child in children)
         options = ["   :no-index:"] if twice else []
+        if again := told_later(module):
+            options.append(f"   :exclude-members: {', '.join(again)}")
         lines = [f"# {module}", "", "```{eval-rst}", f".. automodule:: {module}", *options, "```", ""]
         (folder / f"{name}.md").write_text("\n".join(lines), encoding="utf-8")
     text = (Path(__file__).parent / "reference.txt").read_text(encoding="utf-8")
