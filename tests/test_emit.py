@@ -70,7 +70,6 @@ SURVIVES = [
 REFUSED = [
     sp.gamma(x),
     sp.erf(x),
-    sp.exp(x),
     sp.Function("f")(x),
     sp.Derivative(sp.Function("f")(x), x),
     sp.Integral(sp.sin(x), (x, 0, y)),
@@ -78,16 +77,11 @@ REFUSED = [
     sp.Sum(x, (x, 1, 3)),
     sp.Piecewise((x, x < y), (y, True)),
     sp.Max(x, y),
-    x**y,
-    x ** sp.Rational(2, 3),
-    x ** sp.Rational(1, 5),
-    sp.sqrt(x) ** 3,
     x**3,
     (x + y) ** 2,
     sp.Float("0.1") * x,
     sp.Float("0.1"),
     x + sp.I,
-    sp.sin(1) * x,
     sp.nan,
     sp.zoo,
     x < y,
@@ -156,6 +150,20 @@ def test_c_survives(expected, tmp_path):
 def test_printer_refuses(language, expression):
     with pytest.raises(Unprintable):
         PRINTERS[language].doprint(expression)
+
+
+@pytest.mark.parametrize(
+    ("expression", "numpy", "c"),
+    [
+        (sp.exp(x), "np.exp(x)", "exp(x)"),
+        (x**y, "np.power(x, y)", "pow(x, y)"),
+        (x ** sp.Rational(2, 3), "np.power(x, 0.66666666666666663)", "pow(x, 0.66666666666666663)"),
+        (sp.sin(1) * x, "0.8414709848078965 * x", "0.8414709848078965 * x"),
+    ],
+)
+def test_forces_of_any_kind_are_printed(expression, numpy, c):
+    assert PRINTERS["numpy"].doprint(expression) == numpy
+    assert PRINTERS["c"].doprint(expression) == c
 
 
 def test_c_leaves_the_name_I_to_complex_h():

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from itertools import pairwise
+from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -31,6 +33,18 @@ FORCES = {
 }
 
 
+#: of these only the averages are asked, whose values have forty certified digits
+MORE = {
+    "saturating": ([(sp.tanh(k * u), None)], ("k",)),
+    "exponential": ([(k * (sp.exp(c * u) - 1), None)], ("k", "c")),
+    "oblique": ([(u + 2 * k * u * (1 - c / sp.sqrt(c**2 + u**2)), None)], ("k", "c")),
+    "arctangent": ([(sp.atan(u / k), None)], ("k",)),
+    "hard_stop": ([(u, gap), (u + 2 * k * sp.sinh(u - gap), None)], ("k", "gap")),
+    "letting_go": ([(k * sp.sin(u), gap), (u, None)], ("k", "gap")),
+}
+CASES = json.loads((Path(__file__).parent / "data" / "forces.json").read_text())
+
+
 @pytest.fixture(scope="module", autouse=True)
 def folder(tmp_path_factory):
     """A folder of its own for what is derived here."""
@@ -48,7 +62,7 @@ def derived(folder):
 
     def get(name):
         if name not in made:
-            pieces, numbers = FORCES[name]
+            pieces, numbers = {**FORCES, **MORE}[name]
             reach = {"reach": 3.1} if name == "pendulum" else {}
             made[name] = derive.mechanism(name, pieces, {number: ABOVE_0 for number in numbers}, **reach)
         return made[name]
@@ -68,6 +82,23 @@ def closed(name, A, n=1):
         return -2 * mp.mpf(1.3) * (-1) ** ((n - 1) // 2) * mp.besselj(n, A)
     power = mp.mpf(2.5)
     return -2 / mp.sqrt(mp.pi) * A**power * mp.gamma(power / 2 + 1) / mp.gamma(power / 2 + 1.5)
+
+
+@pytest.mark.parametrize("name", sorted({case["force"] for case in CASES}))
+def test_an_average_and_its_slopes_are_right_to_rounding(derived, name):
+    """Against certified values; error over u (1 + kappa), of which closed forms have less than 4 too."""
+    for case in CASES:
+        if case["force"] != name:
+            continue
+        record = derived(name).record
+        found = record.averaged(case["A"], *(case["numbers"][one.name] for one in record.parameters))
+        with mp.workdps(45):
+            for one, text, condition in zip(found, case["h"], case["condition"], strict=True):
+                if text == "0":
+                    assert one == 0
+                    continue
+                error = abs(mp.mpf(float(one)) / mp.mpf(text) - 1)
+                assert error < 4 * 2.0**-53 * (1 + condition), (case, float(one))
 
 
 @pytest.mark.parametrize("name", ["pendulum", "power"])

@@ -1,0 +1,165 @@
+"""Averages of forces of any kind to 40 certified digits: forces typed here in, h and three derivatives by A out.
+
+It shares nothing with `derivations/`: no derivative is taken under the integral by hand and no angle moves. In u the
+average is, with A beyond the pieces' ends b but the last,
+
+    h = -(4/pi) sum over pieces of int f(u) u/(A sqrt(A^2 - u^2)) du
+
+and A is a power series A_0 + e in the integrand, whose coefficients are integrated one by one by FLINT's rigorous
+quadrature. The ends b are fixed; the last piece's is u = A (1 - z^2) + b z^2, 0 < z < 1, where the root is gone:
+
+    int f(u) u/(A sqrt(A^2 - u^2)) du = int 2 f(u) u sqrt(A - b)/(A sqrt(A + u)) dz
+
+`python -m tests.oracles.forces` writes tests/data/forces.json.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from flint import acb, acb_series, arb, ctx
+
+from tests.oracles.averaged import digits, exact
+from tests.oracles.certified_roots import precision
+
+DATA = Path(__file__).parents[1] / "data" / "forces.json"
+BITS, TOLERANCE = 320, 280
+ORDERS = 3
+#: relative step of a difference that gives a condition number
+STEP = arb(2) ** -80
+
+Number = Callable[[str], acb]
+
+
+def tanh(x: Any) -> Any:
+    """Of a series or a ball."""
+    doubled = (2 * x).exp()
+    return (doubled - 1) / (doubled + 1)
+
+
+def root(x: Any) -> Any:
+    """The square root, where the argument stays off its cut; a ValueError elsewhere."""
+    first = x[0]
+    if not (first.real > 0 or first.imag > 0 or first.imag < 0):
+        raise ValueError("next to a branch cut")
+    return x.sqrt()
+
+
+def arctangent(x: Any) -> Any:
+    """The same of the arctangent, whose cuts leave i and -i."""
+    first = x[0]
+    if not (first.real > 0 or first.real < 0 or abs(first.imag) < 1):
+        raise ValueError("next to a branch cut")
+    return x.atan()
+
+
+#: each force's numbers, its pieces f(u) for u > 0 in these, where they end, and amplitudes
+FORCES: dict[str, tuple[dict[str, float], list[Callable[..., Any]], list[str], list[float]]] = {
+    "pendulum": ({"k": 1.3}, [lambda u, n: n("k") * u.sin()], [], [0.01, 0.5, 1.7, 3.0]),
+    "preload": ({"c": 0.02, "k": 1.0}, [lambda u, n: n("c") + n("k") * u + u * u * u], [], [0.01, 0.3, 2.0]),
+    "quadratic": ({"k": 0.3, "c": 1.0}, [lambda u, n: n("k") * u + n("c") * u * u], [], [0.05, 0.4, 3.0]),
+    "wave": ({"k": 0.3, "c": 5.0}, [lambda u, n: u + n("k") * (n("c") * u).sin()], [], [0.1, 0.9, 4.0]),
+    "saturating": ({"k": 4.0}, [lambda u, n: tanh(n("k") * u)], [], [0.02, 0.3, 2.5]),
+    "exponential": ({"k": 0.5, "c": 2.0}, [lambda u, n: n("k") * ((n("c") * u).exp() - 1)], [], [0.05, 0.7, 2.0]),
+    "oblique": (
+        {"k": 1.3, "c": 0.6},
+        [lambda u, n: u + 2 * n("k") * u * (1 - n("c") / root(n("c") * n("c") + u * u))],
+        [],
+        [0.05, 0.5, 2.0],
+    ),
+    "arctangent": ({"k": 0.3}, [lambda u, n: arctangent(u / n("k"))], [], [0.05, 0.5, 3.0]),
+    "dead": (
+        {"k": 3.0, "gap": 0.1},
+        [lambda u, n: 0 * u, lambda u, n: n("k") * (u - n("gap")) * (u - n("gap"))],
+        ["gap"],
+        [0.1001, 0.15, 0.8],
+    ),
+    "hard_stop": (
+        {"k": 3.0, "gap": 0.1},
+        [lambda u, n: u, lambda u, n: u + n("k") * ((u - n("gap")).exp() - (n("gap") - u).exp())],
+        ["gap"],
+        [0.1001, 0.13, 0.9],
+    ),
+    "soft_stop": (
+        {"k": 3.0, "c": 5.0, "gap": 0.2},
+        [lambda u, n: u, lambda u, n: u + n("c") * tanh(n("k") * (u - n("gap")))],
+        ["gap"],
+        [0.2001, 0.25, 1.1],
+    ),
+    "letting_go": (
+        {"k": 1.5, "gap": 0.5},
+        [lambda u, n: n("k") * u.sin(), lambda u, n: u],
+        ["gap"],
+        [0.3, 0.5001, 0.6, 2.0],
+    ),
+}
+
+
+def average(name: str, A: arb, numbers: dict[str, arb]) -> list[arb]:
+    """h and its derivatives."""
+    _, pieces, names, _ = FORCES[name]
+
+    def number(key: str) -> acb:
+        return acb(numbers[key])
+
+    at, ends = acb(A), [number(end) for end in names if numbers[end] < A]
+    totals = [acb(0)] * (ORDERS + 1)
+    for k, (low, high) in enumerate(zip([acb(0), *ends], [*ends, None], strict=True)):
+        for order in range(ORDERS + 1):
+
+            def coefficient(z: acb, _: bool, order: int = order, k: int = k, low=low, high=high) -> acb:
+                ctx.cap = ORDERS + 1
+                a = acb_series([at, 1])
+                try:
+                    if high is None:
+                        u = a * (1 - z * z) + low * z * z
+                        value = 2 * pieces[k](u, number) * u * root(a - low) / (a * root(a + u))
+                    else:
+                        value = pieces[k](acb_series([z]), number) * z / (a * root(a * a - z * z))
+                except ValueError:
+                    return acb("nan")
+                return value[order]
+
+            limits = (acb(0), acb(1)) if high is None else (low, high)
+            totals[order] += acb.integral(
+                coefficient, *limits, rel_tol=arb(2) ** -TOLERANCE, abs_tol=arb(2) ** -TOLERANCE
+            )
+    return [(-4 / arb.pi() * total.real) * math.factorial(order) for order, total in enumerate(totals)]
+
+
+def case(name: str, A: float) -> dict[str, Any]:
+    """The values at one amplitude, and their condition: the sum of |dh/dp p/h| over A and the numbers."""
+    given = FORCES[name][0]
+    with precision(BITS):
+        amplitude, numbers = arb(exact(A)), {key: arb(exact(value)) for key, value in given.items()}
+        values = average(name, amplitude, numbers)
+        moved = [average(name, amplitude * (1 + STEP), numbers)]
+        moved += [average(name, amplitude, {**numbers, key: value * (1 + STEP)}) for key, value in numbers.items()]
+        conditions = []
+        for order, value in enumerate(values):
+            total = sum(abs(float((one[order] - value) / STEP)) for one in moved)
+            conditions.append(float(f"{total / abs(float(value)):.3g}") if not vanishes(value) else None)
+        told = ["0" if vanishes(value) else digits(value) for value in values]
+    return {"force": name, "numbers": given, "A": A, "h": told, "condition": conditions}
+
+
+def vanishes(value: arb) -> bool:
+    """Whether a derivative is 0, as the third one of a parabola: it is below 1e-45."""
+    return bool(abs(value) < arb(10) ** -45)
+
+
+def main() -> None:
+    """Writes the file."""
+    lines = []
+    for name, (*_, amplitudes) in FORCES.items():
+        for A in amplitudes:
+            lines.append(json.dumps(case(name, A), separators=(",", ":")))
+    DATA.write_text("[\n" + ",\n".join(lines) + "\n]\n")
+
+
+if __name__ == "__main__":
+    main()
