@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 import slowflow_derived
-from slowflow import derive
+from slowflow import backend, derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 
@@ -205,11 +205,16 @@ def test_averages_by_quadrature_are_not_compiled(folder):
 
 def test_a_dead_zone_has_an_onset(folder):
     """Where there is no force at all there is nothing to search; beyond the onset there are two folds more."""
-    zone = derive.mechanism("zone", [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0})
-    one = zone(k=1.0, gap=0.1, **DAMPING)
-    onset = one.saddle_node_onset()
-    below, above = (len(one.saddle_nodes(onset.F_SN * factor)) for factor in (1 - 1e-6, 1 + 1e-6))
-    assert above == below + 2
+    pieces, parameters = [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0}
+    found = []
+    for compiled in (False, backend.SOLVER is not None):
+        zone = derive.mechanism(f"zone_{compiled}", pieces, parameters, compile=compiled)
+        one = zone(k=1.0, gap=0.1, **DAMPING)
+        found.append(one.saddle_node_onset().F_SN)
+        below, above = (len(one.saddle_nodes(found[-1] * factor)) for factor in (1 - 1e-6, 1 + 1e-6))
+        assert above == below + 2
+        assert len(one.fold_locus(A_max=2.0).A) > 900
+    assert found[0] == pytest.approx(found[1], rel=4e-15)
 
 
 def test_a_response_is_cut_at_the_reach(folder):

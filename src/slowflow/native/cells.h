@@ -58,6 +58,13 @@ static inline void sf_sample_above(const sf_model *model, int i, sf_sample *at) 
     }
 }
 
+/* Whether there is any force on a piece. Where there is none, as in a dead zone, there is no fold. */
+static inline int sf_has_force(const sf_stretch *piece) {
+    const sf_sample *a = &piece->first, *b = &piece->last;
+    return a->h != 0 || a->h_A != 0 || a->h_AA != 0 || a->h_AAA != 0 || b->h != 0 || b->h_A != 0 || b->h_AA != 0 ||
+           b->h_AAA != 0;
+}
+
 /* The pieces up to A_max. */
 static inline void sf_stretches_up_to(const sf_model *model, double A_max, sf_stretches *out) {
     int i;

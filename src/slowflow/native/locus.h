@@ -325,6 +325,8 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
     sf_stretches_up_to(model, A_max, &work->pieces);
     for (i = 0; i < work->pieces.n; i++) {
         const sf_stretch *piece = &work->pieces.at[i];
+        if (!sf_has_force(piece))
+            continue;
         sf_locus_zeros(model, piece, &work->zeros);
         sf_add_event(graph, i == 0 ? 0 : nextafter(piece->first.A, HUGE_VAL), 0, SF_CUT, 0);
         for (k = 0; k < work->zeros.n; k++) {

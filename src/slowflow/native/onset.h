@@ -50,6 +50,8 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
     sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
     double most = best->F_SN;
     int i;
+    if (!sf_has_force(piece))
+        return;
     if (sf_inertial(model)) { /* at Omega = 0 the level is infinite */
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     } else if (!sf_only_falls(piece)) {
