@@ -333,6 +333,19 @@ def test_folds_of_the_second_approximation_come_closer_to_those_of_forty_digits(
         assert second < 1e-4
 
 
+def test_the_second_approximation_of_many_designs_is_that_of_each():
+    zeta = np.array([0.02, 0.05, 0.0])
+    designs = Isolator.many(**{**example.TABLE_1, "zeta": zeta}, excitation="base").second_approximation
+    lifted, folds = designs.detachment(), designs.saddle_nodes(0.05)
+    for found in (lifted, folds):
+        assert found.status.tolist() == [Status.OK, Status.OK, Status.INVALID]
+    for k in range(2):
+        one = Isolator(**{**example.TABLE_1, "zeta": zeta[k]}, excitation="base").second_approximation
+        assert lifted.F_cr[k] == one.detachment().F_cr
+        assert folds.Omega[k][: folds.count[k]].tolist() == one.saddle_nodes(0.05).Omega.tolist()
+    assert folds.count[0] == 2
+
+
 def test_the_second_approximation_of_a_linear_mount_with_friction_is_den_hartogs():
     osc = Duffing(1.0, 0.0, mu=0.02, zeta=1e-9, excitation="base").second_approximation
     Omega, Y = np.array([0.7, 1.4, 2.5]), 0.1
@@ -456,7 +469,6 @@ def test_what_is_not_available_is_refused_in_words():
     refused = [
         lambda: iso.certify(0.03),
         lambda: iso.saddle_nodes(0.03, certify=True),
-        lambda: Isolator.many(**example.TABLE_1, excitation="base").second_approximation,
         lambda: Isolator.many(**example.TABLE_1, excitation="base").certify(0.03),
     ]
     for ask in refused:

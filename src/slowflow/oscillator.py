@@ -52,7 +52,7 @@ class Oscillator(Averaged):
     design    -- the numbers that `mechanism.design` names, each within its domain
     excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
         "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
-        leave to a force what they have no answer to: proofs, and the second approximation of many designs.
+        leave proofs to a force.
         A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
@@ -343,7 +343,6 @@ class Designs(many.Designs):
         """The same questions with the higher harmonics of force and friction."""
         from slowflow.second.many import SecondDesigns
 
-        self.only_for_a_force("second_approximation")
         return SecondDesigns(self)
 
     def margins(self, F_0: Any, *, workers: int = 1) -> ManyMargins:

@@ -456,7 +456,9 @@ class Designs:
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
-        record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
+        record = None
+        if self.excitation == "force" or question.by_inertia:
+            record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
         if backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             # what the solvers do not take as it is, long doubles
@@ -624,12 +626,14 @@ class Question:
     outputs -- shape behind the designs' and type of each part of the answer, from the number of places
     batch   -- from the compiled solvers what gives the generalised ufunc of a record
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
+    by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
     """
 
     one: One | None
     outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]]
     at_once: int
+    by_inertia: bool = True
 
 
 DETACHMENT = Question(

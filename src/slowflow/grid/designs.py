@@ -57,11 +57,7 @@ class Grid:
 
     @cached_property
     def second_approximation(self) -> Grid:
-        """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`.
-
-        Raises ValueError for an excitation by inertia.
-        """
-        validate.is_force("second_approximation", self.excitation)
+        """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""
         deeper = copy.copy(self)
         deeper._depth = DEPTHS[1]
         return deeper

@@ -2,7 +2,8 @@
 
 The answers are those of `slowflow.averaged.many`, with the largest displacement as A. A design has the status
 `Status.NONE` where the second approximation has no answer though averaging may have one, as where its harmonics are not
-small, and `Status.INVALID` also where the harmonics of its force are not derived.
+small, and `Status.INVALID` also where the harmonics of its force are not derived. Designs that are excited by inertia are
+answered one by one, on NumPy.
 """
 
 from __future__ import annotations
@@ -94,10 +95,22 @@ def _detachment(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
 
 
 DETACHMENT = replace(
-    many.DETACHMENT, one=_second(_detachment), batch=lambda native: native.many_second_detachment, at_once=2**13
+    many.DETACHMENT,
+    one=_second(_detachment),
+    batch=lambda native: native.many_second_detachment,
+    at_once=2**13,
+    by_inertia=False,
 )
-ONSET = replace(many.ONSET, one=_second(_onset), batch=lambda native: native.many_second_onset, at_once=2**13)
+ONSET = replace(
+    many.ONSET, one=_second(_onset), batch=lambda native: native.many_second_onset, at_once=2**13, by_inertia=False
+)
 SADDLE_NODES = replace(
-    many.SADDLE_NODES, one=_second(_saddle_nodes), batch=lambda native: native.many_second_saddle_nodes, at_once=2**9
+    many.SADDLE_NODES,
+    one=_second(_saddle_nodes),
+    batch=lambda native: native.many_second_saddle_nodes,
+    at_once=2**9,
+    by_inertia=False,
 )
-PEAK = replace(many.PEAK, one=_second(_peak), batch=lambda native: native.many_second_peak, at_once=2**9)
+PEAK = replace(
+    many.PEAK, one=_second(_peak), batch=lambda native: native.many_second_peak, at_once=2**9, by_inertia=False
+)
