@@ -56,6 +56,7 @@ lint: $(DEVELOPED)
 bench: $(DEVELOPED)
 	$(BIN)/python -m benchmarks
 	$(BIN)/python -m benchmarks.bench_scenes
+	$(BIN)/python -m benchmarks.bench_derive
 	$(BIN)/python -m benchmarks.bench_exact
 	$(BIN)/python -m benchmarks.bench_grid
 

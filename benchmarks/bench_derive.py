@@ -1,0 +1,95 @@
+"""What a force of one's own costs: deriving it, compiling it, and its first and its later answers, each in a process.
+
+    python -m benchmarks.bench_derive
+
+The clock is the processor's, children included; `start` is Python with NumPy, SymPy and slowflow.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from typing import Any
+
+NUMBERS = {"k": 3.0, "c": 0.6, "gap": 0.2, "further": 0.1}
+#: name, and whether it is compiled
+CASES = (
+    ("stop", False),
+    ("stop", True),
+    ("two_stops", False),
+    ("septic", False),
+    ("soft_stop", False),
+)
+
+
+def pieces(name: str) -> list[tuple[Any, Any]]:
+    """Of the forces that are derived."""
+    import sympy as sp
+
+    u, k, c, gap, further = sp.symbols("u k c gap further")
+    stopped = u + k * (u - gap)
+    return {
+        "stop": [(u, gap), (stopped, None)],
+        "two_stops": [(u, gap), (stopped, gap + further), (stopped + c * (u - gap - further), None)],
+        "septic": [(u - k * u**3 + c * u**5 + u**7, None)],
+        "soft_stop": [(u, gap), (u + c * sp.tanh(k * (u - gap)), None)],
+    }[name]
+
+
+def clock() -> float:
+    """Seconds of processor time, of this process and of the compilers that it called."""
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
+
+
+def one(name: str, compiled: bool) -> dict[str, float]:
+    """Seconds of each step, in a process that has done nothing else."""
+    from slowflow import derive
+
+    parts = pieces(name)
+    used = {str(symbol) for piece in parts for part in piece if part is not None for symbol in part.free_symbols}
+    names = [number for number in NUMBERS if number in used]
+    start = clock()
+    made = derive.mechanism(name, parts, {number: {"above": 0} for number in names}, compile=compiled)
+    derived = clock()
+    mount = made(**{number: NUMBERS[number] for number in names}, mu=0.01, zeta=0.03)
+    mount.saddle_nodes(0.1)
+    answered = clock()
+    times = []
+    for F_0 in (0.11, 0.12, 0.13):
+        before = time.perf_counter()
+        mount.frequency_response(F_0)
+        times.append(time.perf_counter() - before)
+    return {"start": start, "derive": derived - start, "first folds": answered - derived, "curve": min(times)}
+
+
+def rows() -> list[dict[str, Any]]:
+    """One row for each case, each derived in an empty folder."""
+    found = []
+    for name, compiled in CASES:
+        with tempfile.TemporaryDirectory() as folder:
+            command = [sys.executable, "-m", "benchmarks.bench_derive", name, str(int(compiled))]
+            done = subprocess.run(
+                command, capture_output=True, text=True, check=True, env={**os.environ, "SLOWFLOW_DERIVED": folder}
+            )
+        how = "compiled" if compiled else "NumPy"
+        found.append({"force": name, "how": how, **json.loads(done.stdout)})
+    return found
+
+
+def main() -> None:
+    if len(sys.argv) > 1:
+        print(json.dumps(one(sys.argv[1], bool(int(sys.argv[2])))))
+        return
+    steps = ("start", "derive", "first folds", "curve")
+    print(f"{'force':12}{'':10}" + "".join(f"{step:>13}" for step in steps))
+    for row in rows():
+        print(f"{row['force']:12}{row['how']:10}" + "".join(f"{row[step]:11.3f} s" for step in steps))
+
+
+if __name__ == "__main__":
+    main()
