@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 
 from derivations import library
-from derivations.results import of_mechanism
+from derivations.oscillator import oscillator
+from derivations.restoring import restoring
 from derivations.symbols import A
 from slowflow import derive
 from slowflow.cli import main
@@ -59,15 +60,16 @@ def test_every_mechanism_of_the_library_is_tried_here_and_shown_on_its_page():
 @pytest.mark.parametrize("name", CASES)
 def test_its_average_is_that_of_its_force(name):
     numbers, force, bend = CASES[name]
-    derived = of_mechanism(library.stated(name))
-    values = {symbol: sp.Rational(numbers[symbol.name]) for symbol in derived.oscillator.mechanism.ratios}
-    definitions = {symbol: value.subs(values) for symbol, value in derived.oscillator.definitions.items()}
+    stated = oscillator(library.stated(name))
+    whole = restoring(stated.polynomials, tuple(stated.breakpoints))
+    values = {symbol: sp.Rational(numbers[symbol.name]) for symbol in stated.mechanism.ratios}
+    definitions = {symbol: value.subs(values) for symbol, value in stated.definitions.items()}
     with mp.workdps(30):
         for amplitude in ("0.15", "0.3", "0.9"):
             size, end = F(amplitude), F(bend)
             edges = [0, *([mp.acos(end / size)] if size > end else []), mp.pi / 2]
             expected = -4 / mp.pi * mp.quad(lambda t, size=size: force(size * mp.cos(t)) * mp.cos(t), edges)
-            regime = derived.whole.regimes[int(size > end)]
+            regime = whole.regimes[int(size > end)]
             found = regime.closed_form().subs(definitions).subs(A, sp.Rational(amplitude))
             assert mp.almosteq(F(str(sp.N(found, 30))), expected, rel_eps=F("1e-12"))
 

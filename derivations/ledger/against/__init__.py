@@ -82,6 +82,7 @@ class Derived:
         """The oscillator with a cubic term."""
         return of_mechanism(duffing.MECHANISM)
 
+    @functools.cache  # noqa: B019 - as long as this object
     def library(self, name: str) -> OfMechanism:
         """A mechanism of the library."""
         return of_mechanism(stated(name))
