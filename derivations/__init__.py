@@ -18,6 +18,7 @@ Beside the paper, for the solvers and the further depths:
     frequencies, along, slopes, bounds   what is solved at an amplitude, and what vanishes, rises, is bounded along it
     monotone                  proof of what the search along the amplitude stands on
     offset                    whether a motion about the centre stays there
+    off_centre                motions about another place, where a static load or a force that is not odd puts them
     harmonics, second_approximation      the higher harmonics and what they add
     conventions               words and numbers that both languages share
 

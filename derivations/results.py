@@ -24,6 +24,7 @@ from .mechanisms import Mechanism, all_mechanisms
 from .monotone import prove_monotone
 from .motion import Motion, Smoothed, motion, smoothed
 from .newton import Step, steps
+from .off_centre import Climb, OffCentre, climb, off_centre
 from .oscillator import Dimensionless, oscillator
 from .restoring import Case, Restoring, restoring
 from .resultants import Elimination
@@ -78,6 +79,7 @@ class Results:
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
     gradients, inertia_gradients -- how answers move with the parameters, for a force and for an excitation by inertia
+    off_centre, climb -- motions about another place than the centre, and the means that these are made of
     steps      -- of Newton's method on the equations of each answer
     detachment -- (34), by scene
     second     -- the second approximation
@@ -96,6 +98,8 @@ class Results:
     bounds: Bounds
     gradients: Gradients
     inertia_gradients: Gradients
+    off_centre: OffCentre
+    climb: Climb
     steps: dict[str, Step]
     detachment: dict[str, Elimination]
     second: SecondApproximation
@@ -141,6 +145,8 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         bounds(flows[""]),
         gradients(flows[""]),
         gradients(flows[""], by_inertia.force),
+        off_centre(equations, flows[""]),
+        climb(),
         steps(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),

@@ -26,6 +26,8 @@ MODULES = (
     "slowflow.oscillator",
     "slowflow.averaged.questions",
     "slowflow.results",
+    "slowflow.off_centre.questions",
+    "slowflow.off_centre.answers",
     "slowflow.gradient",
     "slowflow.answer",
     "slowflow.loads",

@@ -194,13 +194,17 @@ def test_at_rest_a_mount_has_what_its_data_sheet_says(mount):
     assert mount.replace(preload=0).at_rest().x_cr is None
 
 
-def test_a_load_off_the_centre_is_refused_with_its_sag(mount):
-    """The issue of a mount without preset: 12 kg more than it is preset for sag by 47 mm, beyond the stroke."""
-    assert mount.replace(load=12.0) == mount.replace(load=12)
-    with pytest.raises(ValueError, match=r"load = 24 .* 47.1 mm below the centre, beyond x_cr = 36.9 mm"):
-        mount.replace(load=24)
-    with pytest.raises(ValueError, match="above the centre; motions"):
-        mount.replace(load=11)
+def test_a_load_off_the_centre_rests_where_it_sags(mount):
+    """12 kg more than a mount is preset for sag by 47 mm, beyond the stroke, where k_v is all that holds."""
+    assert mount.replace(load=12.0) == mount.replace(load=12) and mount.replace(load=12.0).oscillator.load == 0
+    heavy = mount.replace(load=24)
+    assert heavy.rest().x == pytest.approx(12 * 9.80665 / 2500) and heavy.rest().load == pytest.approx(12 * 9.80665)
+    assert heavy.detachment().F_cr is None and "beyond" in heavy.detachment().message
+    assert mount.replace(load=11).rest().x[0] < 0
+    with pytest.raises(ValueError, match="at_rest is not available with load"):
+        heavy.at_rest()
+    with pytest.raises(ValueError, match="no polynomial"):
+        mount.replace(load=24, force="untruncated")
     x = mount.sag(14)  # of the force as the geometry gives it
     height = math.sqrt(0.080**2 - x**2)
     assert 2500 * x - 5100 * (height - 0.071) * x / height == pytest.approx(2 * 9.80665)

@@ -193,6 +193,7 @@ class Record:
     truncated       -- whether the force is a Taylor polynomial that stands for another
     untruncated     -- name of the mechanism with that other force; "" where there is none
     scales          -- what the design's numbers are measured in
+    stepped         -- whether the force is known as a sum of steps
     """
 
     mechanism: Mechanism
@@ -202,6 +203,7 @@ class Record:
     truncated: bool
     untruncated: str
     scales: tuple[Scale, ...]
+    stepped: bool = False
 
 
 @dataclass(frozen=True)

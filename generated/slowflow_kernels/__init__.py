@@ -14,6 +14,7 @@ MODULES = (
     "slow_flow_mu0_zeta0",
     "frequencies",
     "inertia",
+    "off_centre",
     "motion",
     "second_approximation",
     "den_hartog",

@@ -54,6 +54,7 @@ __all__ = [
     "saddle_node_onset",
     "saddle_nodes",
     "stability",
+    "steps",
     "transmissibility",
 ]
 
@@ -229,6 +230,28 @@ def hardening(alpha, beta):
     arguments = (alpha, beta)
     return (
         full(beta, arguments),
+    )
+
+
+def steps(alpha, beta):
+    """f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
+
+    Equation (3), (5). Domain: any parameters.
+    Operations: 2 structured, 1 common subexpressions, 1 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.0, 0.0, 0.51
+    """
+    alpha, beta = floats(alpha, beta)
+    t0 = 6.0 * beta
+    arguments = (alpha, beta)
+    return (
+        full(0.0, arguments),
+        full(alpha, arguments),
+        full(0.0, arguments),
+        full(t0, arguments),
+        full(0.0, arguments),
+        full(alpha, arguments),
+        full(0.0, arguments),
+        full(t0, arguments),
     )
 
 
@@ -613,5 +636,6 @@ MECHANISM = Mechanism(
     reach=float("inf"),
     reach_reason="",
     truncated=False,
+    steps=steps,
     load_untruncated=None,
 )

@@ -12,7 +12,7 @@ from slowflow import validate
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import Model
 from slowflow.oscillator import FORCES, Designs, Oscillator, designs_of
-from slowflow.physical import Physical, Scales, si
+from slowflow.physical import Physical, Scales, g, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
@@ -37,6 +37,7 @@ class Isolator(Oscillator):
     force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
         the force as the geometry gives it (5)
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
+    load -- what rests on it beyond what the vertical spring holds at the centre, over k_v L, as in `Oscillator`
 
     delta_h > 1/(lam r) is a negative stiffness at rest, which works with a warning. Raises ValueError for a number
     outside its domain, or another word for the force.
@@ -60,6 +61,7 @@ class Isolator(Oscillator):
         zeta: float = 0.0,
         force: str = "truncated",
         excitation: str = "force",
+        load: float = 0.0,
     ) -> None:
         super().__init__(_averaged(force), lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, excitation=excitation)
         if self.delta_h == 0:  # the springs never touch the rod, which has no end then
@@ -69,6 +71,8 @@ class Isolator(Oscillator):
             self.__dict__.update({name.name: float(value) for name, value in coefficients})
         del self.given["mechanism"]
         self.given["force"] = force
+        if load != 0:
+            self._put(load)
         if self.alpha < 0:
             warnings.warn(
                 f"delta_h = {self.delta_h:g} exceeds 1/(lam r) = {1 / (self.lam * self.r):g}: "
@@ -114,18 +118,21 @@ class Isolator(Oscillator):
         preload  -- compression of each horizontal spring at the centre, m
         friction -- dry friction, N
         c, zeta  -- viscous damping, N s/m, or the damping ratio c/(2 sqrt(k_v m)): one of them, or neither for none
-        load     -- the mass that sits on it, kg, where that is not m
+        load     -- the mass that sits on it and moves, kg, where that is not the m that k_v is preset for
         force    -- as in `Isolator`
         excitation -- "force", in N; "base", a base that shakes, by its displacement in m; "unbalance", a mass that
             turns, times its radius, in kg m: it is part of m
 
         Numbers are plain ones in these units, or quantities of pint. Without `load` it is taken for granted that the
         vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
-        would rest off the centre, and move about there without symmetry: it is refused, and its sag told.
-        Raises ValueError for a number outside its domain, and for such a load.
+        rests off the centre, `rest()` tells where, and moves about there without symmetry: its answers have a mean B.
+        Raises ValueError for a number outside its domain, and for such a load where motions off the centre are not
+        derived: with the force that is not truncated, or an excitation by inertia.
         """
+        moving = m if load is None else validate.number("load", si("load", load, "kilogram"), above=0.0)
         excited = validate.choice("excitation", excitation, tuple(EXCITATIONS))
-        scales = Scales(m=m, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
+        scales = Scales(m=moving, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
+        beyond = scales.m - validate.number("m", si("m", m, "kilogram"), above=0.0)
         known = {"n": n, "k_h": si("k_h", k_h, "newton/meter"), "preload": si("preload", preload, "meter")}
         of_design = zip(known.items(), ROD_SPRING.design, ROD_SPRING.scales, strict=True)
         lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)
@@ -136,20 +143,11 @@ class Isolator(Oscillator):
         if c is not None:
             zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
         own = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": 0.0 if zeta is None else zeta}
-        isolator = cls(**own, force=force, excitation=excitation)
+        weight = beyond * g / scales.sizes["force"]
+        isolator = cls(**own, force=force, excitation=excitation, load=weight)
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
-        found = Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
-        if load is not None and si("load", load, "kilogram") != scales.m:
-            sag = found.sag(load)
-            off = isolator.breakpoints and abs(sag) > isolator.breakpoints[0] * scales.L
-            beyond = f", beyond x_cr = {1e3 * isolator.breakpoints[0] * scales.L:.3g} mm" if off else ""
-            raise ValueError(
-                f"load = {load} is not allowed: k_v is preset for m = {m}, and this one would rest "
-                f"{1e3 * abs(sag):.3g} mm {'below' if sag > 0 else 'above'} the centre{beyond}; motions about there "
-                "are not symmetric, which slowflow does not describe. Preset k_v for it: m is the load then"
-            )
-        return found
+        return Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
 
     @classmethod
     def many(  # type: ignore[override]
@@ -180,6 +178,7 @@ class Duffing(Oscillator):
 
 {told((*DUFFING.design, *DAMPING))}
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
+    load -- added to the right side, over k_v L, as in `Oscillator`
 
     Raises ValueError for a number outside its domain, or another word for the excitation.
     """
@@ -188,9 +187,16 @@ class Duffing(Oscillator):
     beta: float
 
     def __init__(
-        self, alpha: float, beta: float, mu: float = 0.0, zeta: float = 0.0, *, excitation: str = "force"
+        self,
+        alpha: float,
+        beta: float,
+        mu: float = 0.0,
+        zeta: float = 0.0,
+        *,
+        excitation: str = "force",
+        load: float = 0.0,
     ) -> None:
-        super().__init__(DUFFING, alpha=alpha, beta=beta, mu=mu, zeta=zeta, excitation=excitation)
+        super().__init__(DUFFING, alpha=alpha, beta=beta, mu=mu, zeta=zeta, excitation=excitation, load=load)
         del self.given["mechanism"]
 
     def __repr__(self) -> str:

@@ -104,12 +104,14 @@ class EquationOfMotion:
     """Equation (3) without its forcing: f(u), mu >= 0, zeta >= 0, all dimensionless.
 
     inertial -- whether it is excited by inertia, so that F_0 stands for a force F_0 Omega^2
+    load     -- static force beside F_0 cos(Omega tau)
     """
 
     force: Force
     mu: float
     zeta: float
     inertial: bool = False
+    load: float = 0.0
 
     def __post_init__(self) -> None:
         for name, value in (("mu", self.mu), ("zeta", self.zeta)):

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Self
 from slowflow import validate
 from slowflow.averaged import many
 from slowflow.averaged.questions import Answer, Averaged
+from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import Model
 from slowflow.results import (
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
     from slowflow.exact.shocks import Shocks
     from slowflow.grid.designs import Grid
     from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins
+    from slowflow.off_centre.answers import RestPositions
+    from slowflow.off_centre.questions import OffCentre
     from slowflow.second import SecondApproximation
     from slowflow.second.many import SecondDesigns
 
@@ -43,6 +46,9 @@ FORCES = ("truncated", "untruncated")
 #: what need not be said of an oscillator
 DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
 
+#: questions that look at motions about the centre, or begin there
+CENTRED = "{} is not available with load = {:g}, only about the centre"
+
 
 class Oscillator(Averaged):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), dimensionless.
@@ -54,6 +60,8 @@ class Oscillator(Averaged):
         "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
         leave proofs to a force.
         A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
+    load      -- what rests on it beyond what the vertical spring holds at the centre, over k_v L. It takes the motion
+        off the centre: what has no answer there, see `off_centre`, raises ValueError
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
     makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
@@ -64,7 +72,14 @@ class Oscillator(Averaged):
     design: tuple[float, ...]
 
     def __init__(
-        self, mechanism: Mechanism, *, mu: float = 0.0, zeta: float = 0.0, excitation: str = "force", **design: float
+        self,
+        mechanism: Mechanism,
+        *,
+        mu: float = 0.0,
+        zeta: float = 0.0,
+        excitation: str = "force",
+        load: float = 0.0,
+        **design: float,
     ) -> None:
         values = {**design, "mu": mu, "zeta": zeta}
         super().__init__(Model.of(mechanism, values, validate.choice("excitation", excitation, tuple(EXCITATIONS))))
@@ -74,6 +89,61 @@ class Oscillator(Averaged):
         # not by attribute: these cannot be set
         self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
         self.__dict__.update(design=own, given={"mechanism": mechanism, **given, "excitation": excitation})
+        if load != 0:
+            self._put(load)
+
+    def _put(self, load: float) -> None:
+        """A load on it: its slow flow about the centre is not asked from here on."""
+        load = validate.number("load", load)
+        validate.is_force(f"load = {load:g}", self.excitation)
+        self.given["load"] = load
+        self.__dict__["model"] = Loaded(self.model, load)
+        self.off_centre  # noqa: B018  refuses a force that nothing is derived for
+
+    @property
+    def load(self) -> float:
+        """The static load over k_v L."""
+        found: float = self.given.get("load", 0.0)
+        return found
+
+    @cached_property
+    def off_centre(self) -> OffCentre:
+        """Questions about motions off the centre: all places of rest, and all states and folds with their mean B.
+
+        Without a load too: a mass between two wells, or on a spring that softens, leaves the centre by itself.
+        Raises ValueError for a force that is no polynomial in pieces, and for an excitation by inertia.
+        """
+        from slowflow.off_centre.questions import OffCentre
+
+        self.only_for_a_force("off_centre")
+        return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load)
+
+    def at_centre(self, question: str) -> None:
+        """Raises ValueError where the question is asked of an oscillator under a load, for which it has no answer."""
+        if self.load != 0:
+            raise ValueError(CENTRED.format(question, self.load))
+
+    def rest(self) -> RestPositions:
+        """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
+        return self.off_centre.rest()
+
+    def amplitudes(self, *, Omega: Any, F_0: Any) -> Any:
+        """Every steady state, see `Averaged.amplitudes`; under a load `OffCentre.amplitudes`, with its mean B."""
+        if self.load != 0:
+            return self.off_centre.amplitudes(Omega=Omega, F_0=F_0)
+        return super().amplitudes(Omega=Omega, F_0=F_0)
+
+    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> Any:
+        """Every fold, see `Averaged.saddle_nodes`; under a load `OffCentre.saddle_nodes`, which has no proof."""
+        if self.load == 0:
+            return super().saddle_nodes(F_0, certify=certify)
+        if certify:
+            self.at_centre("certify")
+        return self.off_centre.saddle_nodes(F_0)
+
+    def detachment(self) -> Any:
+        """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
+        return super().detachment() if self.load == 0 else self.off_centre.detachment()
 
     @property
     def excitation(self) -> str:
@@ -120,6 +190,7 @@ class Oscillator(Averaged):
 
         Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force.
         """
+        self.at_centre("saddle_node_onset")
         found = super().saddle_node_onset()
         if not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
             return found
@@ -162,7 +233,7 @@ class Oscillator(Averaged):
             raise ValueError(
                 f"motions of {self.model.mechanism.name} are not followed: its force jumps at u = 0, where a mass rests"
             )
-        return EquationOfMotion(force, self.mu, self.zeta, self.model.inertial)
+        return EquationOfMotion(force, self.mu, self.zeta, self.model.inertial, self.load)
 
     def steady_state(
         self, *, Omega: float, F_0: float, A: float | None = None, force: str | None = None
@@ -200,6 +271,7 @@ class Oscillator(Averaged):
         where it moves then, and `.message` says so.
         Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where it cannot be followed.
         """
+        self.at_centre("exact_response")
         from slowflow.exact import questions
 
         return questions.exact_response(self, self.equation_of_motion(force), F_0, Omega, start, step)
@@ -212,6 +284,7 @@ class Oscillator(Averaged):
         as in `steady_state`. Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError
         where the motion escapes a softening spring.
         """
+        self.at_centre("sweep")
         from slowflow.exact import questions
 
         return questions.sweep(self.equation_of_motion(force), Omega, F_0)
@@ -238,6 +311,7 @@ class Oscillator(Averaged):
         rests, and by `.series()` its way, seen from the base. Raises ValueError for what is not allowed,
         ArithmeticError where the motion escapes a softening spring.
         """
+        self.at_centre("transient")
         from slowflow.exact import questions
 
         return questions.transient(self, self.equation_of_motion(force), acceleration, duration, tau, after)
@@ -250,6 +324,7 @@ class Oscillator(Averaged):
 
         A row for each pulse: .A .a_max .ratio .detaches. Raises ValueError and ArithmeticError as `transient`.
         """
+        self.at_centre("shock_spectrum")
         from slowflow.exact import questions
 
         return questions.shocks(self.equation_of_motion(force), acceleration, duration)
@@ -261,6 +336,7 @@ class Oscillator(Averaged):
         """
         from slowflow import loads
 
+        self.at_centre("margins")
         return loads.margins(self, F_0)
 
     def hysteresis(self, F_0: float) -> loads.Hysteresis:
@@ -270,6 +346,7 @@ class Oscillator(Averaged):
         """
         from slowflow import loads
 
+        self.at_centre("hysteresis")
         return loads.hysteresis(self, F_0)
 
     def isolation(self, F_0: float) -> loads.Isolation:
@@ -281,6 +358,7 @@ class Oscillator(Averaged):
         """
         from slowflow import loads
 
+        self.at_centre("isolation")
         return loads.isolation(self, F_0)
 
     def spectrum(self, *, Omega: Any, F_0: Any) -> loads.Spectrum:
@@ -291,6 +369,7 @@ class Oscillator(Averaged):
         """
         from slowflow import loads
 
+        self.at_centre("spectrum")
         return loads.spectrum(self, Omega, F_0)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
@@ -320,6 +399,7 @@ class Oscillator(Averaged):
         """
         from slowflow.second import SecondApproximation
 
+        self.at_centre("second_approximation")
         return SecondApproximation(self)
 
     @classmethod

@@ -47,7 +47,8 @@ USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg", "kg m")
 #: of which kind the numbers of an answer are, and what they are called with a unit
 KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
-        **{name: (name, "length") for name in ("A", "A_1", "A_max", "doubt")},
+        **{name: (name, "length") for name in ("A", "A_1", "A_max", "B", "doubt")},
+        "load": ("load", "force"),
         "u_cr": ("x_cr", "length"),
         "u": ("x", "length"),
         "v": ("v", "speed"),
@@ -450,7 +451,10 @@ class Physical:
         break_loose -- the constant force that friction holds
         rests_within -- how far from the centre friction holds the mass at rest
         sticking    -- the force amplitude up to which averaging has the mass at rest (27)
+
+        Raises ValueError with a load that k_v is not preset for: `rest` tells where that stands.
         """
+        self.oscillator.at_centre("at_rest")
         oscillator, m, k_v = self.oscillator, self.scales.m, self.scales.k_v
         (stiffness,) = oscillator.stiffness([0.0]).tolist()
         u_cr = oscillator.breakpoints[0] if oscillator.breakpoints else None
@@ -479,7 +483,8 @@ class Physical:
     def sag(self, load: Any) -> float:
         """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""
         load = validate.number("load", si("load", load, "kilogram"), above=0.0)
-        return self._resting((load - self.scales.m) * g / self.scales.sizes["force"])
+        preset = float(si("m", self.given["m"], "kilogram"))
+        return self._resting((load - preset) * g / self.scales.sizes["force"])
 
     def _resting(self, weight: float) -> float:
         """A place, in m, at which the spring force (5) over k_v L is this; there may be several."""
@@ -492,6 +497,10 @@ class Physical:
         return u * self.scales.sizes["length"]
 
     # ---- the questions
+
+    def rest(self) -> Quantities:
+        """Every place at which the mass rests without friction: .x .stable .load, see `Oscillator.rest`."""
+        return self.scales.quantities(self.oscillator.rest())
 
     def force(self, x: Any) -> Floats:
         """The restoring force in N at displacements in m, without the weight that k_v is preset for."""

@@ -112,6 +112,9 @@ class Mechanism:
     kinks       -- of the parameters: what slope and curvature of the force lose at each breakpoint; None where the
                    force or its slope jumps at all of them
     enclosed    -- what holds the average on intervals; None where h_AAA is proved to be monotone on each piece
+    steps       -- of the parameters: f and its derivatives just above u = 0, as many as the force has; their gains at
+                   each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
+                   polynomial: then nothing is known off the centre
     """
 
     name: str
@@ -136,6 +139,7 @@ class Mechanism:
     by_design: Function | None = None
     kinks: Function | None = None
     enclosed: Enclosed | None = None
+    steps: Function | None = None
 
     @cached_property
     def is_generated(self) -> bool:

@@ -193,6 +193,7 @@ def _of_force(name: str, kernel: str, passed: int) -> Definition:
         "breakpoints": lambda *q: list(definitions.pieces(name, q)[1]),
         "jumps": jumps,
         "hardening": hardening,
+        "steps": lambda *q: definitions.steps(name, *q),
         "force": lambda u, *q: [definitions.pieces(name, q)[0][passed](u)],
     }
     for k in range(2):

@@ -1500,6 +1500,123 @@ def inertia_table(rng: random.Random) -> dict:
     return table
 
 
+# --- motions off the centre ------------------------------------------------------------------------------------------
+
+
+#: exponents of a force that is a sum of exponentials in u, whose means are Bessel functions
+EXPONENTS = tuple(mpf(k) / 3 for k in (-4, -3, -2, -1, 1, 2, 3, 4))
+
+
+def force_with(A, c, s):
+    """Means over a cycle c(A, B), s(A, B) of a force that has these at (A, 0): c_n = <f^(n)>, s_n = <f^(n) cos psi>."""
+    n = len(c)
+    known = EXPONENTS[4 - n : 4 + n]
+    rows = [[of(kappa * A) * kappa**k for kappa in known] for of in (bessel_0, bessel_1) for k in range(n)]
+    share = mp.lu_solve(mp.matrix(rows), mp.matrix([*c, *s]))
+
+    def means(at, B):
+        parts = [(part * mp.exp(kappa * B), kappa * at) for part, kappa in zip(share, known, strict=True)]
+        return sum(p * bessel_0(x) for p, x in parts), sum(p * bessel_1(x) for p, x in parts)
+
+    return means
+
+
+def bessel_0(x):
+    return mp.besseli(0, x)
+
+
+def bessel_1(x):
+    return mp.besseli(1, x)
+
+
+def off_averaged(A, *means):
+    """h along the balance of the mean, which is solved for B at each amplitude; c_0 itself does not matter."""
+    of = force_with(A, (mpf(0), *means[:3]), means[3:])
+
+    def h(at):
+        B = mp.findroot(lambda B: of(at, B)[0], mpf(0), tol=mpf(10) ** -100)
+        return -2 * of(at, B)[1]
+
+    with mp.workdps(80):
+        return [mp.diff(h, A, order) for order in range(4)]
+
+
+def off_state(Omega, A, F_0, m, zeta, load, c_0, c_1, s_0, s_1):
+    of = force_with(A, (c_0, c_1), (s_0, s_1))
+
+    def both(A, B):
+        mean, first = of(A, B)
+        return mean - load, response(Omega, A, F_0, m, zeta, -2 * first)
+
+    slopes = [mp.diff(lambda *x, k=k: both(*x)[k], (A, 0), order) for k in (0, 1) for order in ((1, 0), (0, 1))]
+    return [*both(A, mpf(0)), *slopes]
+
+
+def off_fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
+    """R and I by t, A Omega^2 and 2 zeta A Omega from these apart: F_A along the balance, then that they agree."""
+    of = force_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2))
+
+    def three(A, B, t):
+        mean, first = of(A, B)
+        by = [[mp.diff(lambda *x, k=k: of(*x)[k], (A, B), order) for order in ((1, 0), (0, 1))] for k in (0, 1)]
+        R, I = 2 * t * F_0 / (1 + t**2), (1 - t**2) * F_0 / (1 + t**2)
+        inertia, damping = R + 2 * first, I - m
+        half_F_A = R * (inertia / A - 2 * by[1][0]) + I * damping / A
+        turns = by[0][1] * half_F_A - by[0][0] * R * -2 * by[1][1]
+        agrees = damping**2 - 4 * zeta**2 * A * inertia
+        return mean - load, A * turns * (1 + t**2) / F_0, agrees * (1 + t**2) ** 2
+
+    place = A, mpf(0), t
+    with mp.workdps(90):
+        slopes = [
+            mp.diff(lambda *x, k=k: three(*x)[k], place, tuple(int(i == j) for j in range(3)))
+            for k in range(3)
+            for i in range(3)
+        ]
+    return [*three(*place), *slopes]
+
+
+OFF_CENTRE: dict[str, tuple[str, Function]] = {
+    "averaged": ("A c_1 c_2 c_3 s_0 s_1 s_2 s_3", off_averaged),
+    "state": ("Omega A F_0 m zeta load c_0 c_1 s_0 s_1", off_state),
+    "fold": ("t A F_0 m zeta load c_0 c_1 c_2 s_0 s_1 s_2", off_fold),
+    "turns": (
+        "t A F_0 m resists s_0",
+        lambda t, A, F_0, m, e, s_0: [(F_0 - m) + (F_0 + m) * t**2 - 2 * t * (-2 * s_0 - A * (2 * s_0 / A - 2 * e))],
+    ),
+    "begin": (
+        "A a root angle",
+        lambda A, a, r, psi: [1 / (mp.pi * r), psi / mp.pi, a / A / (mp.pi * r), r / (mp.pi * A)],
+    ),
+    "up": (
+        "k A a L_2 L_1 M_2 M_1",
+        lambda k, A, a, L_2, L_1, M_2, M_1: [
+            ((A**2 - a**2) * L_2 - (2 * k - 1) * a * L_1) / k**2,
+            ((A**2 - a**2) * M_2 - (2 * k + 1) * a * M_1 + 2 * A * L_1) / (k + 1) ** 2,
+        ],
+    ),
+    "down": (
+        "k A a root L_1 L_k M_1 M_k",
+        lambda k, A, a, r, L_1, L_k, M_1, M_k: [
+            (k**2 * L_k + (2 * k - 1) * a * L_1) / r**2,
+            ((k + 1) ** 2 * M_k + (2 * k + 1) * a * M_1 - 2 * A * L_1) / r**2,
+        ],
+    ),
+}
+
+
+def off_centre_table(rng: random.Random) -> dict:
+    """The recursion's number counts: 1, 2, ... upwards, 0 and -1 downwards."""
+    table = {}
+    for kernel, (names, f) in OFF_CENTRE.items():
+        chosen = points(rng, names, 5)
+        for number, x in enumerate(chosen):
+            if names.startswith("k "):
+                x[0] = float(number + 1 if kernel == "up" else -(number % 2))
+        table[kernel] = [entry(f, x) for x in chosen]
+    return table
+
+
 # --- points ----------------------------------------------------------------------------------------------------------
 
 RANGES = {
@@ -1513,6 +1630,16 @@ RANGES = {
     "h_A": (-2.0, 1.0),
     "h_AA": (-5.0, 5.0),
     "h_AAA": (-20.0, 20.0),
+    **{f"{name}_{n}": (-1.0, 1.0) for name in ("s", "c", "L", "M") for n in (0, 2, 3, "k")},
+    **{"c_1": (0.2, 1.5), "s_1": (-0.5, 0.5), "L_1": (0.0, 1.0), "M_1": (0.0, 1.0)},
+    **{
+        "load": (-0.1, 0.1),
+        "t": (-0.9, 0.9),
+        "resists": (-1.0, 1.0),
+        "a": (-0.9, 0.9),
+        "angle": (0.1, 3.0),
+        "k": (1, 5),
+    },
     **{
         f"h_{n}{order}": (-size, size)
         for n in (3, 5)
@@ -1829,6 +1956,8 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
         return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
 
     table["jumps"] = [entry(jumps, p) for p in parameters]
+    if name != "rod_spring_untruncated":
+        table["steps"] = [entry(functools.partial(steps, name), p) for p in parameters]
     # f(u)/u rises where no coefficient of its slope is negative: all but the first, or what multiplies 1/sqrt(1 - u^2)
     rising = {
         "duffing": lambda *q: q[1:],
@@ -1845,6 +1974,24 @@ def data_table(name: str, designs: Sequence, parameters: list[tuple[float, ...]]
             k = passed_by(name, abs(u), p)
             table["force"].append(entry(lambda v, *q, k=k: [pieces(name, q)[0][k](v)], [u, *p]))
     return table | pieces_table(name, parameters)
+
+
+def steps(name: str, *q) -> list:
+    """The force and its derivatives at 0, what they gain at each end of a piece, and those of the last piece at 0.
+
+    From values of the polynomials at as many points as they need, by the differences' exact interpolation.
+    """
+    forces, ends = pieces(name, q)
+    other = stated(name)
+    degree = max(map(max, other.polynomials(q))) if other else {"duffing": 3, "rod_spring": 5}[name]
+    gains = [(forces[0], mpf(0))]
+    gains += [(lambda u, k=k: forces[k + 1](u) - forces[k](u), end) for k, end in enumerate(ends)]
+    found = []
+    for gain, at in [*gains, (forces[-1], mpf(0))]:
+        nodes = [mpf(j) / 4 for j in range(1, degree + 2)]
+        rows = mp.matrix([[node**k / mp.factorial(k) for k in range(degree + 1)] for node in nodes])
+        found += list(mp.lu_solve(rows, mp.matrix([gain(at + node) for node in nodes])))
+    return [mpf(0) if abs(value) < mpf(10) ** -45 else value for value in found]
 
 
 def pieces_table(name: str, parameters: list[tuple[float, ...]]) -> dict:
@@ -1874,6 +2021,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
     made["second_approximation"] = second_approximation_table
     made["frequencies"] = frequencies_table
     made["motion"] = motion_table
+    made["off_centre"] = off_centre_table
     made["den_hartog"] = den_hartog_table
     isolators = [parameters_of(design) for design in DESIGNS]
     untruncated = [(*parameters_of(design)[:2], design[-1]) for design in STEEP_DESIGNS]

@@ -14,6 +14,7 @@ from .frequencies import frequencies_module
 from .inertia import inertia_module
 from .mechanism import mechanism_module
 from .motion import motion_module
+from .off_centre import off_centre_module
 
 
 def all_modules(results: Results) -> list[Module]:
@@ -23,6 +24,7 @@ def all_modules(results: Results) -> list[Module]:
         *flows,
         frequencies_module(results),
         inertia_module(results),
+        off_centre_module(results),
         motion_module(results),
         second_approximation_module(results),
         den_hartog_module(results),

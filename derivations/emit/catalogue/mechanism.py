@@ -13,6 +13,7 @@ import sympy as sp
 
 from ...elliptic import evaluable, parts
 from ...mechanisms import Mechanism, Parameter
+from ...off_centre import steps
 from ...oscillator import Dimensionless
 from ...restoring import Case, Restoring, average, forms
 from ...results import OfMechanism
@@ -422,11 +423,32 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
             "The force over the displacement, f(u)/u, rises with |u| where none of these is negative.",
             "from (3)",
         ),
+        *steps_of(derived),
     ):
         kernel = plain(name, parameters, values, doc, equation, "any parameters", parameters=count)
+        kernel = replace(kernel, looped=name != "steps")
         exact = name == "breakpoints" and bool(values) and is_enclosed(derived)
         kernels.append(replace(kernel, enclosed=exact, paired=exact))
     return kernels
+
+
+DOC_OF_STEPS = (
+    "f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0."
+)
+
+
+def is_stepped(derived: OfMechanism) -> bool:
+    """Whether the force is a sum of steps in powers of u."""
+    return all(piece.is_polynomial(u) for piece in derived.whole.pieces)
+
+
+def steps_of(derived: OfMechanism) -> list[tuple[str, tuple[sp.Expr, ...], str, str]]:
+    """The force as a sum of steps, where its pieces are polynomials."""
+    if not is_stepped(derived):
+        return []
+    rows = steps(derived.whole.pieces, derived.whole.breakpoints)
+    values = tuple(value for row in rows for value in row)
+    return [("steps", values, DOC_OF_STEPS, "(3), (5)")]
 
 
 def piece_kernels(derived: OfMechanism, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
@@ -501,6 +523,7 @@ def record(mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: 
         truncated,
         twins[0] if twins else "",
         of_design(mechanism),
+        is_stepped(derived),
     )
 
 

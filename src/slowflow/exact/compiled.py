@@ -41,13 +41,14 @@ def of_system(system: EquationOfMotion) -> Any:
     """The oscillator for C."""
     pieces = system.force.pieces
     laws, constants = tuple(recurrences(piece.law) for piece in pieces), tuple(piece.constants for piece in pieces)
-    return EXACT.system(laws, constants, system.force.breakpoints, system.mu, system.zeta, system.inertial)
+    damping = system.mu, system.zeta
+    return EXACT.system(laws, constants, system.force.breakpoints, *damping, system.inertial, system.load)
 
 
 @functools.lru_cache(maxsize=4096)
 def of_piece(piece: Piece) -> Any:
     """An oscillator of that piece alone."""
-    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0.0, 0.0, False)
+    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0.0, 0.0, False, 0.0)
 
 
 class TaylorIntegrator:

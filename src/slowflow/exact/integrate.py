@@ -66,7 +66,7 @@ def spend(steps: int) -> None:
 
 
 class Drive(NamedTuple):
-    """The constants of a slip phase; friction is mu times the sign of the velocity."""
+    """The constants of a slip phase; friction is mu times the sign of the velocity, less a static load."""
 
     Omega: float
     F_0: float

@@ -71,11 +71,11 @@ class Forced(NamedTuple):
 
     def drive(self, slip: int) -> Drive:
         """The constants of a slip phase."""
-        return Drive(self.Omega, self.force, self.system.zeta, slip * self.system.mu)
+        return Drive(self.Omega, self.force, self.system.zeta, slip * self.system.mu - self.system.load)
 
     def push(self, region: int, theta: float, u: float) -> float:
         """The force less f(u): what friction has to hold at rest."""
-        return float(motion.push(math.cos(theta), self.force, self.piece(region).value(u)))
+        return float(motion.push(math.cos(theta), self.force, self.piece(region).value(u) - self.system.load))
 
     def push_slopes(self, region: int, theta: float, u: float) -> tuple[float, float, float]:
         """Derivatives of the push by theta, u, and the amplitude of the force."""
@@ -108,7 +108,7 @@ def region_of(system: EquationOfMotion, u: float) -> int:
 def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
     """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
     mu, amplitude = forced.system.mu, forced.force
-    force = forced.piece(region).value(u)
+    force = forced.piece(region).value(u) - forced.system.load
     found = (math.inf, 0)
     for slip in (1, -1) if amplitude > 0 else ():
         cosine = motion.breakaway(amplitude, slip * mu, force)

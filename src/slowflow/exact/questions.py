@@ -52,11 +52,26 @@ def steady_state(
     if wanted is None:
         return _from_rest(averaged, system, Omega, F_0)
     shooting.check_forcing(system, Omega, F_0)
+    if system.load != 0:
+        return _off_centre(averaged, system, Omega, F_0, wanted)
     guesses = _guesses(averaged, Omega, F_0, wanted)
     found = [motion for motion in (shooting.near(system, Omega, F_0, guess) for guess in guesses) if motion is not None]
     if found:
         return min(found, key=lambda motion: abs(motion.A - wanted))
     return shooting.steady_state(system, Omega, F_0, guesses[0])
+
+
+def _off_centre(
+    averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float, A: float
+) -> shooting.SteadyState:
+    """The motion nearest to an amplitude of those that states off the centre lead to: A is |B| + A of these."""
+    found = []
+    for state in _states(averaged, Omega, F_0):
+        motion = shooting.near(system, Omega, F_0, (state.A, state.phi), B=state.B)
+        found += [] if motion is None else [motion]
+    if not found:
+        raise ArithmeticError(f"no state at Omega = {Omega:g} leads to a periodic motion of the equation of motion")
+    return min(found, key=lambda motion: abs(motion.A - A))
 
 
 def exact_response(
@@ -151,12 +166,18 @@ def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: 
     try:
         return shooting.steady_state(system, Omega, F_0)
     except shooting.NotSettled:
-        states = averaged.states(Omega=Omega, F_0=F_0)
+        states: Any = averaged.states(Omega=Omega, F_0=F_0) if system.load == 0 else _states(averaged, Omega, F_0)
         if states.A.size == 1:
-            found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])))
+            B = 0.0 if system.load == 0 else float(states.B[0])
+            found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])), B=B)
             if found is not None and found.stable:
                 return found
         raise
+
+
+def _states(averaged: Any, Omega: float, F_0: float) -> Any:
+    """States off the centre: `OffCentreStates`."""
+    return averaged.amplitudes(Omega=Omega, F_0=F_0)
 
 
 def _guesses(averaged: Averaged, Omega: float, F_0: float, A: float) -> list[tuple[float, float]]:

@@ -28,6 +28,13 @@ Array = NDArray[np.float64]
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
 HALF_TURNS = (1, 2, 3, 4, 6)  # lengths of a cycle that are tried: the forcing's period, then subharmonics
+
+
+def lengths(system: EquationOfMotion) -> tuple[int, ...]:
+    """Of these those that a motion may have: under a load none is the mirror image of itself half a turn later."""
+    return HALF_TURNS if system.load == 0 else tuple(n for n in HALF_TURNS if n % 2 == 0)
+
+
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
 
@@ -240,7 +247,8 @@ def steady_state(
     guess      -- a neighbouring `SteadyState`, or (A, phi) of u = A cos(Omega tau + phi); without it the mass is
                   released at rest at u = 0 and followed until it settles, which finds stable motions only
     half_turns -- 1: look for half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: for any with the forcing's
-                  period; n: with the state (-1)^n times the same after n pi/Omega. By default 1, then 2, 3, 4 and 6.
+                  period; n: with the state (-1)^n times the same after n pi/Omega. By default 1, then 2, 3, 4 and 6;
+                  even ones under a load.
 
     A guess leads to a motion near it, stable or not; if Newton's iteration finds none, the motion is followed from the
     guess until it settles. The motion returned has been followed through all its switches.
@@ -250,7 +258,7 @@ def steady_state(
     check_forcing(system, Omega, F_0)
     integrator = integrator or default_integrator(system)
     forced = Forced(system, float(Omega), float(F_0), integrator)
-    tries = HALF_TURNS if half_turns is None else (half_turns,)
+    tries = lengths(system) if half_turns is None else (half_turns,)
     theta, u = 0.0, 0.0
     if isinstance(guess, SteadyState):
         cycle = guess.cycle
@@ -264,7 +272,7 @@ def steady_state(
         theta, u = float(z[1]), float(z[0])
     elif guess is not None:
         theta, u = _start(guess)
-        found = _near(forced, theta, u, tries)
+        found = _near(forced, theta, u, tries, u)
         if found is not None:
             return found
     return _by_time_stepping(forced, theta, u, tries)
@@ -272,9 +280,15 @@ def steady_state(
 
 @limited()
 def near(
-    system: EquationOfMotion, Omega: float, F_0: float, guess: tuple[float, float], integrator: Integrator | None = None
+    system: EquationOfMotion,
+    Omega: float,
+    F_0: float,
+    guess: tuple[float, float],
+    integrator: Integrator | None = None,
+    *,
+    B: float = 0.0,
 ) -> SteadyState | None:
-    """The motion, stable or not, that Newton's iteration finds near u = A cos(Omega tau + phi), guess = (A, phi).
+    """The motion, stable or not, that Newton's iteration finds near u = B + A cos(Omega tau + phi), guess = (A, phi).
 
     None if it finds none of half to one and a half times that amplitude, or the mass released there escapes. Raises
     ValueError for parameters out of range.
@@ -282,9 +296,8 @@ def near(
     check_forcing(system, Omega, F_0)
     theta, u = _start(guess)
     try:
-        return _near(
-            Forced(system, float(Omega), float(F_0), integrator or default_integrator(system)), theta, u, HALF_TURNS
-        )
+        forced = Forced(system, float(Omega), float(F_0), integrator or default_integrator(system))
+        return _near(forced, theta, u + B, lengths(system), u + abs(B))
     except ArithmeticError:
         return None
 
@@ -297,11 +310,11 @@ def _start(guess: tuple[float, float]) -> tuple[float, float]:
     return (-phi) % TURN, float(A)
 
 
-def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState | None:
-    """The motion of about that amplitude that Newton's iteration finds from rest at (theta, u)."""
+def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: float) -> SteadyState | None:
+    """The motion whose largest |u| is about A that Newton's iteration finds from rest at (theta, u)."""
     for n in tries[:2]:
         found = _from_start(forced, theta, u, n)
-        if found is not None and abs(found.A - u) <= 0.5 * u:
+        if found is not None and abs(found.A - A) <= 0.5 * A:
             return found
     return None
 

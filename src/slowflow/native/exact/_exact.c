@@ -33,16 +33,16 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *laws, *constants, *breakpoints;
-    double mu, zeta;
+    double mu, zeta, load;
     int inertial;
-    if (!PyArg_ParseTuple(arguments, "O!O!O!ddp", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
-                          &breakpoints, &mu, &zeta, &inertial))
+    if (!PyArg_ParseTuple(arguments, "O!O!O!ddpd", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
+                          &breakpoints, &mu, &zeta, &inertial, &load))
         return NULL;
     sf_system *const system = PyMem_Calloc(1, sizeof *system);
     if (system == NULL)
         return PyErr_NoMemory();
     const Py_ssize_t pieces = PyTuple_Size(laws);
-    system->mu = mu, system->zeta = zeta, system->inertial = inertial, system->pieces = (int)pieces;
+    system->mu = mu, system->zeta = zeta, system->inertial = inertial, system->load = load, system->pieces = (int)pieces;
     if (pieces < 1 || pieces > SF_MOST_LAWS || PyTuple_Size(constants) != pieces ||
         numbers(breakpoints, system->breakpoint, SF_MOST_LAWS) != pieces - 1) {
         if (!PyErr_Occurred())
@@ -283,7 +283,7 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
 }
 
 static PyMethodDef methods[] = {
-    {"system", make_system, METH_VARARGS, "laws, constants, breakpoints, mu, zeta, inertial -> an oscillator."},
+    {"system", make_system, METH_VARARGS, "laws, constants, breakpoints, mu, zeta, inertial, load -> an oscillator."},
     {"advance", advance, METH_VARARGS, "system, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
     {"until", until, METH_VARARGS,
      "system, drive, slip, edge, theta, u, v, end, steps -> outcome, spent, theta, u, v, event, undecided."},

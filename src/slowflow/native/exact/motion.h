@@ -21,6 +21,7 @@ typedef struct {
     double constants[SF_MOST_LAWS][SF_MOST_CONSTANTS], breakpoint[SF_MOST_LAWS];
     double mu, zeta;
     int inertial; /* whether F_0 stands for a force F_0 Omega^2 */
+    double load;  /* static force beside that */
 } sf_system;
 
 /* F_0: amplitude of the excitation, see sf_forcing */
@@ -59,14 +60,15 @@ static inline double sf_forcing(const sf_forced *forced)
 static inline sf_drive sf_drive_of(const sf_forced *forced, int slip)
 {
     const sf_system *const system = forced->system;
-    return (sf_drive){forced->Omega, sf_forcing(forced), system->zeta, slip * system->mu};
+    return (sf_drive){forced->Omega, sf_forcing(forced), system->zeta, slip * system->mu - system->load};
 }
 
 /* what friction has to hold at rest */
 static inline double sf_push(const sf_forced *forced, int region, double theta, double u)
 {
     const sf_system *const system = forced->system;
-    return sf_forcing(forced) * cos(theta) - sf_law_of(system, region)->value(sf_constants_of(system, region), u);
+    const double force = sf_law_of(system, region)->value(sf_constants_of(system, region), u);
+    return sf_forcing(forced) * cos(theta) - (force - system->load);
 }
 
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
@@ -94,7 +96,7 @@ static inline int sf_region_of(const sf_system *system, double u)
 static double sf_break_away(const sf_forced *forced, int region, double theta, double u, int *direction)
 {
     const sf_system *const system = forced->system;
-    const double force = sf_law_of(system, region)->value(sf_constants_of(system, region), u);
+    const double force = sf_law_of(system, region)->value(sf_constants_of(system, region), u) - system->load;
     const double amplitude = sf_forcing(forced);
     double first = HUGE_VAL;
     *direction = 0;

@@ -8,7 +8,7 @@
 
 #include "series.h"
 
-/* the constants of a slip phase: friction is mu times the sign of the velocity */
+/* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load */
 typedef struct {
     double Omega, F_0, zeta, friction;
 } sf_drive;

@@ -1,0 +1,95 @@
+"""The kernels of motions off the centre, of any mechanism.
+
+In:  `Results`.
+Out: `off_centre_module`.
+"""
+
+from __future__ import annotations
+
+from ...off_centre import L_1, L_2, M_1, M_2, I, L_k, M_k, R, a, angle, c, k, load, resists, root, s, t
+from ...results import Results
+from ...slow_flow import m
+from ...symbols import F_0, A, Omega, h, zeta
+from ..form import Module, plain
+
+
+def off_centre_module(results: Results) -> Module:
+    """In the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle, and what gives these of a step of the force."""
+    flow, of, climb = results.flows[""], results.off_centre, results.climb
+    generic = {"generic": True}
+    wanted = {**generic, "searched": True}
+    R_and_I = [(R, flow.R.subs(h, -2 * s[0])), (I, flow.I)]
+    above = (k, A, a, L_2, L_1, M_2, M_1)
+    return Module(
+        name="off_centre",
+        title="Motions off the centre, u = B + A cos psi, by the means of the force and its derivatives over a cycle",
+        inputs=("averaging.py", "slow_flow.py", "off_centre.py"),
+        kernels=(
+            plain(
+                "averaged",
+                (A, *c[1:], *s),
+                of.averaged,
+                "h, h_A, h_AA, h_AAA along the balance of the mean.",
+                "(20), (31)",
+                "A > 0, c_1 other than 0",
+                lets=of.lets,
+                **generic,
+            ),
+            plain(
+                "state",
+                (Omega, A, F_0, m, zeta, load, *c[:2], *s[:2]),
+                of.state,
+                "What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.",
+                "(24) and the mean of (3)",
+                "A > 0",
+                lets=R_and_I,
+                **wanted,
+            ),
+            plain(
+                "fold",
+                (t, A, F_0, m, zeta, load, *c[:3], *s[:3]),
+                of.fold,
+                "What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2): the balance, F_A along it times c_1 and "
+                "a positive number, R and I of one Omega; slopes of each by A, B and t.",
+                "(24), (30) and the mean of (3)",
+                "A > 0, |t| <= 1",
+                **wanted,
+            ),
+            plain(
+                "turns",
+                (t, A, F_0, m, resists, s[0]),
+                of.turns,
+                "The second of what vanishes at a fold over c_1; resists = (c_1^2 - s_1^2)/c_1.",
+                "(30)",
+                "A > 0, |t| <= 1",
+                **wanted,
+            ),
+            plain(
+                "begin",
+                (A, a, root, angle),
+                climb.begin,
+                "L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.",
+                "the mean of (3)",
+                "root = sqrt(A^2 - a^2)",
+                **generic,
+            ),
+            plain(
+                "up",
+                above,
+                climb.up,
+                "L_k and M_k from the two below each.",
+                "the mean of (3)",
+                "k >= 1",
+                **generic,
+            ),
+            plain(
+                "down",
+                (k, A, a, root, L_1, L_k, M_1, M_k),
+                climb.down,
+                "L_(k-2) and M_(k-2) from the two above each.",
+                "the mean of (3)",
+                "root > 0",
+                **wanted,
+            ),
+        ),
+    )

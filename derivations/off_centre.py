@@ -1,0 +1,242 @@
+"""Beside (11)-(30): motions off the centre, u = B + A cos psi, under a static load or where a force is not odd.
+
+In:  the equation of motion as `averaging` has it, with the load beside F_0 cos; the force f stays an open function.
+Out: `OffCentre`: the balance of the mean, h and its derivatives along it, and what vanishes at states and at folds, all
+     in the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle;
+     `steps` and `Climb`: these means of a piecewise polynomial in closed form, in every regime alike.
+
+Averaged as in (19), with B beside A cos psi, the equation of motion leaves the balance
+
+    f_0(A, B) = c_0 - load = 0
+
+and h = -2 s_0 in the place of (20). Under the integral sign, by parts in psi for the last of them,
+
+    d c_n/dB = c_(n+1)    d c_n/dA = d s_n/dB = s_(n+1)    d s_n/dA = c_(n+1) - s_n/A
+
+so that these means are closed under differentiation. Along the balance dB/dA = -s_1/c_1; where c_1 vanishes the balance
+turns back, and what is asked there is multiplied by c_1.
+
+A piecewise polynomial is the sum of its steps: a force that is 0 up to u = b and has the derivatives D_0, D_1, ... just
+above it. With a = b - B it adds D_k to f^(k), and to c_n the sum of D_k L_(k-n), to s_n that of D_k M_(k-n), where
+
+    L_k = (1/pi) int_0^psi (A cos t - a)^k/k! dt      M_k = the same with cos t      cos psi = a/A
+
+for k >= 0; those for k < 0 are derivatives of L_0 and M_0 by B. psi = 0 where the motion stays below the step, pi where
+it stays above: then they are polynomials. The first piece is a step at u = 0 that all of the motion is above.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import sympy as sp
+
+from .averaging import Averaged, F_k, cycle_integral, psi
+from .slow_flow import I, R, SlowFlow, m
+from .symbols import F_0, A, h, sigma, u, zeta
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+B, load = sp.symbols("B load", real=True)
+#: what a fold needs of f: its first three derivatives
+ORDERS = 3
+c = sp.symbols(f"c_0:{ORDERS + 1}", real=True)
+s = sp.symbols(f"s_0:{ORDERS + 1}", real=True)
+#: phase: R = 2 t F_0/(1 + t^2), I = (1 - t^2) F_0/(1 + t^2), all with I >= 0 for |t| <= 1
+t = sp.Symbol("t", real=True)
+
+#: the step's place seen from B, sqrt(A^2 - a^2), the angle at which it is passed
+a, root, angle = sp.symbols("a root angle", real=True)
+k = sp.Symbol("k", integer=True)
+#: L_(k-2), L_(k-1), M_(k-2), M_(k-1)
+L_2, L_1, M_2, M_1 = sp.symbols("L_2 L_1 M_2 M_1", real=True)
+#: what resists along the balance, (c_1^2 - s_1^2)/c_1; h_A = 2 s_0/A - 2 resists
+resists = sp.Symbol("resists", real=True)
+L_k, M_k = sp.symbols("L_k M_k", real=True)
+
+_f = sp.Function("f")
+_DISPLACED = B + A * sp.cos(psi)
+
+
+@dataclass(frozen=True)
+class OffCentre:
+    """Of any mechanism, in c and s.
+
+    lets, averaged -- B_A, B_AA, B_AAA and with them h, h_A, h_AA, h_AAA along the balance, for c_1 other than 0
+    state    -- f_0 and F, and their slopes by A and B in turn
+    fold     -- at a forcing, in A, B and t: f_0, F_A along the balance times c_1, and whether R and I belong to one
+                Omega; and their slopes by A, B and t in turn
+    turns    -- the second of these over c_1, in s_0 and `resists`: it stays finite where the force jumps
+    """
+
+    lets: tuple[Let, ...]
+    averaged: tuple[sp.Expr, ...]
+    state: tuple[sp.Expr, ...]
+    fold: tuple[sp.Expr, ...]
+    turns: sp.Expr
+
+
+@dataclass(frozen=True)
+class Climb:
+    """The means over what is above a step.
+
+    begin -- L_-1, L_0, M_-1, M_0 where the motion passes the step, in A, a, root, angle
+    up    -- L_k and M_k from the two below each, wherever the step lies
+    down  -- L_(k-2) and M_(k-2) from the two above each, where the motion passes the step
+    """
+
+    begin: tuple[sp.Expr, ...]
+    up: tuple[sp.Expr, ...]
+    down: tuple[sp.Expr, ...]
+
+
+def _vanishes(expression: sp.Expr, words: str) -> None:
+    if sp.simplify(sp.expand(expression)) != 0:
+        raise ArithmeticError(f"{words}: {expression} is not zero")
+
+
+def _by_B(expression: sp.Expr) -> sp.Expr:
+    """d/dB of an expression in c and s."""
+    chain = (*pairwise(c), *pairwise(s))
+    return sp.diff(expression, B) + sum(sp.diff(expression, mean) * slope for mean, slope in chain)
+
+
+def _by_A(expression: sp.Expr) -> sp.Expr:
+    """d/dA of the same."""
+    of_s = zip(s, c[1:], strict=False)
+    chain = (*zip(c, s[1:], strict=False), *((mean, above - mean / A) for mean, above in of_s))
+    return sp.diff(expression, A) + sum(sp.diff(expression, mean) * slope for mean, slope in chain)
+
+
+def check_means() -> None:
+    """The four slopes above, from the integrals' own; what is a whole derivative by psi has no mean."""
+    value, slope = _f(_DISPLACED), sp.diff(_f(_DISPLACED), B).doit()
+    by_A = sp.diff(value, A).doit()
+    _vanishes(by_A - slope * sp.cos(psi), "d c_0/dA = s_1")
+    _vanishes(sp.diff(value * sp.cos(psi), B).doit() - slope * sp.cos(psi), "d s_0/dB = s_1")
+    # A times (d s_0/dA - c_1) + s_0
+    apart = A * (by_A * sp.cos(psi) - slope) + value * sp.cos(psi)
+    apart -= sp.diff(value * sp.sin(psi), psi).doit()
+    _vanishes(sp.expand_trig(apart).subs(sp.sin(psi) ** 2, 1 - sp.cos(psi) ** 2), "d s_0/dA = c_1 - s_0/A")
+
+
+def check_balance(averaged: Averaged) -> None:
+    """Of the equation of motion nothing but f and the load has a mean over a cycle."""
+    halves = ((averaged.perturbation[0], 0, sp.pi), (averaged.perturbation[1], sp.pi, 2 * sp.pi))
+    others = sum(cycle_integral(half.subs({F_k: 0, sigma: 0}), start, end) for half, start, end in halves)
+    _vanishes(others, "the mean of forcing, damping and friction")
+
+
+def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
+    """All of it."""
+    check_means()
+    check_balance(averaged)
+    # (20): H = -(1/pi) int F_k cos psi, of which s_0 is half the negative
+    _vanishes(averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi, "h = -2 s_0")
+    of_h = {h: -2 * s[0]}
+    f_0 = c[0] - load
+    R_value, I_value = flow.R.subs(of_h), flow.I
+
+    lets, chain = _along_balance(f_0, of_h[h])
+    F = (flow.F + F_0**2).subs({R: R_value, I: I_value}) - F_0**2
+    state = (f_0, flow.F, s[1], c[1], *(sp.factor_terms(by(F)) for by in (_by_A, _by_B)))
+    # in R and I, which a kernel has first
+    slopes = tuple(2 * (R * by(R_value) + I * sp.diff(I_value, symbol)) for by, symbol in ((_by_A, A), (_by_B, B)))
+    for value, slope in zip(state[4:], slopes, strict=True):
+        _vanishes((slope.subs({R: R_value, I: I_value}) - value), "the slopes of F")
+    fold = _fold(R_value, I_value, f_0, slopes)
+    along_balance = 2 * s[0] / A - 2 * resists
+    intercept = of_h[h] - A * along_balance
+    turns = sp.expand(F_0 * (1 + t**2) - m * (1 - t**2) - 2 * t * intercept)
+    of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
+    _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
+    _vanishes(c[1] * turns.subs(of_means) - fold[1], "F_A along the balance")
+    return OffCentre(lets, chain, (*state[:4], *slopes), fold, turns)
+
+
+def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """B_A, B_AA, B_AAA from f_0 = 0 by implicit differentiation; a value and its derivatives in A with these."""
+    slopes = sp.symbols("B_A B_AA B_AAA", real=True)
+
+    def along(expression: sp.Expr) -> sp.Expr:
+        chain = pairwise(slopes)
+        known = sum(sp.diff(expression, one) * following for one, following in chain)
+        return _by_A(expression) + slopes[0] * _by_B(expression) + known
+
+    lets, balance, derivatives = [], f_0, [value]
+    for slope in slopes:
+        balance = along(balance)
+        derivatives.append(sp.expand(along(derivatives[-1])))
+        (solved,) = sp.solve(balance, slope)
+        lets.append((slope, solved))
+    return tuple(lets), tuple(derivatives)
+
+
+def _fold(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr, slopes: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, ...]:
+    """A fold turns along the balance: c_1 F_A - s_1 F_B = 0. With R and I of F = 0 it needs no Omega."""
+    turns = A * (c[1] * slopes[0] - s[1] * slopes[1]) / 2
+    # A Omega^2 = R - h and 2 zeta A Omega = I - m
+    intercept = sp.expand(c[1] * -2 * s[0] - A * (c[1] * _by_A(-2 * s[0]) - s[1] * _by_B(-2 * s[0])))
+    line = c[1] * (F_0**2 - m * I) - intercept * R
+    of_Omega = {R: R_value, I: I_value}
+    _vanishes((turns - line).subs(F_0**2, R**2 + I**2).subs(of_Omega), "a fold as a line in R and I")
+    one_Omega = (I - m) ** 2 - 4 * zeta**2 * A * (R + 2 * s[0])
+    _vanishes(one_Omega.subs(of_Omega), "R and I of one Omega")
+    circle = {R: 2 * t * F_0 / (1 + t**2), I: (1 - t**2) * F_0 / (1 + t**2)}
+    _vanishes((R**2 + I**2).subs(circle) - F_0**2, "R and I at F_0")
+    values = (
+        f_0,
+        sp.collect(sp.expand(sp.cancel(line.subs(circle) * (1 + t**2) / F_0)), c[1]),
+        (F_0 * (1 - t**2) - m * (1 + t**2)) ** 2 - 4 * zeta**2 * A * (1 + t**2) * (2 * F_0 * t + 2 * s[0] * (1 + t**2)),
+    )
+    _vanishes(values[2] - (one_Omega.subs(circle) * (1 + t**2) ** 2), "R and I of one Omega, in t")
+    by = (_by_A, _by_B, lambda expression: sp.diff(expression, t))
+    return (*values, *(sp.expand(one(value)) for value in values for one in by))
+
+
+def climb() -> Climb:
+    """L and M by recursion: what is integrated is a whole derivative, which vanishes at both ends of its range."""
+    theta, power = sp.symbols("theta power", positive=True)
+    over = A * sp.cos(theta) - a
+    # A sin(theta) (A cos(theta) - a)^(k-1), its derivative over (A cos(theta) - a)^(k-2)
+    derivative = A * sp.cos(theta) * over - (power - 1) * A**2 * sp.sin(theta) ** 2
+    found = power * over**2 + (2 * power - 1) * a * over - (power - 1) * (A**2 - a**2)
+    _vanishes((derivative - found).subs(sp.sin(theta) ** 2, 1 - sp.cos(theta) ** 2), "the recursion of L")
+    # with the factorials: k^2 L_k = -(2 k - 1) a L_(k-1) + (A^2 - a^2) L_(k-2); M_(k-1) is the slope of L_k by A
+    up = (
+        ((A - a) * (A + a) * L_2 - (2 * k - 1) * a * L_1) / k**2,
+        ((A - a) * (A + a) * M_2 - (2 * k + 1) * a * M_1 + 2 * A * L_1) / (k + 1) ** 2,
+    )
+    # the same two the other way: of L for k, of M for k with L_(k-1) known
+    down = (
+        (k**2 * L_k + (2 * k - 1) * a * L_1) / root**2,
+        ((k + 1) ** 2 * M_k + (2 * k + 1) * a * M_1 - 2 * A * L_1) / root**2,
+    )
+    passes = sp.sqrt(A**2 - a**2)
+    first = sp.acos(a / A) / sp.pi
+    other = sp.integrate(sp.cos(theta), (theta, 0, angle)).subs(angle, sp.acos(a / A)) / sp.pi
+    begin = (1 / (sp.pi * root), angle / sp.pi, a / (sp.pi * A * root), root / (sp.pi * A))
+    inside = {A: sp.Rational(7, 5), a: sp.Rational(2, 3)}
+    for value, exact in zip(begin, (-sp.diff(first, a), first, -sp.diff(other, a), other), strict=True):
+        apart = value.subs({angle: sp.acos(a / A), root: passes}) - exact
+        if sp.simplify(apart.subs(inside)) != 0:
+            raise ArithmeticError(f"{value} is not where the recursion begins")
+    return Climb(begin, up, down)
+
+
+def steps(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> tuple[tuple[sp.Expr, ...], ...]:
+    """Of the pieces of a force f and its derivatives: the first at 0, gains at each breakpoint, the last at 0.
+
+    By the last a motion is bounded that is large beside the breakpoints: the others cancel there.
+    """
+    highest = max(sp.degree(piece, u) for piece in pieces)
+    gains = [
+        (pieces[0], 0),
+        *((above - below, b) for below, above, b in zip(pieces, pieces[1:], breakpoints, strict=False)),
+        (pieces[-1], 0),
+    ]
+    return tuple(
+        tuple(sp.horner(sp.diff(gain, u, order), u).subs(u, at) for order in range(highest + 1)) for gain, at in gains
+    )

@@ -1,0 +1,42 @@
+"""What stands for the slow flow of an oscillator under a static load: its numbers in, refusals of all else out.
+
+A load takes the mass off the centre, about which every answer is that does not say `B`. Those questions ask the slow
+flow, `Model`; an oscillator with a load has this in its place, so that none can answer as if the load were none.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from slowflow.model import Model
+
+#: what a load leaves as it is
+KNOWN = ("mechanism", "parameters", "mu", "zeta", "design", "excitation", "inertial", "m", "breakpoints", "reach")
+
+AT_CENTRE = (
+    "load = {:g}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
+    "saddle_node_onset, saddle_nodes, amplitudes and steady_state"
+)
+
+
+class Loaded:
+    """The numbers of an oscillator under a load; whatever else of its slow flow is asked for raises ValueError."""
+
+    def __init__(self, model: Model, load: float) -> None:
+        self.unloaded, self.load = model, load
+        for name in KNOWN:
+            setattr(self, name, getattr(model, name))
+
+    def sticks(self, F_0: float) -> bool:
+        """Whether the forcing leaves the mass at rest (27), wherever that is."""
+        return self.unloaded.sticks(F_0)
+
+    def given(self) -> dict[str, Any]:
+        """As of `Model`, with the load."""
+        return {**self.unloaded.given(), "load": self.load}
+
+    def __getattr__(self, name: str) -> Any:
+        # what copying and pickling ask for is asked before there are any numbers
+        if name.startswith("_") or "load" not in self.__dict__:
+            raise AttributeError(name)
+        raise ValueError(AT_CENTRE.format(self.load))

@@ -1,0 +1,141 @@
+"""What the questions off the centre are answered with: as `slowflow.results`, with the mean displacement B beside A."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.answer import Single, Table, frozen
+from slowflow.model import Floats
+from slowflow_kernels import slow_flow
+
+
+class Rest(NamedTuple):
+    """A place of rest, as in `RestPositions`."""
+
+    u: float
+    stable: bool
+
+
+class OffCentreState(NamedTuple):
+    """A steady state, as in `OffCentreStates`."""
+
+    Omega: float
+    A: float
+    B: float
+    phi: float
+    stable: bool
+
+
+class OffCentreFold(NamedTuple):
+    """A fold, as in `OffCentreFolds`."""
+
+    Omega: float
+    A: float
+    B: float
+    kind: str
+    corner: bool
+
+
+@dataclass(frozen=True, eq=False)
+class RestPositions(Table):
+    """Where the mass stands without forcing and friction, f(u) = load, by rising u; friction holds it near by too.
+
+    u      -- displacement
+    stable -- where the stiffness is positive
+    load   -- the static load over k_v L
+    """
+
+    entry: ClassVar[Any] = Rest
+
+    u: Floats
+    stable: npt.NDArray[np.bool_]
+    load: float
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreStates(Table):
+    """Steady states u = B + A cos(Omega tau + phi), one entry each, by the order of the frequencies, then by rising A.
+
+    Omega, A, B -- frequency, amplitude and mean displacement, dimensionless
+    stable      -- where F_A (30) along the balance of the mean is positive, and the mean stiffness too
+    F_0, load   -- forcing and static load over k_v L
+    message     -- remarks in words; empty if there is nothing to say
+    Omega_undecided -- those of the frequencies asked for at which doubles do not tell how many states there are
+    """
+
+    entry: ClassVar[Any] = OffCentreState
+
+    Omega: Floats
+    A: Floats
+    B: Floats
+    stable: npt.NDArray[np.bool_]
+    F_0: float
+    load: float
+    message: str
+    Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
+    _h: Floats = field(repr=False)
+    _damping: tuple[float, float] = field(repr=False)
+
+    @cached_property
+    def phi(self) -> Floats:
+        """Phase in radians, in [-pi, 0] (25); computed when first asked for."""
+        return frozen(np.asarray(slow_flow.phase(self.Omega, self.A, *self._damping, self._h)) + 0 * self.A)
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreFolds(Table):
+    """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
+
+    Omega, A, B -- as in `OffCentreStates`
+    kind        -- "jump-up": a sweep leaves the fold for a larger amplitude; "jump-down": for a smaller one; "unstable"
+                   where the motions that meet are both not stable
+    corner      -- True where the fold sits where the motion comes to a breakpoint
+    """
+
+    entry: ClassVar[Any] = OffCentreFold
+
+    Omega: Floats
+    A: Floats
+    B: Floats
+    kind: npt.NDArray[np.str_]
+    corner: npt.NDArray[np.bool_]
+    F_0: float
+    load: float
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreDetachment(Single):
+    """The lowest forcing for which |B| + A reaches u_cr; None and a message where there is none.
+
+    F_cr, Omega_cr -- forcing and frequency
+    A, B           -- amplitude and mean displacement of the motion
+    """
+
+    F_cr: float | None
+    Omega_cr: float | None
+    A: float | None
+    B: float | None
+    load: float
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreOnset(Single):
+    """The lowest forcing at which a fold is born; None and a message where there is none.
+
+    Omega, A, B -- of the fold
+    """
+
+    F_SN: float | None
+    Omega: float | None
+    A: float | None
+    B: float | None
+    load: float
+    message: str

@@ -1,0 +1,192 @@
+"""All solutions of a few equations in boxes: none is missed, and each that is given is proved to be there, once.
+
+In:  equations that give values and slopes on boxes, as intervals, and at points; boxes.
+Out: `Solutions`: points, and the boxes in which doubles do not decide.
+
+A box is left only when some equation has no zero in it, when Krawczyk's operator maps a slightly larger one into itself
+(it holds just one solution then) or out of it (none). Otherwise it is cut. What is left is smaller than `NARROW` of its
+place: it is given as undecided.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.model import Floats
+
+Ints = NDArray[np.intp]
+
+#: by how much of its half width a box is enlarged for the proof, so that a solution on an edge is inside of one
+AROUND = 0.125
+#: a box is not cut further below this share of its place, and of 1
+NARROW = 2.0**-42
+#: boxes that are looked at in all
+MOST_BOXES = 400_000
+
+
+class Equations(Protocol):
+    """As many equations as unknowns; `of` tells which of several systems each box or point belongs to.
+
+    positive -- whether the first unknown is not negative
+    """
+
+    positive: bool
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """Values (2, d, n) and slopes (2, d, d, n), lower and upper ends, on boxes x +- r of shape (d, n)."""
+        ...
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """Values (d, n) and slopes (d, d, n) at points (d, n)."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Solutions:
+    """Points (d, n), by their first unknown, and which system each solves.
+
+    undecided, undecided_of -- centres (d, k) of boxes that may hold others, and their systems
+    """
+
+    x: Floats
+    of: Ints
+    undecided: Floats
+    undecided_of: Ints
+
+
+def solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutions:
+    """All solutions in the boxes from low to high, shape (d, n). Raises ArithmeticError where too many stay open."""
+    with np.errstate(all="ignore"):
+        return _solve(equations, low, high, of)
+
+
+def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutions:
+    d, looked_at = low.shape[0], 0
+    found: list[tuple[Floats, Floats, Floats, Ints]] = []
+    open_: list[tuple[Floats, Ints]] = []
+    while of.size:
+        looked_at += of.size
+        if looked_at > MOST_BOXES:
+            raise ArithmeticError("the states are unresolved: too many boxes stay undecided")
+        x, r = 0.5 * (low + high), 0.5 * (high - low)
+        wide = r * (1 + AROUND)
+        x_wide = np.concatenate((np.maximum(x[:1], wide[:1]), x[1:])) if equations.positive else x
+        # on all of it and in its middle, at once
+        values, slopes = equations.on(
+            np.concatenate((x_wide, x_wide), axis=1),
+            np.concatenate((wide, np.zeros_like(wide)), axis=1),
+            np.concatenate((of, of)),
+        )
+        middle, values, slopes = values[..., of.size :], values[..., : of.size], slopes[..., : of.size]
+        none = ((values[0] > 0) | (values[1] < 0)).any(axis=0)
+        # by how much slopes can move the value in the middle
+        reach = np.einsum("ijn,jn->in", np.max(np.abs(slopes), axis=0), wide) * (1 + 2.0**-48)
+        none |= ((middle[0] - reach > 0) | (middle[1] + reach < 0)).any(axis=0)
+        centre, radius = _krawczyk(middle, x_wide, wide, slopes)
+        none |= ((centre - radius > high) | (centre + radius < low)).any(axis=0)
+        inside = (np.abs(centre - x_wide) + radius < wide).all(axis=0) & ~none
+        if inside.any():
+            found.append((centre[:, inside], x_wide[:, inside], wide[:, inside], of[inside]))
+        narrow = (r <= NARROW * np.maximum(np.abs(x), 1.0)).all(axis=0)
+        last = narrow & ~inside & ~none
+        open_.append((x[:, last], of[last]))
+        left = np.flatnonzero(~(none | inside | last))
+        # what the operator leaves of a box holds what solutions it has
+        low = np.fmax(low, centre - radius)[:, left]
+        high = np.fmin(high, centre + radius)[:, left]
+        low, high, of = _cut(low, high, of[left], slopes[..., left])
+    undecided, undecided_of = _joined(open_, d)
+    if not found:
+        return Solutions(np.zeros((d, 0)), np.zeros(0, dtype=np.intp), undecided, undecided_of)
+    x, middle, wide, of = (np.concatenate(parts, axis=-1) for parts in zip(*found, strict=True))
+    x = _refined(equations, x, of, wide)
+    kept = _once(x, middle, wide, of)
+    beside = _beside(undecided, undecided_of, middle[:, kept], wide[:, kept], of[kept])
+    return Solutions(x[:, kept], of[kept], undecided[:, ~beside], undecided_of[~beside])
+
+
+def _joined(parts: list[tuple[Floats, Ints]], d: int) -> tuple[Floats, Ints]:
+    if not parts:
+        return np.zeros((d, 0)), np.zeros(0, dtype=np.intp)
+    x, of = (np.concatenate(column, axis=-1) for column in zip(*parts, strict=True))
+    return x, of
+
+
+def _krawczyk(values: Floats, x: Floats, r: Floats, slopes: Floats) -> tuple[Floats, Floats]:
+    """x - Y f(x) + (1 - Y J)(X - x), Y the inverse of J in the middle of X: its centre and radius; `values` at x."""
+    d = x.shape[0]
+    middle, spread = 0.5 * (slopes[0] + slopes[1]), 0.5 * (slopes[1] - slopes[0])
+    known = np.isfinite(middle).all(axis=(0, 1)) & np.isfinite(spread).all(axis=(0, 1))
+    J = np.where(known, middle, np.eye(d)[..., np.newaxis]).transpose(2, 0, 1)
+    determinant = np.linalg.det(J)
+    singular = ~(np.abs(determinant) > 0) | ~np.isfinite(determinant)
+    J[singular] = np.eye(d)
+    Y = np.linalg.inv(J)
+    # at x itself, with its roundings
+    value, doubt = (0.5 * (values[1] + sign * values[0]).T[..., np.newaxis] for sign in (1, -1))
+    size = np.abs(Y)
+    centre = x - (Y @ value)[..., 0].T
+    apart = np.abs(np.eye(d) - Y @ J) + size @ spread.transpose(2, 0, 1)
+    # some multiplications of doubles, each a rounding
+    rounding = 2.0**-49 * (size @ np.abs(J) + 1.0) @ r.T[..., np.newaxis] + 2.0**-49 * size @ np.abs(value)
+    radius = (apart @ r.T[..., np.newaxis] + size @ doubt + rounding)[..., 0].T + 2.0**-51 * np.abs(x)
+    lost = singular | ~known
+    return centre, np.where(lost | np.isnan(radius), np.inf, radius)
+
+
+def _cut(low: Floats, high: Floats, of: Ints, slopes: Floats) -> tuple[Floats, Floats, Ints]:
+    """Each box in two, across the unknown in which the equations vary most over it."""
+    if not of.size:
+        return low, high, of
+    width = high - low
+    size = np.max(np.abs(slopes), axis=0)
+    scale = np.max(np.where(np.isfinite(size), size, 0.0), axis=1, keepdims=True)
+    varies = np.max(np.where(np.isfinite(size), size / np.where(scale > 0, scale, 1.0), 1.0), axis=0) * width
+    # one that is not to be cut further is not cut
+    place = 0.5 * (low + high)
+    varies = np.where(0.5 * width > NARROW * np.maximum(np.abs(place), 1.0), np.maximum(varies, 1e-3 * width), 0.0)
+    across = np.argmax(varies, axis=0)
+    n = np.arange(of.size)
+    middle = place[across, n]
+    lower, upper = high.copy(), low.copy()
+    lower[across, n] = upper[across, n] = middle
+    return np.concatenate((low, upper), axis=1), np.concatenate((lower, high), axis=1), np.concatenate((of, of))
+
+
+def _refined(equations: Equations, x: Floats, of: Ints, scale: Floats) -> Floats:
+    """Newton's steps, as long as they become shorter."""
+    last = np.full(of.size, np.inf)
+    for _ in range(12):
+        values, slopes = equations.at(x, of)
+        step = np.linalg.solve(slopes.transpose(2, 0, 1), values.T[..., np.newaxis])[..., 0].T
+        length = np.max(np.abs(step) / scale, axis=0)
+        goes = (length < last) & (length > 0)
+        if not goes.any():
+            break
+        x = np.where(goes, x - step, x)
+        last = np.where(goes, length, last)
+    return x
+
+
+def _once(x: Floats, middle: Floats, wide: Floats, of: Ints) -> list[int]:
+    """Numbers of the solutions, each once: one on the edge of two boxes was found in both, which hold just one each."""
+    kept: list[int] = []
+    for i in np.lexsort((*x[::-1], of)):
+        others = itertools.takewhile(lambda j, i=i: of[j] == of[i], reversed(kept))  # type: ignore[misc]
+        if not any((np.abs(x[:, i] - middle[:, j]) < wide[:, j]).all() for j in others):
+            kept.append(int(i))
+    return kept
+
+
+def _beside(undecided: Floats, undecided_of: Ints, middle: Floats, wide: Floats, of: Ints) -> NDArray[np.bool_]:
+    """Which undecided boxes lie where a solution is proved to be the only one."""
+    beside = np.zeros(undecided_of.size, dtype=bool)
+    for i, one in enumerate(undecided_of):
+        inside = np.abs(undecided[:, i : i + 1] - middle) < (1 - AROUND) * wide
+        beside[i] = bool((inside.all(axis=0) & (of == one)).any())
+    return beside

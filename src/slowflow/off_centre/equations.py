@@ -1,0 +1,139 @@
+"""What vanishes off the centre, as `boxes` takes it: in go a force as steps and a forcing, out come equations.
+
+State      f_0 = F = 0              in A and B, at frequencies and a forcing
+Fold       f_0 = c_1 F_A = F = 0    in A, B and t, at a forcing; Omega follows
+Resting    f_0 = 0                  in B, at A = 0
+Detaching  f_0 = 0                  in B, at A = b - |B|
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.model import Floats
+from slowflow.off_centre.boxes import Ints
+from slowflow.off_centre.means import Steps
+from slowflow_kernels import off_centre, off_centre_intervals
+
+
+def _square(rows: Any, d: int) -> tuple[Any, Any]:
+    """Values and slopes from a kernel's outputs."""
+    values, slopes = rows[:d], rows[d:]
+    return values, [slopes[d * i : d * (i + 1)] for i in range(d)]
+
+
+def _ends(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
+    """The same of intervals, as arrays."""
+    values, slopes = _square(
+        [row.ends + np.zeros((2, n)) if isinstance(row, Interval) else np.full((2, n), row) for row in rows], d
+    )
+    return np.stack(values, axis=1), np.stack([np.stack(row, axis=1) for row in slopes], axis=1)
+
+
+def _numbers(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
+    values, slopes = _square([row + np.zeros(n) for row in rows], d)
+    return np.stack(values), np.stack([np.stack(row) for row in slopes])
+
+
+def _interval(x: Floats, r: Floats) -> Interval:
+    """x +- r; not rounded outwards: neighbouring boxes are made of the same ends."""
+    return Interval(np.array((x - r, x + r)))
+
+
+class State:
+    """At frequencies (k,) and a forcing F_0; system i is that of frequency i."""
+
+    positive = True
+
+    def __init__(self, steps: Steps, m: float, zeta: float, Omega: Floats, F_0: float) -> None:
+        self.steps, self.m, self.zeta, self.Omega, self.F_0 = steps, m, zeta, Omega, F_0
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        A, B = _interval(x[0], r[0]), _interval(x[1], r[1])
+        means = self.steps.on(A, B, 1)
+        Omega = Interval(np.array((self.Omega[of],) * 2))
+        given = (Interval.point(value) for value in (self.F_0, self.m, self.zeta, self.steps.load))
+        return _ends(off_centre_intervals.state(Omega, A, *given, *means.c, *means.s), 2, of.size)
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        means = self.steps.at(x[0], x[1], 1)
+        given = (self.F_0, self.m, self.zeta, self.steps.load)
+        return _numbers(off_centre.state(self.Omega[of], x[0], *given, *means.c, *means.s), 2, of.size)
+
+
+class Resting:
+    """Where the mass stands when nothing moves it."""
+
+    positive = False
+
+    def __init__(self, steps: Steps) -> None:
+        self.steps = steps
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        means = self.steps.on(Interval(np.zeros((2, of.size))), _interval(x[0], r[0]), 1)
+        return (means.c[0] - self.steps.load).ends[:, np.newaxis], means.c[1].ends[:, np.newaxis, np.newaxis]
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        means = self.steps.at(np.zeros(of.size), x[0], 1)
+        return (means.c[0] - self.steps.load)[np.newaxis], means.c[1][np.newaxis, np.newaxis]
+
+
+class Detaching:
+    """Where |B| + A reaches the first breakpoint: in A, system 0 at its positive side, system 1 at the negative."""
+
+    positive = True
+
+    def __init__(self, steps: Steps) -> None:
+        self.steps, self.b = steps.first(), float(steps.breakpoints[0])
+
+    def offset(self, A: Floats, of: Ints) -> Floats:
+        """B there."""
+        return np.where(of == 0, 1.0, -1.0) * (self.b - A)
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        A, below = _interval(x[0], r[0]), of == 0
+        B = (self.b - A).where(below, A - self.b)
+        means = self.steps.on(A, B, 1)
+        slope = (means.s[1] - means.c[1]).where(below, means.s[1] + means.c[1])
+        return (means.c[0] - self.steps.load).ends[:, np.newaxis], slope.ends[:, np.newaxis, np.newaxis]
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        means = self.steps.at(x[0], self.offset(x[0], of), 1)
+        slope = means.s[1] - np.where(of == 0, 1.0, -1.0) * means.c[1]
+        return (means.c[0] - self.steps.load)[np.newaxis], slope[np.newaxis, np.newaxis]
+
+
+class Fold:
+    """At forcings (k,); system i is that of forcing i."""
+
+    positive = True
+
+    def __init__(self, steps: Steps, m: float, zeta: float, F_0: Floats) -> None:
+        self.steps, self.m, self.zeta, self.F_0 = steps, m, zeta, F_0
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        A, B, t = (_interval(*pair) for pair in zip(x, r, strict=True))
+        means = self.steps.on(A, B, 2)
+        F_0 = Interval(np.array((self.F_0[of],) * 2))
+        m, zeta, load = (Interval.point(value) for value in (self.m, self.zeta, self.steps.load))
+        values, slopes = _ends(off_centre_intervals.fold(t, A, F_0, m, zeta, load, *means.c, *means.s), 3, of.size)
+        # where c_1 has no bound its multiple is not known, but there need be no zero
+        turns = off_centre_intervals.turns(t, A, F_0, m, self.steps.resists(A, B, means), means.s[0])
+        values[:, 1] = np.where(turns.has_sign & ~np.isfinite(values[:, 1]).all(axis=0), turns.ends, values[:, 1])
+        return values, slopes
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        means = self.steps.at(x[0], x[1], 2)
+        given = (self.F_0[of], self.m, self.zeta, self.steps.load)
+        return _numbers(off_centre.fold(x[2], x[0], *given, *means.c, *means.s), 3, of.size)

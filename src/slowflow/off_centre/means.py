@@ -1,0 +1,329 @@
+"""Means over a cycle of a force and its derivatives, c_n = <f^(n)> and s_n = <f^(n) cos psi>, along u = B + A cos psi.
+
+In:  the force as a sum of steps (derivations/off_centre.py), A and B: numbers, or boxes.
+Out: c_n and s_n: values, or intervals that hold all values on each box.
+
+Every step adds D_k L_(k-n) to c_n. L_k and M_k are positive and monotone in A and in the step's place a for k >= 1, as
+(A cos psi - a)^k over what is above the step is, and L_0 and M_0 are in a/A: so their values at two corners of a box
+hold them on all of it, as tightly as can be.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.mechanism import Mechanism
+from slowflow.model import Floats
+from slowflow_kernels import off_centre, off_centre_intervals
+
+#: derivatives of the force that are asked for at most, as `off_centre.averaged` does
+ORDERS = 3
+#: by how much recursion and angle may err, over (A + |a|)^k/k!: some ten times what is seen against 50 digits
+DOUBT = 2.0**-48
+#: places at which a piece is looked at to bound it
+GRID = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Means:
+    """c_n and s_n for n = 0, 1, ...: `Interval`s or arrays of numbers.
+
+    ladders -- on boxes: lower and upper ends of L_j and M_j of every step
+    """
+
+    c: tuple[Any, ...]
+    s: tuple[Any, ...]
+    ladders: Any = None
+
+
+class Steps:
+    """A force as steps: the first piece, which all of a motion is above, and at each breakpoint one on either side.
+
+    Raises ValueError where a piece of the force is no polynomial.
+    """
+
+    def __init__(self, mechanism: Mechanism, parameters: tuple[float, ...], load: float) -> None:
+        if mechanism.steps is None:
+            raise ValueError(
+                f"{mechanism.name}: a piece of its force is no polynomial, and motions off the centre are not derived "
+                "for such a force"
+            )
+        ends = [float(end) for end in mechanism.breakpoints(*parameters)]
+        rows = np.array([float(value) for value in mechanism.steps(*parameters)]).reshape(len(ends) + 2, -1)
+        self._state(np.array(ends), rows, load)
+
+    def first(self) -> Steps:
+        """The first piece alone, as if it held everywhere."""
+        other = Steps.__new__(Steps)
+        other._state(np.empty(0), np.stack((self._rows[0], self._rows[0])), self.load)
+        return other
+
+    def _state(self, ends: Floats, rows: Floats, load: float) -> None:
+        """From the breakpoints and a row of derivatives for each of the steps, and for the last piece."""
+        self.load = load
+        self.breakpoints = ends
+        self.highest = rows.shape[1] - 1
+        odd = np.arange(self.highest + 1) % 2 == 1
+        #: the odd part of the first piece is one for all u; what else it has for u > 0 is a step at 0
+        first = np.where(odd, 0.0, rows[0])
+        steps = rows[1:-1] if not first.any() else np.concatenate((first[np.newaxis], rows[1:-1]))
+        places = ends if not first.any() else np.array([0.0, *ends])
+        #: where they are, and on which side; the first is that of all u
+        self.places = np.array([0.0, *places, *places])
+        self.sides = np.array([1.0] * (places.size + 1) + [-1.0] * places.size)
+        self.gains = np.concatenate((np.where(odd, rows[0], 0.0)[np.newaxis], steps, steps))
+        self._rows = rows
+        self._of_c, self._of_s = self._weights()
+        #: the odd part of the last piece, which holds everywhere but for what is bounded
+        self.last = rows[-1]
+        self._base = np.zeros((ORDERS + 1, ORDERS + self.highest + 1))
+        for n in range(ORDERS + 1):
+            self._base[n, ORDERS - n : ORDERS - n + self.highest + 1] = np.where(odd, rows[-1], 0.0)
+        self._even = np.where(odd, 0.0, rows[-1])
+        self._beside = [self._bound(n) for n in range(ORDERS + 1)]
+
+    def _weights(self) -> tuple[Floats, Floats]:
+        """What c_n and s_n take of L_j and M_j of each step, j from -ORDERS on: (ORDERS + 1, steps, j)."""
+        weights = np.zeros((2, ORDERS + 1, self.places.size, ORDERS + self.highest + 1))
+        for n in range(ORDERS + 1):
+            weights[:, n, :, ORDERS - n : ORDERS - n + self.highest + 1] = self.gains
+            # on the left it is -f(-u), and -cos psi
+            weights[0, n] *= (self.sides ** (n + 1))[:, np.newaxis]
+            weights[1, n] *= (self.sides**n)[:, np.newaxis]
+        return weights[0], weights[1]
+
+    def _bound(self, n: int) -> float:
+        """A bound of the n-th derivative of what the force has beside the base up to its last breakpoint."""
+        ends, most = [0.0, *self.breakpoints], 0.0
+        for piece in range(self.breakpoints.size):
+            # its derivatives where the piece begins, less the base's
+            at = ends[piece]
+            values = np.array([self._derivative(j, piece, at) for j in range(n, self.highest + 1)])
+            width = ends[piece + 1] - at
+            grid = np.linspace(0.0, width, GRID + 1)
+            powers = [grid**k / math.factorial(k) for k in range(values.size)]
+            slopes = [width**k / math.factorial(k) for k in range(max(values.size - 1, 0))]
+            steep = float(np.abs(values[1:]) @ np.array(slopes)) if slopes else 0.0
+            on_grid = float(np.max(np.abs(values @ np.array(powers)))) if values.size else 0.0
+            most = max(most, on_grid + steep * width / GRID)
+        return most * (1 + 2.0**-40)
+
+    def _derivative(self, n: int, piece: int, at: float) -> float:
+        """Of the n-th derivative of a piece what it has beside the base, at u = `at` > 0."""
+        total = 0.0
+        for place, row in zip((0.0, *self.breakpoints), self._rows[: 1 + piece], strict=False):
+            total += sum(row[k] * (at - place) ** (k - n) / math.factorial(k - n) for k in range(n, row.size))
+        odd = self.last - self._even
+        return float(total - sum(odd[k] * at ** (k - n) / math.factorial(k - n) for k in range(n, odd.size)))
+
+    def at(self, A: Floats, B: Floats, orders: int) -> Means:
+        """At numbers A > 0 and B of one shape (n,)."""
+        L, M = self._ladders(A, B)
+        c = tuple(self._summed(self._of_c[n], L) for n in range(orders + 1))
+        return Means(c, tuple(self._summed(self._of_s[n], M) for n in range(orders + 1)))
+
+    def _summed(self, weights: Floats, ladder: Floats) -> Floats:
+        used = weights != 0
+        return np.asarray(weights[used] @ ladder[used])
+
+    def _ladders(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
+        """L_j and M_j of every step, j from -ORDERS on: (steps, j, n)."""
+        shape = (self.places.size, ORDERS + self.highest + 1, A.size)
+        L, M = np.zeros(shape), np.zeros(shape)
+        a = self.places[:, np.newaxis] - self.sides[:, np.newaxis] * B
+        _fill(A, a[0], L[0], M[0], self.highest, whole=True)
+        for step in range(1, self.places.size):
+            _fill(A, a[step], L[step], M[step], self.highest, whole=False)
+        return L, M
+
+    def on(self, A: Interval, B: Interval, orders: int) -> Means:
+        """On boxes of A >= 0 and B."""
+        n = A.lo.size
+        shape = (self.places.size, ORDERS + self.highest + 1, n)
+        ends = np.zeros((2, 2, *shape))  # L and M, lower and upper
+        self._first(A, B, ends[:, :, 0])
+        for step in range(1, self.places.size):
+            moved = B.ends if self.sides[step] > 0 else -B.ends[::-1]
+            self._step(A, Interval(self.places[step] - moved[::-1]), ends[:, :, step])
+        c = (self._held(self._of_c[k], ends[0]).both(self._roughly(A, B, k, ends[0], 0)) for k in range(orders + 1))
+        s = (self._held(self._of_s[k], ends[1]).both(self._roughly(A, B, k, ends[1], 1)) for k in range(orders + 1))
+        return Means(tuple(c), tuple(s), ends)
+
+    def resists(self, A: Interval, B: Interval, means: Means) -> Interval:
+        """(c_1^2 - s_1^2)/c_1 on the boxes of `on`, which stays finite where a motion comes to a jump of the force.
+
+        There c_1 = C + l and s_1 = S + x l with l = D_0/(pi sqrt(A^2 - a^2)), x = a/A, and this lies between
+        C - S^2/C and what it tends to for a large l, 2 (C - x S) + D_0 M_0/A, as long as C and D_0 are positive.
+        """
+        C, S = means.c[1], means.s[1]
+        found = C - S.square() / C
+        known = C.lo > 0
+        ends = np.where(known, found.ends, np.array([[-np.inf], [np.inf]]))
+        for step in range(1, self.places.size):
+            gain, below_zero = self.gains[step, 0], means.ladders[0, :, step, ORDERS - 1]
+            jumps = (below_zero[1] == np.inf) & (gain > 0)
+            if not jumps.any():
+                continue
+            some = np.flatnonzero(jumps)
+            rest = means.ladders[..., some].copy()
+            rest[:, :, step, :ORDERS] = 0.0
+            A_, B_ = A.take(some), B.take(some)
+            C, S = (self._held(of[1], one) for of, one in ((self._of_c, rest[0]), (self._of_s, rest[1])))
+            x = (self.places[step] - B_ * self.sides[step]) / A_ * self.sides[step]
+            x = Interval(np.clip(x.ends, -1.0, 1.0))
+            M_0 = Interval(rest[1, :, step, ORDERS])
+            above = 2 * (C - x * S) + M_0 * gain / A_
+            below = C - S.square() / C
+            both = np.array((np.fmin(below.lo, above.lo), np.fmax(below.hi, above.hi)))
+            ends[:, some] = np.where(C.lo > 0, both, np.array([[-np.inf], [np.inf]]))
+        return Interval(ends)
+
+    def _roughly(self, A: Interval, B: Interval, n: int, ends: Floats, family: int) -> Interval:
+        """c_n or s_n by the base alone, and what the force has beside it as something bounded.
+
+        The steps of a motion that is large beside the breakpoints cancel, and with them what is known of their sum.
+        """
+        if self.places.size == 1:
+            return Interval(np.full((2, A.lo.size), np.array([[-np.inf], [np.inf]])))
+        jumps = (self._of_c, self._of_s)[family][n].copy()
+        jumps[:, ORDERS:] = 0.0
+        base = self._held(self._base[n], ends[:, 0])
+        size = A.hi + np.maximum(np.abs(B.lo), np.abs(B.hi))
+        far = 0 * size + sum(
+            abs(self._even[k]) * size ** (k - n) / math.factorial(k - n) for k in range(n, self._even.size)
+        )
+        bound = np.maximum(self._beside[n], far) * (2 / np.pi if family else 1.0) * (1 + 2.0**-40)
+        known = base + Interval(np.array((-bound, bound)))
+        return known + self._held(jumps, ends) if jumps.any() else known
+
+    def _held(self, weights: Floats, ends: Floats) -> Interval:
+        """The weighted sum of what lies between ends."""
+        used = weights != 0
+        w, low, high = weights[used], ends[0][used], ends[1][used]
+        rises, falls = np.maximum(w, 0.0), np.minimum(w, 0.0)
+        with np.errstate(invalid="ignore"):
+            if not (np.isfinite(low).all() and np.isfinite(high).all()):  # 0 times infinity is 0 here
+                below, above = (
+                    np.where(w[:, np.newaxis] > 0, *pair) * w[:, np.newaxis] for pair in ((low, high), (high, low))
+                )
+                lo, hi = below.sum(axis=0), above.sum(axis=0)
+            else:
+                lo, hi = rises @ low + falls @ high, rises @ high + falls @ low
+            size = np.abs(w) @ np.maximum(np.abs(low), np.abs(high))
+        slack = np.where(np.isfinite(size), (w.size + 2) * 2.0**-52 * size, 0.0)
+        return Interval(
+            np.array((np.where(np.isnan(lo), -np.inf, lo - slack), np.where(np.isnan(hi), np.inf, hi + slack)))
+        )
+
+    def _doubt(self, A: Floats, a: Floats) -> Floats:
+        """By how much L_k and M_k may err for k = 0, 1, ...: (highest + 1, n)."""
+        k = np.arange(self.highest + 1)[:, np.newaxis]
+        factorials = np.cumprod(np.maximum(np.arange(self.highest + 1), 1))[:, np.newaxis]
+        return np.asarray(DOUBT * (A + np.abs(a)) ** k / factorials)
+
+    def _first(self, A: Interval, B: Interval, ends: Floats) -> None:
+        """Of the first piece: L_k is even in B for even k, M_k for odd k; both rise with A and with B > 0."""
+        least = np.maximum(np.maximum(B.lo, -B.hi), 0.0)
+        most = np.maximum(-B.lo, B.hi)
+        shape = (self.highest + ORDERS + 1, A.lo.size)
+
+        def at(A_at: Floats, B_at: Floats) -> tuple[Floats, Floats]:
+            L, M = np.zeros(shape), np.zeros(shape)
+            _fill(A_at, -B_at, L, M, self.highest, whole=True)
+            doubt = self._doubt(A_at, B_at)
+            return np.stack((L, M)), np.concatenate((np.zeros((ORDERS, A_at.size)), doubt))
+
+        even = [at(A.lo, least), at(A.hi, most)]
+        # odd ones rise with A where B > 0, and fall where B < 0
+        odd = [at(np.where(B.lo >= 0, A.lo, A.hi), B.lo), at(np.where(B.hi >= 0, A.hi, A.lo), B.hi)]
+        for k in range(self.highest + 1):
+            for family, parity in ((0, k % 2), (1, (k + 1) % 2)):
+                for end, sign in ((0, -1.0), (1, 1.0)):
+                    value, doubt = (odd if parity else even)[end]
+                    ends[family, end, ORDERS + k] = value[family, ORDERS + k] + sign * doubt[ORDERS + k]
+
+    def _step(self, A: Interval, a: Interval, ends: Floats) -> None:
+        """Of a step at a breakpoint."""
+        for end, sign, A_at, a_at in ((0, -1.0, A.lo, a.hi), (1, 1.0, A.hi, a.lo)):
+            L, M = np.zeros(ends.shape[2:]), np.zeros(ends.shape[2:])
+            _fill(A_at, a_at, L, M, self.highest, whole=False)
+            doubt = sign * np.where(A_at > a_at, self._doubt(A_at, a_at), 0.0)
+            ends[0, end, ORDERS:] = np.maximum(L[ORDERS:] + doubt, 0.0)
+            ends[1, end, ORDERS:] = np.maximum(M[ORDERS:] + doubt, 0.0)
+        nearest, farthest = np.maximum(np.maximum(a.lo, -a.hi), 0.0), np.maximum(-a.lo, a.hi)
+        never = (A.hi <= nearest) & (nearest > 0)
+        always = A.lo > farthest
+        with np.errstate(divide="ignore", invalid="ignore"):
+            # L_0 falls with a/A, and is 0 or 1 where the motion does not pass the step
+            corners = (np.where(a.hi > 0, A.lo, A.hi), a.hi), (np.where(a.lo > 0, A.hi, A.lo), a.lo)
+            for end, sign, (A_at, a_at) in zip((0, 1), (-1.0, 1.0), corners, strict=True):
+                passes = np.abs(a_at) < A_at
+                share = np.arctan2(np.sqrt(np.maximum((A_at - a_at) * (A_at + a_at), 0.0)), a_at) / np.pi
+                share = np.where(passes, share + sign * DOUBT, np.where(a_at < 0, 1.0, 0.0))
+                ends[0, end, ORDERS] = np.where((A_at == 0) & (a_at == 0), end, np.clip(share, 0.0, 1.0))
+            # M_0 = sqrt(1 - (a/A)^2)/pi where the motion passes the step
+            low = np.sqrt(np.maximum(1.0 - (farthest / A.lo) ** 2, 0.0)) / np.pi
+            high = np.sqrt(np.maximum(1.0 - (nearest / A.hi) ** 2, 0.0)) / np.pi
+            ends[1, 0, ORDERS] = np.where(always, np.maximum(low - DOUBT, 0.0), 0.0)
+            ends[1, 1, ORDERS] = np.where(never, 0.0, high + DOUBT)
+        if not self._needs_below_zero:
+            return
+        unknown = ~(never | always)
+        if always.any():
+            some = np.flatnonzero(always)
+            A_, a_ = A.take(some), a.take(some)
+            root = ((A_ - a_) * (A_ + a_)).sqrt()
+            L_0, M_0 = (Interval(ends[family, :, ORDERS][:, some]) for family in (0, 1))
+            L_1 = Interval(_hull_of_inverse(root))
+            M_1 = L_1 * (a_ / A_)
+            ends[0, :, ORDERS - 1, some], ends[1, :, ORDERS - 1, some] = L_1.ends.T, M_1.ends.T
+            for k in range(0, 1 - ORDERS, -1):
+                L_2, M_2 = off_centre_intervals.down(Interval.point(k), A_, a_, root, L_1, L_0, M_1, M_0)
+                ends[0, :, ORDERS + k - 2, some], ends[1, :, ORDERS + k - 2, some] = L_2.ends.T, M_2.ends.T
+                L_0, L_1, M_0, M_1 = L_1, L_2, M_1, M_2
+        if unknown.any():
+            some = np.flatnonzero(unknown)
+            ends[:, 0, :ORDERS, some], ends[:, 1, :ORDERS, some] = -np.inf, np.inf
+            ends[0, 0, ORDERS - 1, some] = 0.0
+            ends[1, 0, ORDERS - 1, some] = np.where(a.lo[some] >= 0, 0.0, -np.inf)
+            ends[1, 1, ORDERS - 1, some] = np.where(a.hi[some] <= 0, 0.0, np.inf)
+
+    @property
+    def _needs_below_zero(self) -> bool:
+        """Whether the force or a derivative that is asked for jumps at a breakpoint."""
+        return bool(np.any(self.gains[1:, :ORDERS]))
+
+
+def _hull_of_inverse(root: Interval) -> Floats:
+    """L_-1 = 1/(pi root)"""
+    with np.errstate(divide="ignore"):
+        return np.array(((1 - DOUBT) / (np.pi * root.hi), (1 + DOUBT) / (np.pi * root.lo)))
+
+
+def _fill(A: Floats, a: Floats, L: Floats, M: Floats, highest: int, *, whole: bool) -> None:
+    """L_j and M_j of a step, j from -ORDERS up, into rows of L and M; all of the motion is above it if `whole`."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        passes = np.zeros(A.shape, dtype=bool) if whole else np.abs(a) < A
+        if passes.any():
+            at, of = a[passes], A[passes]
+            root = np.sqrt((of - at) * (of + at))
+            begin = off_centre.begin(of, at, root, np.arctan2(root, at))
+            for row, (ladder, j) in zip(begin, ((L, -1), (L, 0), (M, -1), (M, 0)), strict=True):
+                ladder[ORDERS + j, passes] = row
+            for k in range(0, 1 - ORDERS, -1):
+                L_k, L_1, M_k, M_1 = (ladder[ORDERS + j, passes] for ladder in (L, M) for j in (k, k - 1))
+                L_2, M_2 = off_centre.down(k, of, at, root, L_1, L_k, M_1, M_k)
+                L[ORDERS + k - 2, passes], M[ORDERS + k - 2, passes] = L_2, M_2
+        above = np.ones(A.shape, dtype=bool) if whole else a <= -A
+        L[ORDERS, above] = 1.0
+        for k in range(1, highest + 1):
+            L_2, L_1, M_2, M_1 = (ladder[ORDERS + j] for ladder in (L, M) for j in (k - 2, k - 1))
+            L[ORDERS + k], M[ORDERS + k] = off_centre.up(k, A, a, L_2, L_1, M_2, M_1)
+        if not whole:
+            below = a >= A
+            L[:, below] = M[:, below] = 0.0

@@ -1,0 +1,344 @@
+"""The averaged questions off the centre: in goes a force as steps with damping and load, out come states with B.
+
+u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds all there is: no part of the plane of A
+and B is left unless it is proved to hold nothing (see `boxes`), whatever the balance's sheets do, wherever they turn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.averaged import remarks
+from slowflow.averaged.questions import Averaged
+from slowflow.averaged.reference.roots import peak_roots
+from slowflow.model import Floats, Model
+from slowflow.off_centre.answers import (
+    OffCentreDetachment,
+    OffCentreFolds,
+    OffCentreStates,
+    RestPositions,
+)
+from slowflow.off_centre.boxes import Ints, Solutions, solve
+from slowflow.off_centre.equations import Detaching, Fold, Resting, State
+from slowflow.off_centre.means import ORDERS, Means, Steps
+from slowflow.results import SaddleNodes, joined
+from slowflow_kernels import off_centre, slow_flow
+
+#: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
+BELOW, ABOVE = 4, 8
+#: parts of the range of B that are looked at first
+PARTS = 8
+#: frequencies that are looked at together
+TOGETHER = 64
+#: how near, relatively, a fold is to a breakpoint that cannot be told from it
+AT_CORNER = 1e-6
+#: |B| up to which a motion without a load is about the centre, where all others are told from it by more
+AT_CENTRE = 1e-12
+
+STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
+UNDAMPED = "{} needs zeta > 0 off the centre: without viscous damping amplitudes have no bound"
+BEYOND = "at rest the mass stands beyond the first breakpoint already"
+ONE_PIECE = "no detachment: the force has one piece only"
+NOT_REACHED = "no motion comes to the first breakpoint"
+NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
+UNDECIDED = "how many states there are is undecided at Omega = {}"
+UNDECIDED_FOLDS = "whether there are others is undecided next to A = {}"
+
+
+class OffCentre:
+    """An oscillator under a static load, or one whose motions may leave the centre, averaged.
+
+    load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
+    """
+
+    def __init__(self, model: Model, load: float) -> None:
+        self._model = model
+        self._steps = Steps(model.mechanism, model.parameters, load)
+        self._m, self._zeta = model.m, model.zeta
+
+    @property
+    def load(self) -> float:
+        """The static load over k_v L."""
+        return self._steps.load
+
+    @property
+    def breakpoints(self) -> tuple[float, ...]:
+        """The |u| at which the force passes from one piece to the next."""
+        return tuple(map(float, self._steps.breakpoints))
+
+    def rest(self) -> RestPositions:
+        """Every place of rest, f(u) = load."""
+        bound = self._offset_bound(0.0)
+        edges = np.concatenate((np.linspace(-bound, bound, PARTS + 1), self._steps.places * self._steps.sides))
+        edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
+        found = solve(
+            Resting(self._steps), edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int)
+        )
+        (u,) = found.x
+        u = np.sort(u)
+        stable = self._steps.at(np.zeros(u.size), u, 1).c[1] > 0
+        message = ""
+        if found.undecided_of.size:
+            message = f"whether there are others is undecided next to u = {_listed(found.undecided[0])}"
+        return RestPositions(u, stable, self.load, message)
+
+    def detachment(self) -> OffCentreDetachment:
+        """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side."""
+        if not self.breakpoints:
+            return self._no_detachment(ONE_PIECE)
+        u_cr, at_rest = self.breakpoints[0], self.rest()
+        steady = at_rest.u[at_rest.stable]
+        if steady.size and (np.abs(steady) >= u_cr).all():
+            return self._no_detachment(BEYOND)
+        equations = Detaching(self._steps)
+        edges = np.linspace(0.0, u_cr, PARTS + 1)
+        low, high = (np.tile(side, 2)[np.newaxis] for side in (edges[:-1], edges[1:]))
+        found = solve(equations, low, high, np.repeat([0, 1], PARTS))
+        A = found.x[0]
+        inside = (A > 0) & (A <= u_cr)
+        A, B = A[inside], equations.offset(A, found.of)[inside]
+        if not A.size:
+            return self._no_detachment(NOT_REACHED)
+        level, Omega = self._least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
+        least = int(np.argmin(level))
+        return OffCentreDetachment(
+            float(level[least]), float(Omega[least]), float(A[least]), float(B[least]), self.load, ""
+        )
+
+    def _no_detachment(self, message: str) -> OffCentreDetachment:
+        return OffCentreDetachment(None, None, None, None, self.load, message)
+
+    def _least_forcing(self, A: Floats, h: Floats) -> tuple[Floats, Floats]:
+        """The lowest F_0 for which each amplitude is a steady state, and its Omega."""
+        with np.errstate(all="ignore"):
+            roots = peak_roots(A, h, self._m, self._zeta)[0]
+            Omega = np.concatenate((np.zeros((A.size, 1)), roots), axis=1)
+            level = slow_flow.level(Omega, A[:, np.newaxis], self._m, self._zeta, h[:, np.newaxis])
+        lowest = np.nanargmin(level, axis=1)[:, np.newaxis]
+        return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
+
+    def amplitudes(self, *, Omega: Any, F_0: float) -> OffCentreStates:
+        """Every steady state at the frequency Omega, or at each of an array of frequencies, with its B.
+
+        Raises ValueError for Omega <= 0, F_0 <= 0 and zeta = 0.
+        """
+        at = validate.frequencies("Omega", Omega).ravel()
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        self._damped("amplitudes")
+        if F_0 <= self._m:
+            return self._states(
+                at, np.empty(0), np.empty(0), F_0, STICKS.format(F_0, self._m), np.empty(0), np.empty(0, int)
+            )
+        x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
+        if not self._keeps_centre:
+            parts = [self._at(at[first : first + TOGETHER], F_0) for first in range(0, at.size, TOGETHER)]
+            x = np.concatenate([part.x for part in parts], axis=1)
+            of, undecided = (
+                np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(parts)])
+                for name in ("of", "undecided_of")
+            )
+        if self.load == 0:
+            centred = Averaged(self._model).amplitudes(Omega=at, F_0=F_0)
+            of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
+            of_centred = np.repeat(of_centred, [int((centred.Omega == at[i]).sum()) for i in of_centred])
+            x, of = self._with_centred(x, of, centred.A, of_centred)
+            undecided = np.concatenate((undecided, np.flatnonzero(np.isin(at, centred.Omega_undecided))))
+        order = np.lexsort((x[1], x[0], of))
+        missing = np.unique(at[undecided])
+        message = UNDECIDED.format(_listed(missing)) if missing.size else ""
+        return self._states(at, x[0, order], x[1, order], F_0, message, missing, of[order])
+
+    @property
+    def _keeps_centre(self) -> bool:
+        """Whether every motion is known to be about the centre: without a load, on a spring that only stiffens.
+
+        Where f(u)/u is positive and rises with |u| so does f with u, and with it the mean of f with B.
+        """
+        return self.load == 0 and remarks.stays_centred(self._model)
+
+    def _with_centred(self, x: Floats, of: Ints, A: Floats, of_A: Ints) -> tuple[Floats, Ints]:
+        """States or folds with those about the centre by their own solvers, in the place of what is found of them."""
+        off = np.abs(x[1]) > AT_CENTRE
+        centred = np.zeros((x.shape[0], A.size))
+        centred[0] = A
+        return np.concatenate((x[:, off], centred), axis=1), np.concatenate((of[off], of_A))
+
+    def _at(self, Omega: Floats, F_0: float) -> Solutions:
+        """All states at some frequencies."""
+        low: list[Any] = []
+        high: list[Any] = []
+        of: list[int] = []
+        for i, most in enumerate(((F_0 - self._m) / (2 * self._zeta * Omega)).tolist()):  # (27): I <= F_0
+            edges = most * (1 + 2.0**-40) * 0.5 ** np.arange(BELOW, -1, -1)
+            self._add(np.concatenate(([0.0], edges)), low, high)
+            of += [i] * (len(low) - len(of))
+        equations = State(self._steps, self._m, self._zeta, Omega, F_0)
+        return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+
+    def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
+        """Boxes of A between neighbouring edges and of all B that the balance may have there."""
+        for a, b in pairwise(edges.tolist()):
+            bound = self._offset_bound(b)
+            parts = np.linspace(-bound, bound, PARTS + 1)
+            low += [(a, part) for part in parts[:-1]]
+            high += [(b, part) for part in parts[1:]]
+
+    def _offset_bound(self, A: float) -> float:
+        """What |B| does not exceed where the mean is balanced, for amplitudes up to A.
+
+        Beyond A and all breakpoints the mean of the force is a polynomial in B, whose roots Cauchy's bound holds.
+        """
+        last = np.trim_zeros(self._steps.last, "b")
+        n = last.size - 1
+        if n < 1:
+            raise ValueError(
+                "the outermost piece of the force does not grow: motions off the centre have no bound there"
+            )
+        # coefficients of B^k in <f(B + A cos psi)>, |.| at most
+        size = [
+            sum(abs(last[j]) / (math.factorial(k) * math.factorial(j - k)) * A ** (j - k) for j in range(k, n + 1))
+            for k in range(n)
+        ]
+        size[0] += abs(self.load)
+        cauchy = 1.0 + max(size) * math.factorial(n) / abs(last[n])
+        beyond = A + (self.breakpoints[-1] if self.breakpoints else 0.0)
+        # the sum of the n-th roots holds them too, and is less for small ones
+        lagrange = 2 * max((value * math.factorial(n) / abs(last[n])) ** (1 / (n - k)) for k, value in enumerate(size))
+        return float(max(beyond, min(cauchy, lagrange)) * (1 + 2.0**-40))
+
+    def saddle_nodes(self, F_0: float) -> OffCentreFolds:
+        """Every fold of the response at F_0, by rising Omega, on every sheet of the balance, up to `A_max(F_0)`.
+
+        Raises ValueError for F_0 <= 0 and zeta = 0.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        self._damped("saddle_nodes")
+        if F_0 <= self._m:
+            return self._folds(np.empty((3, 0)), np.empty(0, dtype=bool), F_0, STICKS.format(F_0, self._m))
+        centred = Averaged(self._model).saddle_nodes(F_0) if self.load == 0 else None
+        if centred is not None and self._keeps_centre:
+            return self._folds_with(centred, None, F_0, centred.message)
+        found = self._all_folds(np.array([F_0]))
+        corners, open_ = self._corners(found.undecided, F_0)
+        x = np.concatenate((found.x, corners), axis=1)
+        corner = np.arange(x.shape[1]) >= found.x.shape[1]
+        message = "" if x.size or open_.size else NO_FOLD.format(F_0)
+        if open_.size:
+            message = joined(message, UNDECIDED_FOLDS.format(_listed(np.unique(np.round(open_[0], 12)))))
+        if centred is None:
+            return self._folds(x, corner, F_0, message)
+        off = np.abs(x[1]) > AT_CENTRE
+        return self._folds_with(centred, self._folds(x[:, off], corner[off], F_0, message), F_0, message)
+
+    def _folds_with(self, centred: SaddleNodes, off: OffCentreFolds | None, F_0: float, message: str) -> OffCentreFolds:
+        """Folds about the centre by their own solvers, and those off it."""
+        means = self._steps.at(centred.A, np.zeros(len(centred)), 1)
+        kind = np.where(means.c[1] > 0, centred.kind, "unstable")
+        columns: list[Any] = [centred.Omega, centred.A, np.zeros(len(centred)), kind, centred.corner]
+        if off is not None:
+            beside = (off.Omega, off.A, off.B, off.kind, off.corner)
+            columns = [np.concatenate(pair) for pair in zip(columns, beside, strict=True)]
+        order = np.argsort(columns[0], kind="stable")
+        Omega, A, B, kind, corner = (column[order] for column in columns)
+        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, message)
+
+    def A_max(self, F_0: float) -> float:
+        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
+        sizes = (1.0, F_0, F_0 / self._zeta, abs(self.load), *self.breakpoints)
+        return 2.0**ABOVE * max(sizes)
+
+    def _all_folds(self, F_0: Floats) -> Solutions:
+        low: list[Any] = []
+        high: list[Any] = []
+        of: list[int] = []
+        for i, forcing in enumerate(F_0.tolist()):
+            plane_low: list[Any] = []
+            plane_high: list[Any] = []
+            top = self.A_max(forcing)
+            edges = top * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)
+            self._add(np.concatenate(([0.0], edges)), plane_low, plane_high)
+            # I >= m: beyond it the phase belongs to no Omega
+            most = math.sqrt((forcing - self._m) / (forcing + self._m)) * (1 + 2.0**-40)
+            phases = np.linspace(-most, most, 5)
+            for a, b in zip(plane_low, plane_high, strict=True):
+                low += [(*a, t) for t in phases[:-1]]
+                high += [(*b, t) for t in phases[1:]]
+            of += [i] * (len(low) - len(of))
+        equations = Fold(self._steps, self._m, self._zeta, F_0)
+        return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+
+    def _corners(self, undecided: Floats, F_0: float) -> tuple[Floats, Floats]:
+        """Of what is undecided the folds that sit on a breakpoint where the force jumps, each once; and the rest."""
+        corners: list[Floats] = []
+        open_: list[Floats] = []
+        for x in undecided.T:
+            A, B, t = x
+            edges = np.abs(np.abs(self._steps.sides[1:] * self._steps.places[1:] - B) - A)
+            near = edges <= AT_CORNER * A
+            if not (near.any() and self._turns_at_corner(A, B, t, F_0, 1 + int(np.argmin(edges)))):
+                open_.append(x)
+            elif not any(np.abs(x - other).max() <= AT_CORNER for other in corners):
+                corners.append(x)
+        return np.array(corners).reshape(-1, 3).T, np.array(open_).reshape(-1, 3).T
+
+    def _turns_at_corner(self, A: float, B: float, t: float, F_0: float, step: int) -> bool:
+        """Whether F_A has other signs where the motion does not yet reach a jump and where it just passes it."""
+        place, side = self._steps.places[step], self._steps.sides[step]
+        inside = math.copysign(max(abs(place - side * B) * (1 - 1e-15), 0.0), 1.0)
+        means = self._steps.at(np.array([inside * (1 - 1e-12)]), np.array([B]), 1)
+        C, S = float(means.c[1][0]), float(means.s[1][0])
+        x = side * math.copysign(1.0, place - side * B)
+        before, after = C - S * S / C, 2 * (C - x * S)
+        values = [off_centre.turns(t, A, F_0, self._m, value, float(means.s[0][0])) for value in (before, after)]
+        return bool(self._steps.gains[step, 0] != 0 and values[0] * values[1] < 0)
+
+    def _folds(self, x: Floats, corner: Any, F_0: float, message: str) -> OffCentreFolds:
+        A, B, t = x
+        means = self._steps.at(A, B, ORDERS)
+        Omega = self._frequency(A, t, F_0)
+        with np.errstate(all="ignore"):
+            h, h_A, h_AA, _ = self._along(A, means)
+            bends = np.asarray(slow_flow.F_AA(Omega, A, self._m, self._zeta, h, h_A, h_AA))
+        kind = np.where(bends < 0, "jump-up", "jump-down")
+        kind = np.where(means.c[1] > 0, kind, "unstable")
+        order = np.argsort(Omega, kind="stable")
+        return OffCentreFolds(Omega[order], A[order], B[order], kind[order], corner[order], F_0, self.load, message)
+
+    def _frequency(self, A: Floats, t: Floats, F_0: Any) -> Floats:
+        """Omega of a fold: from I = m + 2 zeta A Omega, or from R = A Omega^2 + h where that moves it less."""
+        I = F_0 * (1 - t) * (1 + t) / (1 + t * t)
+        return np.asarray((I - self._m) / (2 * self._zeta * A))
+
+    def _along(self, A: Floats, means: Means) -> tuple[Any, ...]:
+        """h and its derivatives along the balance."""
+        return tuple(off_centre.averaged(A, *means.c[1:], *means.s))
+
+    def _states(
+        self, at: Floats, A: Floats, B: Floats, F_0: float, message: str, undecided: Floats, of: Ints
+    ) -> OffCentreStates:
+        Omega = at[of]
+        means = self._steps.at(A, B, ORDERS)
+        with np.errstate(all="ignore"):
+            h, h_A, *_ = self._along(A, means)
+            turns = np.asarray(slow_flow.F_A(Omega, A, self._m, self._zeta, h, h_A))
+        stable = (turns > 0) & (means.c[1] > 0)
+        damping = self._m, self._zeta
+        return OffCentreStates(
+            Omega, A, B, stable, F_0, self.load, message, np.asarray(h), damping, Omega_undecided=undecided
+        )
+
+    def _damped(self, question: str) -> None:
+        if self._zeta == 0:
+            raise ValueError(UNDAMPED.format(question))
+
+
+def _listed(values: Iterable[float]) -> str:
+    """The first few of some numbers."""
+    shown = [f"{value:.6g}" for value in values]
+    return ", ".join(shown[:3]) + ", ..." * (len(shown) > 3)

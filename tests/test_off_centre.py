@@ -1,0 +1,247 @@
+"""Motions off the centre against closed forms, quadratures, the equation of motion, and the centred answers."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from pathlib import Path
+from types import SimpleNamespace
+
+import mpmath
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, Oscillator
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.isolator import ROD_SPRING
+from slowflow.model import Model
+from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.off_centre.questions import OffCentre
+
+CERTIFIED = json.loads((Path(__file__).parent / "data" / "off_centre.json").read_text())
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+
+
+@pytest.fixture(scope="module")
+def loaded():
+    return Isolator(**TABLE_1, load=0.03)
+
+
+def test_a_linear_spring_gives_way_by_its_load_and_moves_as_without():
+    linear = Duffing(1.0, 0.0, 0.01, 0.05)
+    off, centred = (linear.replace(load=load).amplitudes(Omega=[0.8, 1.0, 1.1], F_0=0.2) for load in (0.3, 0.0))
+    assert np.array_equal(off.B, [0.3] * 3) and off.stable.all()
+    assert off.A == pytest.approx(centred.A, rel=1e-15) and off.phi == pytest.approx(centred.phi, rel=1e-14)
+    assert len(linear.replace(load=0.3).saddle_nodes(0.2)) == 0
+
+
+@pytest.mark.parametrize(
+    ("alpha", "beta", "load"), [(-0.5, 1.0, 0.0), (-0.5, 1.0, 0.02), (1.0, 0.5, 0.3), (1.0, -0.1, 0.1)]
+)
+def test_a_cubic_spring_is_balanced_as_it_is_by_hand(alpha, beta, load):
+    """f_0 = alpha B + beta (B^3 + 3/2 A^2 B) - load, and -h = alpha A + 3/4 beta A^3 + 3 beta A B^2."""
+    F_0, zeta, Omega = 0.05, 0.05, 1.2
+    found = Duffing(alpha, beta, 0.0, zeta, load=load).off_centre.amplitudes(Omega=Omega, F_0=F_0)
+    A, B = found.A, found.B
+    terms = np.array([alpha * B, beta * B**3, 1.5 * beta * A**2 * B, np.full(A.size, -load)])
+    assert len(found) and (np.abs(terms.sum(axis=0)) <= 2.0**-51 * np.abs(terms).sum(axis=0)).all()
+    R = A * Omega**2 - alpha * A - 0.75 * beta * A**3 - 3 * beta * A * B**2
+    assert np.hypot(R, 2 * zeta * A * Omega) == pytest.approx(np.full(A.size, F_0), rel=1e-13)
+    assert found.phi == pytest.approx(np.arctan2(-2 * zeta * A * Omega, -R), rel=1e-12)
+
+
+def test_states_and_detachments_are_all_those_that_are_certified():
+    """24 cubic springs, 12 truncated isolators, to 40 digits."""
+    assert len(CERTIFIED) >= 30
+    for case in CERTIFIED:
+        if case["kind"] == "duffing":
+            given = (case[name] for name in ("alpha", "beta", "mu", "zeta"))
+            found = Duffing(*given, load=case["load"]).amplitudes(Omega=case["Omega"], F_0=case["F_0"])
+            exact = [[float(state[name]) for state in case["states"]] for name in ("A", "B")]
+            assert len(found) == len(case["states"]) and not found.message
+            np.testing.assert_allclose([found.A, found.B], exact, rtol=4e-15, atol=0)
+            assert found.stable.tolist() == [state["stable"] for state in case["states"]]
+        else:
+            model = Model(ROD_SPRING, tuple(case["parameters"]), case["mu"], case["zeta"])
+            detached = OffCentre(model, case["load"]).detachment()
+            for name, value in case["detachment"].items():
+                assert getattr(detached, name) == pytest.approx(float(value), rel=4e-15)
+
+
+def test_a_load_of_nothing_leaves_the_centred_answers_to_the_digit():
+    isolator = Isolator(**TABLE_1)
+    states, off = (of.amplitudes(Omega=[0.7, 0.9, 1.1], F_0=0.04) for of in (isolator, isolator.off_centre))
+    assert np.array_equal(states.A, off.A) and np.array_equal(states.stable, off.stable) and not off.B.any()
+    folds, off = isolator.saddle_nodes(0.04), isolator.off_centre.saddle_nodes(0.04)
+    assert np.array_equal(folds.A, off.A) and np.array_equal(folds.Omega, off.Omega) and not off.B.any()
+    assert isolator.replace(load=0.1).replace(load=0.0) == isolator
+    # of a spring that lets the mass leave the centre those at the centre are the same too
+    well = Duffing(-0.5, 1.0, 0.0, 0.05)
+    states, off = (of.amplitudes(Omega=1.2, F_0=0.05) for of in (well, well.off_centre))
+    centred = off.B == 0
+    assert np.array_equal(off.A[centred], states.A) and np.array_equal(off.stable[centred], states.stable)
+
+
+def mean(force, ends, A, B, weight):
+    """<f(B + A cos psi) cos^weight psi> of a polynomial between each two ends, by its exact Fourier series."""
+    edges = sorted(mpmath.acos((end - B) / A) for end in ends if abs(end - B) < A)
+    nodes = [mpmath.pi * (2 * j + 1) / 16 for j in range(8)]
+    total = mpmath.mpf(0)
+    for low, high in zip([mpmath.mpf(0), *edges], [*edges, mpmath.pi], strict=True):
+        piece = force(B + A * mpmath.cos((low + high) / 2))
+        values = [piece(B + A * mpmath.cos(node)) * mpmath.cos(node) ** weight for node in nodes]
+        for k in range(8):
+            share = mpmath.fsum(v * mpmath.cos(k * node) for v, node in zip(values, nodes, strict=True)) / 8
+            total += share * (high - low) if k == 0 else 2 * share * (mpmath.sin(k * high) - mpmath.sin(k * low)) / k
+    return total / mpmath.pi
+
+
+@pytest.mark.parametrize(("A", "B"), [(0.2, 0.05), (0.5, 0.05), (0.2, 0.3), (0.2, 0.7), (0.9, -0.3), (0.1, -0.45)])
+def test_means_in_every_regime_are_those_of_exact_integrals(loaded, A, B):
+    """Derivatives, with the delta functions that jumps leave, as differences of the means of the force itself."""
+    steps = Steps(loaded.model.mechanism, loaded.model.parameters, 0.0)
+    found = steps.at(np.array([A]), np.array([B]), ORDERS)
+    with mpmath.workdps(60):
+        alpha, beta, gamma, u_cr = map(mpmath.mpf, loaded.model.parameters)
+
+        def force(u):
+            return (lambda u: alpha * u + beta * u**3 + gamma * u**5) if abs(u) <= u_cr else (lambda u: u)
+
+        for family, weight in ((found.c, 0), (found.s, 1)):
+            for n, value in enumerate(family):
+                exact = mpmath.diff(
+                    lambda b, w=weight: mean(force, (u_cr, -u_cr), mpmath.mpf(A), b, w), mpmath.mpf(B), n, h=1e-15
+                )
+                assert value[0] == pytest.approx(float(exact), rel=1e-12, abs=2e-15 * 100**n)
+
+
+def test_a_preload_and_a_stop_are_steps_too():
+    """A force that jumps at u = 0, of straight pieces, against sums over the cycle."""
+    c, k_2, gap = 0.1, 3.0, 0.3
+    rows = (c, 1.0, 0.0, k_2, c - k_2 * gap, 1.0 + k_2)
+    steps = Steps(SimpleNamespace(name="", steps=lambda: rows, breakpoints=lambda: (gap,)), (), 0.0)
+    psi = (np.arange(200_000) + 0.5) * np.pi / 200_000
+    for A, B in ((0.2, 0.05), (0.5, -0.1), (0.2, 0.6)):
+        u = B + A * np.cos(psi)
+        force = np.sign(u) * (c + np.abs(u) + k_2 * np.maximum(np.abs(u) - gap, 0.0))
+        at, on = steps.at(np.array([A]), np.array([B]), 2), steps.on(Interval.of([A], [A]), Interval.of([B], [B]), 2)
+        assert at.c[0] == pytest.approx(force.mean(), abs=1e-6)
+        assert at.s[0] == pytest.approx((force * np.cos(psi)).mean(), abs=1e-6)
+        assert all(held.lo <= value <= held.hi for held, value in zip((*on.c, *on.s), (*at.c, *at.s), strict=True))
+
+
+def test_means_on_boxes_hold_those_of_every_point(loaded):
+    steps, rng = Steps(loaded.model.mechanism, loaded.model.parameters, 0.0), np.random.default_rng(5)
+    n = 4000
+    width = 10 ** rng.uniform(-9, -0.3, n)
+    A, B = rng.uniform(0, 1, n), rng.uniform(-1, 1, n)
+    tall, wide = width, width * rng.uniform(0.1, 1, n)
+    boxes = steps.on(Interval.of(A, A + tall), Interval.of(B, B + wide), 2)
+    for share in (0.0, 0.3, 1.0):
+        at = steps.at(A + share * tall, B + (1 - share) * wide, 2)
+        for held, value in zip((*boxes.c, *boxes.s), (*at.c, *at.s), strict=True):
+            assert ((held.lo <= value) & (value <= held.hi)).all()
+
+
+@pytest.mark.parametrize(
+    ("oscillator", "Omega", "F_0"),
+    [
+        (Isolator(**TABLE_1, load=0.03), 0.9, 0.04),
+        (Duffing(-0.5, 1.0, 0.0, 0.05, load=0.02), 1.2, 0.05),
+        (Duffing(1.0, 0.5, 0.01, 0.05, load=0.3), 1.3, 0.2),
+    ],
+)
+def test_every_state_is_beside_a_motion_of_its_own_with_its_stability(oscillator, Omega, F_0):
+    states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
+    assert len(states) == 3
+    for state in states:
+        motion = oscillator.steady_state(Omega=Omega, F_0=F_0, A=state.A + abs(state.B))
+        mean, first = motion.harmonics(1)[:2]
+        assert abs(first) == pytest.approx(state.A, rel=0.02) and mean.real == pytest.approx(state.B, rel=0.09)
+        assert motion.stable == state.stable and motion.residual < 1e-9
+
+
+def test_a_mass_between_two_wells_falls_into_one():
+    """About the centre the state is unstable, with a multiplier of 31: the mass leaves for A + |B| = 0.80."""
+    found = Duffing(-0.5, 1.0, 0.0, 0.05).off_centre.amplitudes(Omega=1.2, F_0=0.05)
+    assert found.stable.tolist() == [False, True, True] and found.B[0] == 0 and found.B[1] == -found.B[2]
+    settled = Duffing(-0.5, 1.0, 0.0, 0.05).steady_state(Omega=1.2, F_0=0.05)
+    assert settled.A == pytest.approx(found.A[1] + abs(found.B[1]), rel=0.01) and settled.stable
+
+
+def test_folds_are_where_two_states_meet_and_no_others_are(loaded):
+    folds = loaded.saddle_nodes(0.04)
+    assert folds.kind.tolist() == ["jump-up", "jump-down"] and not folds.corner.any() and not folds.message
+    for fold in folds:
+        beside = [len(loaded.amplitudes(Omega=fold.Omega * (1 + side * 1e-6), F_0=0.04)) for side in (-1, 1)]
+        assert sorted(beside) == [1, 3]
+        near = loaded.amplitudes(Omega=fold.Omega * (1 + 1e-9 * (1 if beside[1] == 3 else -1)), F_0=0.04)
+        assert np.sort(np.abs(near.A - fold.A))[1] < 1e-4 and np.sort(np.abs(near.B - fold.B))[1] < 1e-4
+    grid = np.linspace(0.5, 1.4, 31)
+    states = loaded.amplitudes(Omega=grid, F_0=0.04)
+    counts = np.array([(states.Omega == Omega).sum() for Omega in grid])
+    assert np.array_equal(counts == 3, (folds.Omega[0] < grid) & (grid < folds.Omega[1]))
+
+
+def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
+    """The balance of the inner piece at |B| + A = u_cr, and the lowest level of that amplitude, by hand."""
+    found, centred = loaded.detachment(), loaded.replace(load=0.0).detachment()
+    u_cr, (alpha, beta, gamma, _) = loaded.breakpoints[0], loaded.model.parameters
+    assert found.B + found.A == pytest.approx(u_cr, rel=1e-15) and found.F_cr < centred.F_cr
+    A, B = found.A, found.B
+    nodes = np.cos(np.pi * (np.arange(12) + 0.5) / 12)  # exact for polynomials up to degree 23
+    force = np.polyval([gamma, 0, beta, 0, alpha, 0], B + A * nodes)
+    assert force.mean() == pytest.approx(0.03, abs=1e-16)
+    h, m, zeta = -2 * (force * nodes).mean(), 4 * loaded.mu / np.pi, loaded.zeta
+    Omega = np.linspace(0.99, 1.01, 2001) * found.Omega_cr
+    level = np.hypot(A * Omega**2 + h, 2 * zeta * A * Omega + m)
+    assert level.min() == pytest.approx(found.F_cr, rel=1e-9) and (level >= found.F_cr * (1 - 1e-15)).all()
+    assert loaded.replace(load=-0.03).detachment().B == pytest.approx(-B, rel=1e-13)
+    assert loaded.replace(load=0.45).detachment().F_cr is None
+    assert loaded.replace(load=1e-12).detachment().F_cr == pytest.approx(centred.F_cr, rel=1e-10)
+
+
+def test_every_place_of_rest_is_found():
+    wells = Duffing(-0.5, 1.0, load=0.02).rest()
+    terms = np.array([wells.u**3, -0.5 * wells.u, np.full(3, -0.02)])
+    assert (np.abs(terms.sum(axis=0)) <= 2.0**-51 * np.abs(terms).sum(axis=0)).all()
+    assert wells.stable.tolist() == [True, False, True]
+    assert Isolator(**TABLE_1, load=0.45).rest().u == pytest.approx([0.45], rel=1e-15)
+    assert len(Duffing(1.0, 0.5, load=-0.3).rest()) == 1
+
+
+def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
+    questions = {
+        "frequency_response": (0.04,), "peak": (0.04,), "fold_locus": (), "cusps": (), "isola_points": (),
+        "certify": (0.04,), "margins": (0.04,), "hysteresis": (0.04,), "isolation": (0.04,), "exact_response": (0.04,),
+        "backbone": ([0.1],), "plot": (0.04,), "explain": ("peak", 0.04),
+    }  # fmt: skip
+    for name, given in questions.items():
+        with pytest.raises(ValueError, match=r"load = 0\.03"):
+            getattr(loaded, name)(*given)
+    pairs = {"limit_envelope": "F_0", "sweep": "F_0", "spectrum": "F_0", "stability": "A", "equivalent_damping": "A"}
+    for name, other in pairs.items():
+        with pytest.raises(ValueError, match=r"load = 0\.03"):
+            getattr(loaded, name)(Omega=[0.9], **{other: [0.04] if other == "A" or name == "spectrum" else 0.04})
+    for pulse in (loaded.transient, loaded.shock_spectrum):
+        with pytest.raises(ValueError, match=r"load = 0\.03"):
+            pulse(acceleration=1.0, duration=1.0)
+    with pytest.raises(ValueError, match=r"load = 0\.03"):
+        _ = loaded.second_approximation
+    with pytest.raises(ValueError, match="no polynomial"):
+        loaded.replace(force="untruncated")
+    with pytest.raises(ValueError, match="only with 'force'"):
+        loaded.replace(excitation="base")
+    with pytest.raises(ValueError, match="load = nan"):
+        Duffing(1.0, 0.5, load=float("nan"))
+    with pytest.raises(ValueError, match="needs zeta > 0"):
+        loaded.replace(zeta=0.0).amplitudes(Omega=0.9, F_0=0.04)
+    sticks = loaded.amplitudes(Omega=0.9, F_0=0.01)
+    assert len(sticks) == 0 and "sticks" in sticks.message
+
+
+def test_a_load_is_part_of_what_an_oscillator_is(loaded):
+    assert pickle.loads(pickle.dumps(loaded)) == loaded != loaded.replace(load=0.02)
+    assert repr(loaded).endswith("load=0.03)") and "load" not in repr(loaded.replace(load=0.0))
+    general = Oscillator(loaded.model.mechanism, **TABLE_1, load=0.03)
+    assert np.array_equal(general.amplitudes(Omega=0.9, F_0=0.04).A, loaded.amplitudes(Omega=0.9, F_0=0.04).A)
