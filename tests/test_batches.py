@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
+import signal
+
 import numpy as np
 import pytest
 
@@ -57,6 +60,37 @@ def test_ctrl_c_ends_a_batch(question):
         f"print('asked', flush=True); designs.{question}; print('answered', flush=True)"
     )
     assert interrupted(program) == ENDING
+
+
+@native_only
+@pytest.mark.parametrize("workers", [1, 2])
+def test_few_designs_are_begun_after_ctrl_c(workers):
+    """However long a batch takes: of 20,000 designs, in parts of four, those of parts that are all but under way."""
+    begun = []
+
+    def counted(solver):
+        def of_record(record):
+            def solve(*given, out):
+                begun.append(given[0].size)
+                if len(begun) == 3:
+                    signal.raise_signal(signal.SIGINT)
+                solver.many_saddle_nodes(record)(*given, out=out)
+
+            return solve
+
+        return of_record
+
+    question = dataclasses.replace(batches.SADDLE_NODES, batch=counted, at_once=4)
+    designs = Isolator.many(lam=3, r=np.linspace(0.5, 2.0, 20_000), delta_h=0.1, mu=0.01, zeta=0.02)
+    heard = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            designs.ask(question, workers, 0.05, 2)
+    finally:
+        signal.signal(signal.SIGINT, heard)
+    assert set(begun) == {4} and sum(begun) < 10_000
+    if workers == 1:
+        assert len(begun) == 3
 
 
 @pytest.mark.both_backends
