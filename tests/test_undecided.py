@@ -112,6 +112,15 @@ def test_the_onset_of_a_force_that_hardly_jumps_is_the_corner_on_the_backbone_or
 
 
 @pytest.mark.both_backends
+def test_folds_within_rounding_of_the_corner_are_not_denied_by_an_empty_locus():
+    """None of its amplitudes is a double, and yet there are folds, as balls say."""
+    iso = Isolator(lam=3, r=2, delta_h=1e-5, mu=0.012, zeta=0.02)
+    locus = iso.fold_locus()
+    assert len(exact(iso).folds(0.04)) == 2
+    assert len(locus) > 0 or f"within rounding of A = {iso.breakpoints[0]:g}, where the force jumps" in locus.message
+
+
+@pytest.mark.both_backends
 def test_two_states_of_one_amplitude_are_two():
     """At zeta = 1e-9 the resonance is so sharp that its two sides have the same double for their amplitude."""
     iso = Duffing(2.233373330704589, 1.8872443740336227, 0.0007231940840171704, 1.447165654345065e-09)

@@ -103,7 +103,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
     status, Omega, A, F_0, branch, _ = backend.solver().fold_locus(model.native, A_max, samples)
     _check(status, model)
-    return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.NO_LOCUS.format(A_max))
+    return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.no_locus(model, A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:

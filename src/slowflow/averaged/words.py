@@ -23,6 +23,7 @@ SAID = 3
 
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
+AT_JUMP = ", unless it lies within rounding of A = {:g}, where the force jumps"
 NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
 NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
 NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
@@ -65,6 +66,12 @@ def unresolved_onset(model: Model) -> str:
         return "the onset is unresolved: folds are born within rounding of each other"
     ends = ", ".join(f"{b:g}" for b in model.breakpoints)
     return f"the onset is unresolved: doubles do not tell which folds are born next to the breakpoint A = {ends}"
+
+
+def no_locus(model: Model, A_max: float) -> str:
+    """That there is no fold at any forcing, but next to breakpoints, where a force that hardly jumps has folds too."""
+    ends = [b for b in model.breakpoints if b < A_max and model.mechanism.truncated]
+    return NO_LOCUS.format(A_max) + "".join(AT_JUMP.format(b) for b in ends)
 
 
 def cut(model: Model, F_0: float) -> tuple[float, str]:

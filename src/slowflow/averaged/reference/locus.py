@@ -77,7 +77,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     arcs = graph.arcs
     if not arcs:
         none = np.empty(0)
-        return FoldLocus(none, none, none, np.empty(0, dtype=np.intp), words.NO_LOCUS.format(A_max))
+        return FoldLocus(none, none, none, np.empty(0, dtype=np.intp), words.no_locus(model, A_max))
     A, Omega = (np.array([getattr(arc, name) for arc in arcs]) for name in ("A", "Omega"))
     with np.errstate(all="ignore"):
         weight = np.abs(np.diff(Omega / (1 + Omega), axis=1)[:, 0]) + np.diff(A, axis=1)[:, 0] / A_max + 1e-3
