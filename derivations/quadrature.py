@@ -132,6 +132,27 @@ class Quadrature:
         harmonics = [value for k, n in enumerate(HARMONICS) for value in around(n, k * (ORDERS + 1))]
         return Regime(names, tuple(lets), around(1, 0), intercept, tuple(harmonics))
 
+    # --- by the parameters ---
+
+    def changes(self, number: int, parameter: sp.Symbol) -> tuple[sp.Expr, ...]:
+        """Under the integrals of h_p, h_Ap, h_AAp on a piece: what changes at a fixed u."""
+        begin = (sp.Integer(0), *self.breakpoints.values())[number]
+        changed = sp.diff(self.pieces[number], parameter).subs(u, begin + v)
+        return tuple(value * s ** (order + 1) for order, value in enumerate(derivatives(changed, 2)))
+
+    def changed(self, count: int, parameter: sp.Symbol, first: int) -> tuple[sp.Expr, ...]:
+        """h_p, h_Ap, h_AAp in the sums from `first` on, where A exceeds `count` breakpoints, which may move."""
+        terms, moved = [], [sp.Integer(0)] * 3
+        for k, (b, end) in enumerate(list(self.breakpoints.items())[:count]):
+            root = sp.Symbol(f"root_{k + 1}", nonnegative=True)
+            change = sp.diff(self.pieces[k] - self.pieces[k + 1], parameter)
+            terms.append((root, [boundary(lost_at(change, end, order), 1, order, b, root) for order in range(2)]))
+            moving = -4 / sp.pi * self.losses[k][0] * sp.diff(end, parameter) * b / (A * root)
+            for order in range(3):
+                moved[order] += moving
+                moving = slope(moving, root)
+        return tuple(one + other for one, other in zip(derivatives_of(sums(3, first), terms), moved, strict=True))
+
     # --- between two amplitudes ---
 
     def bent(self, piece: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

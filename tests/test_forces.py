@@ -184,6 +184,22 @@ def test_answers_at_all_depths_agree(oscillator):
     assert "not measured" in str(one.amplitudes(Omega=0.9, F_0=0.1).validity)
 
 
+@pytest.mark.parametrize(
+    ("name", "numbers"), [("soft_stop", None), ("power", None), ("letting_go", {"k": 1.5, "gap": 0.5})]
+)
+def test_gradients_are_what_neighbours_differ_by(derived, name, numbers):
+    """Of folds, also where the force jumps at a breakpoint that moves; against differences of answers."""
+    numbers = numbers or FORCES[name][1]
+    one = derived(name)(**numbers, **DAMPING)
+    moves = one.saddle_nodes(0.1).gradient()
+    for by, value in numbers.items():
+        step = 1e-6 * value
+        above, below = (one.replace(**{by: value + side * step}).saddle_nodes(0.1) for side in (1, -1))
+        for x in ("Omega", "A"):
+            expected = (getattr(above, x) - getattr(below, x)) / (2 * step)
+            np.testing.assert_allclose(moves[x, by], expected, rtol=1e-5, atol=1e-7)
+
+
 def test_many_designs_are_single_ones(derived):
     _, numbers = FORCES["wave"]
     many = derived("wave").many(**{**numbers, "k": np.array([0.2, 0.3])}, **DAMPING).saddle_node_onset()

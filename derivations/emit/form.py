@@ -236,6 +236,8 @@ class Sums:
     terms   -- of each piece of the force, the generic kernel of what stands under the integrals
     closing -- the kernel of A, the integrals and the parameters that gives the outputs
     graded  -- of each piece the power of what is divided into panels that its angle is
+    scalar  -- whether it gives a number
+    beside  -- arguments after A that it has no use for
     """
 
     name: str
@@ -245,6 +247,7 @@ class Sums:
     equation: str
     graded: tuple[int, ...]
     scalar: bool = False
+    beside: tuple[sp.Symbol, ...] = ()
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:

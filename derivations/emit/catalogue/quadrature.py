@@ -26,7 +26,7 @@ ANY = "any parameters"
 def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> Module:
     """The module of one mechanism that is stated in a program."""
     pieces, laws = piece_kernels(mechanism, average)
-    averages = average_sums(mechanism, average)
+    averages = (*average_sums(mechanism, average), parameter_sums(mechanism, average))
     return Module(
         name=name,
         title=mechanism.title[0].upper() + mechanism.title[1:],
@@ -86,6 +86,41 @@ def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
     return tuple(found)
 
 
+def parameter_sums(mechanism: Mechanism, average: Quadrature) -> Sums:
+    """How h, h_A and h_AA change with each parameter."""
+    parameters = mechanism.parameters
+    doc, equation = "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.", "from (20)-(22), (31)"
+    terms = tuple(
+        plain(
+            f"by_parameter_terms_{k + 1}",
+            (v, s, c, *parameters),
+            tuple(value for parameter in parameters for value in average.changes(k, parameter)),
+            f"Under the integrals of `by_parameter` on piece {k + 1} of the force.",
+            equation,
+            "where the piece holds",
+            parameters=len(parameters),
+            generic=True,
+        )
+        for k in range(len(average.pieces))
+    )
+    cases = []
+    for count in range(len(average.pieces)):
+        values = [average.changed(count, parameter, 3 * place) for place, parameter in enumerate(parameters)]
+        cases.append((average.regime(count).lets, tuple(value for one in values for value in one)))
+    closing = Kernel(
+        "by_parameter_of",
+        (A, *sums(terms[0].width), *parameters),
+        branches(average, cases),
+        "`by_parameter` in the sums of its integrals over the pieces.",
+        equation,
+        "A > 0",
+        parameters=len(parameters),
+        returns="tuple",
+    )
+    graded = tuple(BROKEN if k == 0 and average.is_broken else DENSE for k in range(len(average.pieces)))
+    return Sums("by_parameter", terms, closing, doc, equation, graded, beside=AVERAGED[:3])
+
+
 def branches(average: Quadrature, cases: list[tuple[tuple[Let, ...], tuple[sp.Expr, ...]]]) -> tuple[Branch, ...]:
     """One for each number of breakpoints that the amplitude exceeds."""
     ends = [*average.breakpoints.values()]
@@ -105,7 +140,16 @@ def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
     """Parameters from the design, breakpoints, jumps, kinks."""
     parameters = mechanism.parameters
     losses = average.losses
+    followed = (*parameters, *average.breakpoints.values())
     return [
+        plain(
+            "by_design",
+            parameters,
+            tuple(sp.diff(value, number) for value in followed for number in parameters),
+            "d/d of each number of the design: of each parameter in turn, then of each breakpoint.",
+            "(5)",
+            "any design",
+        ),
         plain("coefficients", parameters, parameters, "The parameters are the design.", "(4)", "any design"),
         *(
             plain(name, parameters, values, doc, equation, ANY, parameters=len(parameters))
