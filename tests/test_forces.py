@@ -200,6 +200,18 @@ def test_gradients_are_what_neighbours_differ_by(derived, name, numbers):
             np.testing.assert_allclose(moves[x, by], expected, rtol=1e-5, atol=1e-7)
 
 
+def test_stiffnesses_that_cancel_leave_what_rounding_allows(folder):
+    """Three springs without stiffness at rest: an error as of some roundings of the parameters."""
+    pieces = [(u + 2 * k * u * (1 - c / sp.sqrt(1 + u**2)), None)]
+    springs = derive.mechanism("three", pieces, {"k": ABOVE_0, "c": ABOVE_0}, reach=3)
+    A, numbers = 1e-4, (1.0, 1.5)
+    h, h_A, *_ = springs.record.averaged(A, *numbers)
+    # 3/2 u^3 and beyond
+    np.testing.assert_allclose(h, -9 / 8 * A**3, rtol=1e-7)
+    np.testing.assert_allclose(h_A, -27 / 8 * A**2, rtol=1e-7)
+    assert len(springs(k=1.0, c=1.5, **DAMPING).saddle_nodes(0.05)) == 2
+
+
 def test_many_designs_are_single_ones(derived):
     _, numbers = FORCES["wave"]
     many = derived("wave").many(**{**numbers, "k": np.array([0.2, 0.3])}, **DAMPING).saddle_node_onset()

@@ -3,7 +3,8 @@
 A piece that ends at |u| = b ends at t = asin(b/A), 0 <= t <= pi/2. Its part of the quarter is divided into 1, 2, 4, ...
 equal panels until twice as many change no sum by more than `AGREED` of the integral of its size. As halving the panels
 divides a rule's error by 2^12 at least, what is left then is below 2^-58 of that integral: less than rounding. Where
-the changes fall no more they are rounding's own, which a force that is a difference makes larger.
+the force is a difference rounding changes more than that; it may change as much as some roundings of A and of the
+parameters do.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from slowflow_support.broadcast import Floats
 
 #: what halving may change of a sum that has settled, in the integral of the integrand's size
 AGREED = 2.0**-46
-#: what rounding may change of it, and a part of the quarter that one panel is enough for
-ROUNDING, SHORT = 2.0**-24, 2.0**-20
-#: panels up to which a change that does not fall may be the rule's, and is not called rounding
+#: what stands for roundings of A and of a parameter, and a part of the quarter that one panel is enough for
+MOVED, SHORT = 2.0**-50, 2.0**-20
+#: panels from which on rounding is looked at
 FEWEST = 16
 #: an amplitude next to 0
 NEXT = 2.0**-400
@@ -113,7 +114,6 @@ def _settled(
     """One piece's integrals over low < t < low + span, or over the `span` below t = pi/2."""
     found = np.empty((width, span.size))
     left, before, panels = np.arange(span.size), None, 1
-    last = np.full((width, span.size), np.inf)
     while left.size:
         if panels > MOST_PANELS:
             raise ArithmeticError(
@@ -123,12 +123,18 @@ def _settled(
         value, sizes = _panels(piece, some, low[left], span[left], width, graded, from_top, rule, panels)
         if before is not None:
             moved = np.abs(value - before)
-            falls = (moved < 0.125 * last) | (panels < FEWEST)
-            rounds = (~falls & (moved <= ROUNDING * sizes)) | (span[left] <= SHORT)
+            rounds = np.broadcast_to(span[left] <= SHORT, moved.shape)
+            if panels >= FEWEST:
+                moves = np.zeros_like(value)
+                for k in range(len(some)):
+                    beside = [one * (1 + MOVED) if k == number else one for number, one in enumerate(some)]
+                    there, _ = _panels(piece, beside, low[left], span[left], width, graded, from_top, rule, panels)
+                    moves += np.abs(there - value)
+                rounds = rounds | (moved <= moves)
             # an infinite sum stays so
             settled = ~((moved > AGREED * sizes) & ~rounds).any(axis=0)
             found[:, left[settled]] = value[:, settled]
-            left, value, last = left[~settled], value[:, ~settled], moved[:, ~settled]
+            left, value = left[~settled], value[:, ~settled]
         before, panels = value, 2 * panels
     return found
 
