@@ -22,7 +22,7 @@ FLOORS = (
     ("exact", "second", "loads", "off_centre"),
     ("averaged",),
     ("results",),
-    ("measured", "files", "moves"),
+    ("measured", "files", "moves", "physical_moves"),
     ("gradient",),
     ("answer", "loaded"),
     ("model",),

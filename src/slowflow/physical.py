@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
+from slowflow import physical_moves, validate
 from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
 from slowflow.averaged.plan import Plan
 from slowflow.gradient import Gradient
@@ -106,8 +106,6 @@ LETTERS = (
     (r"\bu = 0\b", "x = 0"),
 )
 NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
-#: a mount's words for the letters of the scales of its design and its damping
-WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c"}
 #: what can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
 #: standard gravity, m/s^2
@@ -221,8 +219,6 @@ class Quantities(Answer):
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise ValueError("gradients are known of averaged answers: this is none")
-        from slowflow import physical_moves
-
         return physical_moves.in_units(self.answer.gradient(), self.scales)
 
     def __str__(self) -> str:

@@ -6,22 +6,37 @@ with: k_v, L and m move it through all of these.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, Protocol
 
 import numpy as np
 
 from slowflow.gradient import Gradient
-from slowflow.isolator import ROD_SPRING
-from slowflow.physical import WORDS, Scales
 from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
 from slowflow_support.record import Scale
 
+#: a mount's words for the letters of the scales of its design and its damping
+WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c"}
 #: what all scales are powers of, in their order
 BASE = ("k_v", "L", "m")
 #: of a number that is none
 PURE = Scale("", 1.0, (0.0, 0.0, 0.0))
 WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
+
+
+class Scales(Protocol):
+    """What of `physical.Scales` is asked here."""
+
+    @property
+    def damping(self) -> str: ...
+    @property
+    def excitation(self) -> str: ...
+    @property
+    def sizes(self) -> Mapping[str, float]: ...
+    def of(self, scale: Scale) -> float: ...
+    def kind(self, name: str) -> tuple[str, str]: ...
 
 
 def in_units(found: Gradient, scales: Scales) -> Gradient:

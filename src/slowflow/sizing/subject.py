@@ -19,7 +19,8 @@ from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
 from slowflow.oscillator import Designs
-from slowflow.physical import EXCITED, UNITS, WORDS, Physical, size, sizes
+from slowflow.physical import EXCITED, UNITS, Physical, size, sizes
+from slowflow.physical_moves import WORDS
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scaling import SCALES
