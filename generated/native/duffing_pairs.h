@@ -13,7 +13,7 @@
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
-TWOFOLD_INLINE void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair *out)
+static inline void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair *out)
 {
     out[0] = alpha;
     out[1] = beta;
@@ -21,7 +21,7 @@ TWOFOLD_INLINE void duffing_pairs_given(sf_pair alpha, sf_pair beta, sf_pair *ou
 
 /* h, h_A, h_AA, h_AAA, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0. */
-TWOFOLD_INLINE void duffing_pairs_known(sf_pair A, const sf_pair *p, sf_pair *out)
+static inline void duffing_pairs_known(sf_pair A, const sf_pair *p, sf_pair *out)
 {
     const sf_pair alpha = p[0];
     const sf_pair beta = p[1];

@@ -14,7 +14,7 @@
 
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters. */
-TWOFOLD_INLINE void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
+static inline void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
 {
     const sf_pair u_cr = p[3];
     out[0] = u_cr;
@@ -22,7 +22,7 @@ TWOFOLD_INLINE void rod_spring_pairs_breakpoints(const sf_pair *p, sf_pair *out)
 
 /* The parameters from the design, and what the force loses at each breakpoint.
    Equation (5)-(7). Domain: any design. */
-TWOFOLD_INLINE void rod_spring_pairs_given(sf_pair lam, sf_pair r, sf_pair delta_h, sf_pair *out)
+static inline void rod_spring_pairs_given(sf_pair lam, sf_pair r, sf_pair delta_h, sf_pair *out)
 {
     const sf_pair u_cr = sfp_mul(sfp_sqrt(delta_h), sfp_sqrt(sfp_sub(sfp_point(2.0), delta_h)));
     const sf_pair t0 = sfp_mul(lam, r);

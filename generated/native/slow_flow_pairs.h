@@ -13,14 +13,14 @@
 
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0. */
-TWOFOLD_INLINE sf_pair slow_flow_pairs_friction(sf_pair mu)
+static inline sf_pair slow_flow_pairs_friction(sf_pair mu)
 {
     return sfp_mul(sfp_of(1.2732395447351628, -7.8714706700729944e-17), mu);
 }
 
 /* By what A change at a state, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-TWOFOLD_INLINE void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+static inline void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     (void)(h_AAA);
     const sf_pair t0 = sfp_square(Omega);
@@ -37,7 +37,7 @@ TWOFOLD_INLINE void slow_flow_pairs_state_step(sf_pair Omega, sf_pair A, sf_pair
 
 /* By what Omega, A change at a fold, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-TWOFOLD_INLINE void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+static inline void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair R = sfp_add(sfp_mul(A, t0), h);
@@ -66,7 +66,7 @@ TWOFOLD_INLINE void slow_flow_pairs_fold_step(sf_pair Omega, sf_pair A, sf_pair 
 
 /* By what Omega, A change at a peak, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-TWOFOLD_INLINE void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+static inline void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     (void)(h_AAA);
     const sf_pair t0 = sfp_square(Omega);
@@ -96,7 +96,7 @@ TWOFOLD_INLINE void slow_flow_pairs_peak_step(sf_pair Omega, sf_pair A, sf_pair 
 
 /* By what Omega, A, F_0 change at a cusp, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-TWOFOLD_INLINE void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair R = sfp_add(sfp_mul(A, t0), h);
@@ -126,7 +126,7 @@ TWOFOLD_INLINE void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair 
 
 /* By what Omega, A, F_0 change at a isola, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-TWOFOLD_INLINE void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     const sf_pair t0 = sfp_square(Omega);
     const sf_pair t1 = sfp_mul(A, t0);
@@ -159,7 +159,7 @@ TWOFOLD_INLINE void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair
 
 /* By what Omega change at a corner, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
-TWOFOLD_INLINE void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
     (void)(h_A);
     (void)(h_AA);
