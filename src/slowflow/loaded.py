@@ -15,7 +15,7 @@ KNOWN = ("mechanism", "parameters", "mu", "zeta", "design", "excitation", "inert
 
 AT_CENTRE = (
     "load = {:g}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
-    "saddle_node_onset, saddle_nodes, amplitudes and steady_state"
+    "saddle_nodes, amplitudes and steady_state"
 )
 
 

@@ -49,7 +49,7 @@ from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
-from slowflow.physical import EXCITED, Quantities
+from slowflow.physical import EXCITED, Physical, Quantities
 from slowflow_kernels.domains import DAMPING
 
 #: a scene to begin with
@@ -116,6 +116,7 @@ class Question:
 
 QUESTIONS: Mapping[str, Question] = {
     "at_rest": Question(forced=False, mount=True),
+    "rest": Question(forced=False),
     "saddle_node_onset": Question(forced=False),
     "detachment": Question(forced=False),
     "saddle_nodes": Question(),
@@ -174,8 +175,8 @@ def _kinds() -> dict[str, Kind]:
             "f",
             "t",
         ),
-        "isolator": Kind(Isolator, own[0], (*damping, "force", "excitation"), *PLAIN),
-        "duffing": Kind(Duffing, own[1], (*damping, "excitation"), *PLAIN),
+        "isolator": Kind(Isolator, own[0], (*damping, "force", "excitation", "load"), *PLAIN),
+        "duffing": Kind(Duffing, own[1], (*damping, "excitation", "load"), *PLAIN),
     }
 
 
@@ -236,11 +237,16 @@ class Scene:
         return found.in_units() if isinstance(found, Quantities) else found
 
     def explain(self, asked: Asked) -> Plan | None:
-        """What runs for it and what is skipped; None where there is nothing to choose."""
-        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED):
+        """What runs for it and what is skipped; None where there is nothing to choose, as under a load."""
+        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED) or self._is_loaded:
             return None
         found: Plan = self.oscillator.explain(asked.question, asked.forcing)
         return found
+
+    @property
+    def _is_loaded(self) -> bool:
+        oscillator = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
+        return bool(oscillator.load != 0)
 
     def forcings(self) -> list[float]:
         """The forcings of its questions, each once, in their order."""
