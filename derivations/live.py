@@ -33,7 +33,7 @@ from .emit.provenance import tools, versions
 from .emit.targets import c, interval, numpy, pair
 from .emit.views import programs
 from .emit.write import MANIFEST, write
-from .mechanisms import DAMPING, FORCING, Mechanism, Parameter, Piece
+from .mechanisms import DAMPING, DISSIPATION, FORCING, Mechanism, Parameter, Piece
 from .monotone import not_shown
 from .oscillator import oscillator
 from .quadrature import FUNCTIONS, Quadrature, singular_at
@@ -45,7 +45,7 @@ _x = sp.Symbol("x", real=True)
 _k_v, _L = sp.symbols("k_v L", positive=True)
 _above = sp.Symbol("above", positive=True)
 #: what a parameter may not be called: it has that meaning already
-TAKEN = {"u", "A", "Omega", "out", *(parameter.symbol.name for parameter in (*DAMPING, FORCING))}
+TAKEN = {"u", "A", "Omega", "out", "rubs", *(one.symbol.name for one in (*DAMPING, *DISSIPATION, FORCING))}
 #: words of C11 that are names in Python: the printed C would not compile
 WORDS_OF_C = frozenset(
     "auto case char const default do double enum extern float goto inline int long register restrict short signed "

@@ -16,6 +16,7 @@ from .averaging import Averaged, averaged
 from .bounds import Bounds, bounds
 from .by_parameter import by_parameter
 from .den_hartog import DenHartog, den_hartog
+from .dissipation import Dissipation, dissipation
 from .frequencies import Frequencies, frequencies
 from .gradients import Gradients, gradients
 from .harmonics import Harmonics, of_polynomials, of_untruncated
@@ -75,6 +76,7 @@ class Results:
     flows      -- slow flow and its polynomials, by scene
     frequencies -- the quartics whose roots are the frequencies at an amplitude
     inertia    -- what an excitation by inertia has in place of a force
+    dissipation -- what other laws of damping have in place of viscous damping and dry friction
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
@@ -93,6 +95,7 @@ class Results:
     flows: dict[str, SlowFlow]
     frequencies: Frequencies
     inertia: Inertia
+    dissipation: Dissipation
     along: dict[str, Along]
     slopes: Slopes
     bounds: Bounds
@@ -140,6 +143,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         flows,
         frequencies(flows[""]),
         by_inertia,
+        dissipation(sharp, equations, flows[""]),
         {scene: along(flow) for scene, flow in flows.items()},
         slopes(flows[""]),
         bounds(flows[""]),

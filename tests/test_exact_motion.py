@@ -194,9 +194,8 @@ def test_multipliers_against_finite_differences(states):
         forced = Forced(case.system, case.Omega, case.F_0, INTEGRATOR)
         phase = max(state.phases, key=lambda p: (p.slip != 0) * (p.end - p.theta))
         theta = 0.5 * (phase.theta + phase.end)
-        u, v = forced.integrator.sample(
-            forced.piece(phase.region), forced.drive(phase.slip), phase.theta, phase.u, phase.v, np.array([theta])
-        )[0]
+        piece, drive = forced.piece(phase.region), forced.drive(phase.slip, phase.region)
+        u, v = forced.integrator.sample(piece, drive, phase.theta, phase.u, phase.v, np.array([theta]))[0]
         end = theta + state.period * case.Omega
         columns = []
         size = 1e-6

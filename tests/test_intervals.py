@@ -12,7 +12,10 @@ import pytest
 
 from slowflow.averaged.reference.intervals import Interval
 
-MODULES = ("slow_flow_intervals", "slow_flow_mu0_intervals", "slow_flow_zeta0_intervals", "inertia_intervals")
+MODULES = (
+    *("slow_flow_intervals", "slow_flow_mu0_intervals", "slow_flow_zeta0_intervals"),
+    *("inertia_intervals", "dissipation_intervals"),
+)
 FUNCTIONS = [
     (module, name) for module in MODULES for name in importlib.import_module(f"slowflow_kernels.{module}").__all__
 ]

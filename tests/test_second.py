@@ -261,6 +261,7 @@ def test_a_question_that_it_does_not_answer_is_refused_with_the_reason():
         "folds",
         "closes",
         "only_for_a_force",
+        "only_for_plain_damping",
     }
     for name in set(unanswered) - facts:
         with pytest.raises(AttributeError, match=f"no {name}: "):

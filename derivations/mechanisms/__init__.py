@@ -2,8 +2,8 @@
 
 In:  the files of this folder.
 Out: `Mechanism`, the form in which a restoring force is stated, `Parameter`, the form of a number that a user gives,
-     `DAMPING` and `FORCING`, those that every oscillator has, `EXCITATIONS`, what else the latter may be of, and
-     `all_mechanisms()`, every one in this folder.
+     `DAMPING` and `FORCING`, those that every oscillator has, `DISSIPATION` and `RUBS`, what may dissipate beside,
+     `EXCITATIONS`, what else the forcing may be of, and `all_mechanisms()`, every one in this folder.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..symbols import F_0, mu, zeta
+from ..symbols import F_0, c_2, eta, mu, zeta
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,16 @@ DAMPING = (
     Parameter(mu, "dry friction", "k_v L", least=0),
     Parameter(zeta, "viscous damping ratio", "2 sqrt(k_v m)", least=0),
 )
+#: other laws of damping, which an oscillator has where it is said, and on which |u| dry friction acts: `dissipation`
+#: derives their shares
+DISSIPATION = (
+    Parameter(eta, "structural damping, the loss factor of the vertical spring", "1", least=0),
+    Parameter(c_2, "quadratic damping, the factor of |u'|u'", "m/L", least=0),
+)
+RUBS = {
+    "throughout": "dry friction acts at every displacement",
+    "attached": "it acts while |u| is below the first breakpoint",
+}
 #: its excitation (4), and what else the amplitude may be of: `inertia` derives their forces
 FORCING = Parameter(F_0, "forcing amplitude", "k_v L", above=0)
 EXCITATIONS = {

@@ -15,6 +15,7 @@ MODULES = (
     "frequencies",
     "inertia",
     "off_centre",
+    "dissipation",
     "motion",
     "second_approximation",
     "den_hartog",

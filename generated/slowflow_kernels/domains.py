@@ -11,6 +11,15 @@ DAMPING = (
     Parameter("mu", "dry friction", "k_v L", least=0.0),
     Parameter("zeta", "viscous damping ratio", "2 sqrt(k_v m)", least=0.0),
 )
+# what an oscillator may dissipate by beside these, and where dry friction acts
+DISSIPATION = (
+    Parameter("eta", "structural damping, the loss factor of the vertical spring", "1", least=0.0),
+    Parameter("c_2", "quadratic damping, the factor of |u'|u'", "m/L", least=0.0),
+)
+RUBS = {
+    "throughout": "dry friction acts at every displacement",
+    "attached": "it acts while |u| is below the first breakpoint",
+}
 # what the amplitude F_0 of an excitation is of (4); that of a force, and those of inertia, whose force is F_0 Omega^2
 EXCITATIONS = {
     "force": Parameter("F_0", "forcing amplitude", "k_v L", above=0.0),

@@ -30,6 +30,7 @@ from slowflow import backend, files
 from slowflow.averaged.many import Designs
 from slowflow.grid.designs import Grid
 from slowflow.mechanism import Mechanism
+from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
@@ -64,9 +65,9 @@ class Derived:
         """Whether the compiled solvers have its record."""
         return backend.record_of(self.record) is not None
 
-    def __call__(self, *, mu: float = 0.0, zeta: float = 0.0, excitation: str = "force", **design: float) -> Oscillator:
-        """An oscillator with these numbers: `Oscillator(record, ...)`, whose errors are raised."""
-        return Oscillator(self.record, mu=mu, zeta=zeta, excitation=excitation, **design)
+    def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
+        """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
+        return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def many(self, *, mu: Any = 0.0, zeta: Any = 0.0, excitation: str = "force", **design: Any) -> Designs | Grid:
         """Many designs at once: `Oscillator.many(record, ...)`."""

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from slowflow import validate
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
-from slowflow.model import Model
+from slowflow.model import THROUGHOUT, Model
 from slowflow.oscillator import FORCES, Designs, Oscillator, designs_of
 from slowflow.physical import Physical, Scales, g, si
 from slowflow_kernels import duffing, rod_spring
-from slowflow_kernels.domains import DAMPING, EXCITATIONS
+from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
 
 if TYPE_CHECKING:
@@ -33,7 +33,8 @@ def _averaged(force: Any) -> Mechanism:
 class Isolator(Oscillator):
     __doc__ = f"""The high-static-low-dynamic-stiffness isolator of (1)-(7), springs leaving the push-rod at u_cr.
 
-{told((*ROD_SPRING.design, *DAMPING))}
+{told((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
+    rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
     force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
         the force as the geometry gives it (5)
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
@@ -59,13 +60,20 @@ class Isolator(Oscillator):
         delta_h: float,
         mu: float = 0.0,
         zeta: float = 0.0,
+        eta: float = 0.0,
+        c_2: float = 0.0,
+        rubs: str = THROUGHOUT,
         force: str = "truncated",
         excitation: str = "force",
         load: float = 0.0,
     ) -> None:
-        super().__init__(_averaged(force), lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, excitation=excitation)
+        design = {"lam": lam, "r": r, "delta_h": delta_h}
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        super().__init__(_averaged(force), rubs=rubs, excitation=excitation, **damping, **design)
         if self.delta_h == 0:  # the springs never touch the rod, which has no end then
-            self.__dict__["model"] = Model(DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR, excitation=excitation)
+            self.__dict__["model"] = Model(
+                DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR, excitation=excitation, laws=self.model.laws
+            )
         if not self.model.mechanism.truncated:
             coefficients = zip(ROD_SPRING.parameters, ROD_SPRING.coefficients(*self.design), strict=True)
             self.__dict__.update({name.name: float(value) for name, value in coefficients})
@@ -142,9 +150,10 @@ class Isolator(Oscillator):
             raise ValueError("c and zeta say the same: give one of them")
         if c is not None:
             zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
-        own = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": 0.0 if zeta is None else zeta}
+        zeta = 0.0 if zeta is None else zeta
         weight = beyond * g / scales.sizes["force"]
-        isolator = cls(**own, force=force, excitation=excitation, load=weight)
+        numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "load": weight}
+        isolator = cls(force=force, excitation=excitation, rubs=THROUGHOUT, **numbers)
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         return Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
@@ -176,7 +185,7 @@ class Isolator(Oscillator):
 class Duffing(Oscillator):
     __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau), one piece for all u.
 
-{told((*DUFFING.design, *DAMPING))}
+{told((*DUFFING.design, *DAMPING, *DISSIPATION))}
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
     load -- added to the right side, over k_v L, as in `Oscillator`
 
@@ -193,10 +202,14 @@ class Duffing(Oscillator):
         mu: float = 0.0,
         zeta: float = 0.0,
         *,
+        eta: float = 0.0,
+        c_2: float = 0.0,
         excitation: str = "force",
         load: float = 0.0,
     ) -> None:
-        super().__init__(DUFFING, alpha=alpha, beta=beta, mu=mu, zeta=zeta, excitation=excitation, load=load)
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        rubs = THROUGHOUT  # one piece, from which nothing leaves
+        super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
         del self.given["mechanism"]
 
     def __repr__(self) -> str:

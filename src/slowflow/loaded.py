@@ -11,7 +11,19 @@ from typing import Any
 from slowflow.model import Model
 
 #: what a load leaves as it is
-KNOWN = ("mechanism", "parameters", "mu", "zeta", "design", "excitation", "inertial", "m", "breakpoints", "reach")
+KNOWN = (
+    "mechanism",
+    "parameters",
+    "mu",
+    "zeta",
+    "design",
+    "excitation",
+    "inertial",
+    "laws",
+    "m",
+    "breakpoints",
+    "reach",
+)
 
 AT_CENTRE = (
     "load = {:g}: not available, this question is about motions about the centre. Off it there are rest, detachment, "

@@ -105,6 +105,8 @@ class EquationOfMotion:
 
     inertial -- whether it is excited by inertia, so that F_0 stands for a force F_0 Omega^2
     load     -- static force beside F_0 cos(Omega tau)
+    c_2      -- quadratic damping, c_2 |u'|u'
+    released -- whether friction acts on the first piece of the force only
     """
 
     force: Force
@@ -112,11 +114,17 @@ class EquationOfMotion:
     zeta: float
     inertial: bool = False
     load: float = 0.0
+    c_2: float = 0.0
+    released: bool = False
 
     def __post_init__(self) -> None:
-        for name, value in (("mu", self.mu), ("zeta", self.zeta)):
+        for name, value in (("mu", self.mu), ("zeta", self.zeta), ("c_2", self.c_2)):
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"{name} = {value} must be finite and not negative")
+
+    def friction(self, region: int) -> float:
+        """mu on a piece of the force, by its number, signed or not."""
+        return 0.0 if self.released and region != 0 else self.mu
 
     def forcing(self, Omega: float, F_0: float) -> float:
         """Amplitude of the force at an amplitude F_0 of the excitation."""

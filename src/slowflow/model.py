@@ -7,7 +7,7 @@ zeros put in.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from types import ModuleType
 from typing import Any
@@ -16,12 +16,12 @@ import numpy as np
 
 from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism
-from slowflow_kernels import inertia
+from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
 
-__all__ = ["Floats", "Model", "check_names"]
+__all__ = ["Floats", "Laws", "Model", "check_names"]
 
 #: of a force's parameters: beyond it a force of ordinary amplitudes is beyond the range of doubles
 LARGEST = 1e300
@@ -39,6 +39,51 @@ def check_names(mechanism: Mechanism, values: Mapping[str, Any]) -> list[str]:
     return names
 
 
+#: where dry friction acts unless it is said
+THROUGHOUT = next(iter(RUBS))
+
+
+@dataclass(frozen=True)
+class Laws:
+    """By what an oscillator dissipates beside viscous damping and dry friction on all of its way.
+
+    eta  -- loss factor of the vertical spring
+    c_2  -- quadratic damping, c_2 |u'|u'
+    rubs -- where dry friction acts, a key of `RUBS`
+    """
+
+    eta: float = 0.0
+    c_2: float = 0.0
+    rubs: str = THROUGHOUT
+
+    @classmethod
+    def of(cls, eta: Any, c_2: Any, rubs: Any) -> Laws:
+        """From what a user gives. Raises ValueError for a number outside its domain, or another word."""
+        of_eta, of_c_2 = DISSIPATION
+        where = validate.choice("rubs", rubs, tuple(RUBS))
+        return cls(validate.within(of_eta, eta), validate.within(of_c_2, c_2), where)
+
+    def said(self) -> dict[str, Any]:
+        """Those that are there, by name."""
+        return {
+            field.name: getattr(self, field.name)
+            for field in fields(self)
+            if getattr(self, field.name) != field.default
+        }
+
+    @property
+    def any(self) -> bool:
+        """Whether there are any."""
+        return self != NO_LAWS
+
+    def told(self) -> str:
+        """In words, as they are given."""
+        return ", ".join(f"{name} = {value!r}" for name, value in self.said().items())
+
+
+NO_LAWS = Laws()
+
+
 @dataclass(frozen=True)
 class Model:
     """The slow flow of one oscillator, dimensionless.
@@ -48,6 +93,7 @@ class Model:
     mu, zeta   -- dry friction and viscous damping ratio
     design     -- the numbers that the parameters follow from, as they were given; () where these are not known
     excitation -- what the amplitude F_0 is of, a key of `EXCITATIONS`
+    laws       -- what dissipates beside mu and zeta
     m          -- 4 mu/pi, friction's share of I (23)
     flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
@@ -60,6 +106,7 @@ class Model:
     zeta: float
     design: tuple[float, ...] = ()
     excitation: str = "force"
+    laws: Laws = NO_LAWS
     m: float = field(init=False)
     flow: ModuleType = field(init=False, compare=False, repr=False)
     breakpoints: tuple[float, ...] = field(init=False)
@@ -72,9 +119,32 @@ class Model:
         if self.inertial and self.mechanism.averaged(0.0, *self.parameters)[0] != 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed for a force that jumps at u = 0")
         damping = self.mu, self.zeta
-        native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
+        native = None
+        if not self.laws.any:
+            native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
-        self.__dict__.update(flow=flow_of(*damping), m=m, breakpoints=breakpoints, jumps=jumps, native=native)
+        flow = general_flow if self.laws.any else flow_of(*damping)
+        self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native)
+        if self.laws.any:
+            self._check_laws()
+
+    def _check_laws(self) -> None:
+        """Raises ValueError for laws that have no answer here."""
+        told = self.laws.told()
+        if self.inertial:
+            raise ValueError(f"{told} is not allowed with excitation = {self.excitation!r}: only with 'force'")
+        if self.mechanism.enclosed is not None:
+            raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force is averaged by quadrature")
+        if self.averaged(0.0)[0] != 0:
+            raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0")
+        if self.laws.rubs == THROUGHOUT:
+            return
+        if not self.breakpoints:
+            raise ValueError(
+                f"{told} is not allowed for {self.mechanism.name}: its force has one piece, nothing leaves"
+            )
+        if self.zeta == self.laws.eta == self.laws.c_2 == 0:
+            raise ValueError(f"{told} is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
 
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
         """m, breakpoints and jumps, where the compiled solvers do not tell."""
@@ -86,10 +156,13 @@ class Model:
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Model, (self.mechanism, self.parameters, self.mu, self.zeta, self.design, self.excitation)
+        given = (self.mechanism, self.parameters, self.mu, self.zeta, self.design, self.excitation, self.laws)
+        return Model, given
 
     @classmethod
-    def of(cls, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force") -> Model:
+    def of(
+        cls, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force", laws: Laws = NO_LAWS
+    ) -> Model:
         """The slow flow of a design, its numbers and mu and zeta given by name.
 
         Raises ValueError for a number outside its domain, TypeError for a name that is missing or unknown.
@@ -99,7 +172,7 @@ class Model:
         *design, mu, zeta = (validate.within(domain, values[domain.name]) for domain in domains)
         with np.errstate(all="ignore"):
             parameters = tuple(float(value) for value in mechanism.coefficients(*design))
-            model = cls(mechanism, parameters, mu, zeta, design=tuple(design), excitation=excitation)
+            model = cls(mechanism, parameters, mu, zeta, design=tuple(design), excitation=excitation, laws=laws)
         numbers = (*model.parameters, model.m)
         if not sum(map(abs, numbers)) <= LARGEST and not all(abs(value) <= LARGEST for value in numbers):
             named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
@@ -145,10 +218,74 @@ class Model:
         """Amplitude of the force at an amplitude F_0 of the excitation; shapes that broadcast."""
         return inertia.force(Omega, F_0) if self.inertial else F_0
 
+    @cached_property
+    def d(self) -> float:
+        """8 c_2/(3 pi), the factor of A^2 Omega^2 in I."""
+        return float(dissipation.quadratic(self.laws.c_2))
+
+    def at_rest(self, A: Any, beyond: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
+        """The part of I (23) that knows no frequency, and three derivatives, at the amplitudes A (any shape).
+
+        beyond -- whether they are taken as amplitudes beyond the first breakpoint; by default where they are
+        """
+        within: tuple[Floats, ...] = dissipation.at_rest(A, self.m, self.laws.eta)
+        if self.laws.rubs == THROUGHOUT:
+            return within  # type: ignore[return-value]
+        u_cr = self.breakpoints[0]
+        passed = np.asarray(A) > u_cr if beyond is None else beyond
+        released = dissipation.released(np.maximum(A, u_cr), self.m, self.laws.eta, u_cr)
+        return tuple(np.where(passed, two, one) for one, two in zip(within, released, strict=True))  # type: ignore[return-value]
+
+    def sine(self, Omega: Any, A: Any) -> Floats:
+        """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""
+        if not self.laws.any:
+            return np.asarray(self.flow.I(Omega, A, self.m, self.zeta))
+        return np.asarray(dissipation.I(Omega, A, self.at_rest(A)[0], self.zeta, self.d))
+
+    def alike(self, Omega: Any, A: Any) -> tuple[Any, Any]:
+        """m and zeta of the slow flow's kernels that have the same I at (Omega, A); only its slopes are others."""
+        return (self.sine(Omega, A), 0.0) if self.laws.any else (self.m, self.zeta)
+
+    def F_A(self, Omega: Any, A: Any, beyond: Any = None) -> Floats:
+        """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast.
+
+        beyond -- as in `at_rest`
+        """
+        h, h_A, _, _ = self.averaged(A)
+        if not self.laws.any:
+            return np.asarray(self.flow.F_A(Omega, A, self.m, self.zeta, h, h_A))
+        I_0, I_0A, _, _ = self.at_rest(A, beyond)
+        return np.asarray(dissipation.F_A(Omega, A, I_0, I_0A, self.zeta, self.d, h, h_A))
+
+    def stability(self, Omega: Any, A: Any) -> Floats:
+        """The left side of (30), likewise."""
+        h, h_A, _, _ = self.averaged(A)
+        if not self.laws.any:
+            return np.asarray(self.flow.stability(Omega, A, self.m, self.zeta, h, h_A))
+        I_0, I_0A, _, _ = self.at_rest(A)
+        return np.asarray(dissipation.stability(Omega, A, I_0, I_0A, self.zeta, self.d, h, h_A))
+
+    def F_AA(self, Omega: Any, A: Any) -> Floats:
+        """d2F/dA2 (24), likewise."""
+        h, h_A, h_AA, _ = self.averaged(A)
+        if not self.laws.any:
+            return np.asarray(self.flow.F_AA(Omega, A, self.m, self.zeta, h, h_A, h_AA))
+        I_0, I_0A, I_0AA, _ = self.at_rest(A)
+        return np.asarray(dissipation.F_AA(Omega, A, I_0, I_0A, I_0AA, self.zeta, self.d, h, h_A, h_AA))
+
+    def Omega_A(self, Omega: Any, A: Any) -> Floats:
+        """dOmega/dA along the response (24), likewise."""
+        h, h_A, _, _ = self.averaged(A)
+        if not self.laws.any:
+            of_response: Any = inertia if self.inertial else general_flow
+            return np.asarray(of_response.Omega_A(Omega, A, self.m, self.zeta, h, h_A))
+        I_0, I_0A, _, _ = self.at_rest(A)
+        return np.asarray(dissipation.Omega_A(Omega, A, I_0, I_0A, self.zeta, self.d, h, h_A))
+
     def level(self, Omega: Any, A: Any) -> Floats:
         """The amplitude F_0 of the excitation for which (Omega, A), shapes that broadcast, is a steady state (24)."""
         kernels: Any = inertia if self.inertial else self.flow
-        return np.asarray(kernels.level(Omega, A, self.m, self.zeta, self.averaged(A)[0]))
+        return np.asarray(kernels.level(Omega, A, *self.alike(Omega, A), self.averaged(A)[0]))
 
     def sticks(self, F_0: float) -> bool:
         """Whether the excitation leaves the mass at rest at every frequency (27)."""
@@ -165,7 +302,8 @@ class Model:
         of_design = zip((one.name for one in self.mechanism.design), self.design, strict=False)
         numbers = dict(of_design) or dict(of_force)
         damping = {"mu": self.mu, "zeta": self.zeta}
-        return {"mechanism": self.mechanism.name, **numbers, **damping, "excitation": self.excitation}
+        said = {"excitation": self.excitation, **self.laws.said()}
+        return {"mechanism": self.mechanism.name, **numbers, **damping, **said}
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""

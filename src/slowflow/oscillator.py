@@ -15,7 +15,7 @@ from slowflow.averaged import many
 from slowflow.averaged.questions import Answer, Averaged
 from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
-from slowflow.model import Model
+from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import (
     Measured,
     MeasuredFolds,
@@ -55,6 +55,9 @@ class Oscillator(Averaged):
 
     mechanism -- the record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`
     mu, zeta  -- dry friction and viscous damping ratio, >= 0
+    eta       -- structural damping, the loss factor of the vertical spring, >= 0
+    c_2       -- quadratic damping c_2 |u'|u', over m/L, >= 0
+    rubs      -- where dry friction acts: "throughout", or "attached", for |u| below the first breakpoint only
     design    -- the numbers that `mechanism.design` names, each within its domain
     excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
         "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
@@ -62,6 +65,10 @@ class Oscillator(Averaged):
         A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
     load      -- what rests on it beyond what the vertical spring holds at the centre, over k_v L. It takes the motion
         off the centre: what has no answer there, see `off_centre`, raises ValueError
+
+    With eta, c_2 or rubs="attached" the averaged questions are answered on NumPy, in some tenths of a second each; the
+    excitation is a force then. There are no proofs, no gradients, no second approximation, and with eta > 0 no exact
+    response curves, sweeps or shocks.
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
     makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
@@ -77,18 +84,24 @@ class Oscillator(Averaged):
         *,
         mu: float = 0.0,
         zeta: float = 0.0,
+        eta: float = 0.0,
+        c_2: float = 0.0,
+        rubs: str = THROUGHOUT,
         excitation: str = "force",
         load: float = 0.0,
         **design: float,
     ) -> None:
         values = {**design, "mu": mu, "zeta": zeta}
-        super().__init__(Model.of(mechanism, values, validate.choice("excitation", excitation, tuple(EXCITATIONS))))
+        laws = Laws.of(eta, c_2, rubs)
+        known_as = validate.choice("excitation", excitation, tuple(EXCITATIONS))
+        super().__init__(Model.of(mechanism, values, known_as, laws))
         given = {name: float(value) for name, value in values.items()}
         own = tuple(given[domain.name] for domain in mechanism.design)
         known = {name.name: value for name, value in zip(mechanism.parameters, self.model.parameters, strict=True)}
         # not by attribute: these cannot be set
         self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
         self.__dict__.update(design=own, given={"mechanism": mechanism, **given, "excitation": excitation})
+        self.given.update(laws.said())
         if load != 0:
             self._put(load)
 
@@ -96,6 +109,7 @@ class Oscillator(Averaged):
         """A load on it: its slow flow about the centre is not asked from here on."""
         load = validate.number("load", load)
         validate.is_force(f"load = {load:g}", self.excitation)
+        self.only_for_plain_damping(f"load = {load:g}")
         self.given["load"] = load
         self.__dict__["model"] = Loaded(self.model, load)
         self.off_centre  # noqa: B018  refuses a force that nothing is derived for
@@ -116,6 +130,7 @@ class Oscillator(Averaged):
         from slowflow.off_centre.questions import OffCentre
 
         self.only_for_a_force("off_centre")
+        self.only_for_plain_damping("off_centre")
         return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load)
 
     def at_centre(self, question: str) -> None:
@@ -144,6 +159,21 @@ class Oscillator(Averaged):
     def detachment(self) -> Any:
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
         return super().detachment() if self.load == 0 else self.off_centre.detachment()
+
+    @property
+    def eta(self) -> float:
+        """Loss factor of the vertical spring, dimensionless."""
+        return self.model.laws.eta
+
+    @property
+    def c_2(self) -> float:
+        """Quadratic damping, the factor of |u'|u', over m/L."""
+        return self.model.laws.c_2
+
+    @property
+    def rubs(self) -> str:
+        """Where dry friction acts: "throughout", or "attached", below the first breakpoint."""
+        return self.model.laws.rubs
 
     @property
     def excitation(self) -> str:
@@ -198,7 +228,7 @@ class Oscillator(Averaged):
         if load is None:
             return found
         values = dict(zip((domain.name for domain in self.model.mechanism.design), self.design, strict=True))
-        model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation)
+        model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation, self.model.laws)
         other = Averaged(model).saddle_node_onset()
         if other.F_SN is None:
             beside = f"without truncation: {other.message}"
@@ -223,17 +253,22 @@ class Oscillator(Averaged):
         other = mechanism.load_untruncated()
         return Force.of(other, tuple(float(value) for value in other.coefficients(*self.design)))
 
-    def equation_of_motion(self, which: str | None = None) -> EquationOfMotion:
-        """Equation (3) without its forcing, which it is told the kind of; the force as in `restoring_force`.
+    def equation_of_motion(self, which: str | None = None, *, Omega: float | None = None) -> EquationOfMotion:
+        """Equation (3) without its forcing, the force as in `restoring_force`.
 
-        Raises ValueError as `restoring_force`, and for a force that jumps at u = 0.
+        Structural damping is (eta/Omega) u' at the frequency of the motion, and so needs that. Raises ValueError as
+        `restoring_force`, for a force that jumps at u = 0, and for eta > 0 without Omega.
         """
-        force = self.restoring_force(which)
+        laws, force = self.model.laws, self.restoring_force(which)
         if force.value(0.0) != 0:
             raise ValueError(
                 f"motions of {self.model.mechanism.name} are not followed: its force jumps at u = 0, where a mass rests"
             )
-        return EquationOfMotion(force, self.mu, self.zeta, self.model.inertial, self.load)
+        if laws.eta > 0 and Omega is None:
+            raise ValueError(f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency")
+        structural = 0.0 if laws.eta == 0 or Omega is None else laws.eta / (2 * Omega)
+        beside = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT
+        return EquationOfMotion(force, self.mu, self.zeta + structural, *beside)
 
     def steady_state(
         self, *, Omega: float, F_0: float, A: float | None = None, force: str | None = None
@@ -250,7 +285,8 @@ class Oscillator(Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.steady_state(self, self.equation_of_motion(force), Omega, F_0, A)
+        at = validate.number("Omega", Omega, above=0.0)
+        return questions.steady_state(self, self.equation_of_motion(force, Omega=at), at, F_0, A)
 
     def exact_response(
         self,
@@ -400,6 +436,7 @@ class Oscillator(Averaged):
         from slowflow.second import SecondApproximation
 
         self.at_centre("second_approximation")
+        self.only_for_plain_damping("second_approximation")
         return SecondApproximation(self)
 
     @classmethod

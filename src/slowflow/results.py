@@ -225,6 +225,7 @@ def _given(model: Model | None) -> moves.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.design:
         raise ValueError(NOT_AVERAGED)
+    validate.is_plain("gradient", model.laws.told())
     return moves.Given(model.mechanism, (*model.design, model.mu, model.zeta), model.excitation)
 
 
@@ -256,7 +257,7 @@ class SteadyStates(Table):
     def phi(self) -> Floats:
         """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed when first asked for."""
         h = self._model.averaged(self.A)[0]
-        phase = self._model.flow.phase(self.Omega, self.A, self._model.m, self._model.zeta, h)
+        phase = self._model.flow.phase(self.Omega, self.A, *self._model.alike(self.Omega, self.A), h)
         return frozen(np.asarray(phase) + 0 * self.A)
 
     @property
@@ -272,7 +273,7 @@ class SteadyStates(Table):
         On a base that shakes it is as well the absolute displacement of the mass over that of the base.
         """
         h = self._model.averaged(self.A)[0]
-        m, zeta = self._model.m, self._model.zeta
+        m, zeta = self._model.alike(self.Omega, self.A)
         return frozen(slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h))
 
     @property

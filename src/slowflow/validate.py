@@ -111,6 +111,12 @@ def is_force(question: str, excitation: str) -> None:
         raise ValueError(f"{question} is not available with excitation = {excitation!r}, only with 'force'")
 
 
+def is_plain(question: str, laws: str) -> None:
+    """ValueError where a question is asked of an oscillator with other laws of damping, told in words."""
+    if laws:
+        raise ValueError(f"{question} is not available with {laws}, only with mu and zeta")
+
+
 def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
     """One of the words allowed."""
     if not isinstance(value, str) or value not in allowed:

@@ -1617,6 +1617,219 @@ def off_centre_table(rng: random.Random) -> dict:
     return table
 
 
+# --- other laws of damping -------------------------------------------------------------------------------------------
+
+
+def by_work(work, A):
+    """The share in I of what does that work in a cycle: I is work/(pi A)."""
+    return work / (mp.pi * A)
+
+
+def quadratic_work(Omega, A, c_2):
+    """c_2 u'^2 along the way from A to -A and back, where u'^2 = Omega^2 (A^2 - u^2)."""
+    return 2 * mp.quad(lambda u: c_2 * Omega**2 * (A**2 - u**2), [-A, A])
+
+
+def rest_share(passed):
+    """I_0 from the work of friction, on all of the way or on what lies within u_cr, and of structural damping."""
+
+    def share(A, m, eta, u_cr=None):
+        way = 4 * (u_cr if passed else A)
+        # m = 4 mu/pi; the ellipse of eta u'/Omega over u
+        return by_work(m * mp.pi / 4 * way + mp.pi * eta * A**2, A)
+
+    return lambda A, *x: [mp.diff(lambda a: share(a, *x), A, order) for order in range(4)]
+
+
+def by_laws(names):
+    """F and I of a kernel's arguments, as functions of A and Omega next to these; and R, I where they are given.
+
+    Where R and I are arguments they stand for the values at (Omega, A), and their slopes are those of A Omega^2 + h
+    and of I_0 + 2 zeta A Omega + d (A Omega)^2.
+    """
+    known = names.split()
+
+    def made(*x):
+        at = dict(zip(known, x, strict=True))
+        Omega, A, zeta, d = (at.get(name, mpf(0)) for name in ("Omega", "A", "zeta", "d"))
+        h = near(A, [at.get(f"h{order}", mpf(0)) for order in ("", "_A", "_AA", "_AAA")])
+        rest = near(A, [at.get(f"I_0{order}", mpf(0)) for order in ("", "A", "AA", "AAA")])
+
+        def R(a, w):
+            return a * w**2 + h(a)
+
+        def I(a, w):  # noqa: E743
+            return balances(w, a, rest(a), zeta, 0)[1] + d * (a * w) ** 2
+
+        off_R, off_I = (at[name] - f(A, Omega) if name in at else 0 for name, f in (("R", R), ("I", I)))
+
+        def F(a, w):
+            return (R(a, w) + off_R) ** 2 + (I(a, w) + off_I) ** 2 - at.get("F_0", 0) ** 2
+
+        def peak(a, w):
+            """F_Omega/(4 a w), in which the I of I_0 counts; with the slopes of R and I themselves."""
+            return R(a, w) + off_R + I(a, w) * (zeta / w + d * a)
+
+        def bend(a, w):
+            """F_AOmega/(2 w) of the R and I that h and I_0 give."""
+            return mp.diff(lambda b, v: R(b, v) ** 2 + I(b, v) ** 2, (a, w), (1, 1)) / (2 * w)
+
+        return A, Omega, F, I, peak, bend
+
+    return made
+
+
+def dissipated_balance(names):
+    """I."""
+    made = by_laws(names)
+
+    def balance(*x):
+        A, Omega, _, I, *_ = made(*x)
+        return [I(A, Omega)]
+
+    return balance
+
+
+def dissipated_slope(order, names, halved=False):
+    """One derivative of F, over 2 A if it is halved."""
+    made = by_laws(names)
+
+    def slope(*x):
+        A, Omega, F, *_ = made(*x)
+        return [mp.diff(F, (A, Omega), order) / (2 * A if halved else 1)]
+
+    return slope
+
+
+def dissipated_system(first, second, names):
+    """Two functions, or one, and their slopes."""
+    made = by_laws(names)
+
+    def system(*x):
+        A, Omega, F, _, peak, bend = made(*x)
+        of = {
+            "F": F,
+            "F_A": lambda a, w: mp.diff(lambda b: F(b, w), a),
+            "F_AA": lambda a, w: mp.diff(lambda b: F(b, w), a, 2),
+            "peak": peak,
+            "bend": bend,
+        }
+        both = [name for name in (first, second) if name]
+        values = [of[name](A, Omega) for name in both]
+        by = ((1, 0), (0, 1))
+        orders = {"F": (0, 0), "F_A": (1, 0), "F_AA": (2, 0)}
+
+        def slope(name, step):
+            if name in orders:
+                return mp.diff(F, (A, Omega), tuple(a + b for a, b in zip(orders[name], step, strict=True)))
+            return mp.diff(of[name], (A, Omega), step)
+
+        return [*values, *(slope(name, step) for name in both for step in by)]
+
+    return system
+
+
+def quartic_of(half, names):
+    """Coefficients of F, or of F_A/2, from their values at five frequencies."""
+    made = by_laws("Omega " + names)
+
+    def coefficients(*x):
+        def value(w):
+            A, _, F, *_ = made(w, *x)
+            return mp.diff(lambda a: F(a, w), A) / 2 if half else F(A, w)
+
+        matrix = mp.matrix([[mpf(node) ** k for k in range(5)] for node in range(1, 6)])
+        with mp.extradps(20):
+            return list(mp.lu_solve(matrix, mp.matrix([value(mpf(node)) for node in range(1, 6)])))
+
+    return coefficients
+
+
+def dissipated_frequency(names):
+    """dOmega/dA of the states at one forcing, found as roots."""
+    made = by_laws(names)
+
+    def slope(*x):
+        A, Omega, F, *_ = made(*x)
+        here = F(A, Omega)
+        return [mp.diff(lambda a: mp.findroot(lambda w: F(a, w) - here, Omega, tol=mpf(10) ** -110), A)]
+
+    return slope
+
+
+def turn_beside(x, A, *damping):
+    """F_AOmega/(4 Omega) over Omega^2 at the h and h_A for which R and R_A vanish."""
+    w = 1 / x
+    slope = dissipated_slope((1, 1), "Omega A I_0 I_0A zeta d h h_A")(w, A, *damping, -A * w**2, -(w**2))
+    return [slope[0] / (4 * w) * x**2]
+
+
+def largest_held(Omega, F_0, m, zeta, eta, d):
+    """The amplitude at which I is F_0, as a root."""
+    with mp.extradps(20):
+        roots = mp.polyroots([d * Omega**2, 2 * zeta * Omega + eta, m - F_0], maxsteps=200, extraprec=200)
+        return max(root.real for root in roots)
+
+
+def resisting(v, zeta, friction, quadratic):
+    """By the derivative of all that resists."""
+    whole = 2 * zeta * v + friction + quadratic * v**2
+    slope = mp.diff(lambda x: 2 * zeta * x + friction + quadratic * x**2, v)
+    return [whole - 2 * zeta * v, slope / 2]
+
+
+DISSIPATION: dict[str, tuple[str, Function]] = {
+    "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
+    # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
+    "restoring": ("A F_0 d", lambda A, F_0, d: [F_0 + A * mp.findroot(lambda X: d * A**2 * X - F_0, F_0 / d / A**2)]),
+    "resistance": ("v zeta friction quadratic", resisting),
+    "at_rest": ("A m eta", rest_share(passed=False)),
+    "released": ("A m eta u_cr", rest_share(passed=True)),
+    "I": ("Omega A I_0 zeta d", dissipated_balance("Omega A I_0 zeta d")),
+    **{
+        f"F_{''.join(letters)}": (names, dissipated_slope((letters.count("A"), letters.count("Omega")), names))
+        for letters, names in (
+            (("A",), "Omega A I_0 I_0A zeta d h h_A"),
+            (("A", "A"), "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA"),
+            (("Omega",), "Omega A I_0 zeta d h"),
+            (("Omega", "Omega"), "Omega A I_0 zeta d h"),
+            (("A", "Omega"), "Omega A I_0 I_0A zeta d h h_A"),
+            (("A", "Omega", "Omega"), "Omega A I_0 I_0A zeta d h h_A"),
+        )
+    },
+    "Omega_A": (names := "Omega A I_0 I_0A zeta d h h_A", dissipated_frequency(names)),
+    "stability": (names, dissipated_slope((1, 0), names, halved=True)),
+    "response_quartic": (names := "A I_0 zeta d h", quartic_of(False, names)),
+    "fold_quartic": (names := "A I_0 I_0A zeta d h h_A", quartic_of(True, names)),
+    "turn_share": ("x A I_0 I_0A zeta d", turn_beside),
+    "limit_envelope": ("Omega F_0 m zeta eta d", lambda *x: [largest_held(*x)]),
+    **{
+        name: (names, dissipated_system(first, second, names))
+        for name, first, second, names in (
+            ("folds", "F", "F_A", "Omega A F_0 I_0A I_0AA zeta d h_A h_AA R I"),
+            ("peaks", "F", "peak", "Omega A F_0 I_0 I_0A zeta d h_A R I"),
+            ("cusps", "F_A", "F_AA", "Omega A I_0A I_0AA I_0AAA zeta d h_A h_AA h_AAA R I"),
+            ("isolas", "F_A", "peak", "Omega A I_0 I_0A I_0AA zeta d h_A h_AA R I"),
+            ("turns", "F_A", "bend", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
+            ("rest", "F", "", "Omega A F_0 I_0A zeta d h_A R I"),
+            ("stiffness", "F_A", "", "Omega A I_0A I_0AA zeta d h_A h_AA R I"),
+        )
+    },
+}
+
+
+def dissipation_table(rng: random.Random) -> dict:
+    """Six points of each kernel; of what leaves at u_cr, beyond that."""
+    table = {}
+    for kernel, (names, f) in DISSIPATION.items():
+        chosen = points(rng, names, 6)
+        if kernel == "released":
+            for x in chosen:
+                x[0] += x[-1]
+        table[kernel] = [entry(f, x) for x in chosen]
+    return table
+
+
 # --- points ----------------------------------------------------------------------------------------------------------
 
 RANGES = {
@@ -1661,6 +1874,17 @@ RANGES = {
     "linear": (0.0001, 0.03),
     "rest": (0.001, 1.0),
     "lost": (0.001, 0.5),
+    # other laws of damping
+    "eta": (0.005, 0.2),
+    "c_2": (0.05, 2.0),
+    "d": (0.05, 2.0),
+    "u_cr": (0.05, 0.5),
+    "I": (0.01, 0.1),
+    "I_0": (0.005, 0.05),
+    "I_0A": (-0.2, 0.2),
+    "I_0AA": (-1.0, 1.0),
+    "I_0AAA": (-5.0, 5.0),
+    **dict.fromkeys(("friction", "quadratic"), (-0.5, 0.5)),
     **dict.fromkeys(("cosine", "sine", "slip"), (-0.99, 0.99)),
     **dict.fromkeys(("v", "f", "inner", "outer"), (-1.0, 1.0)),
     **dict.fromkeys(("f_u", "inner_u", "outer_u"), (-0.5, 2.0)),
@@ -2018,6 +2242,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
     for scene in SCENES:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
     made["inertia"] = inertia_table
+    made["dissipation"] = dissipation_table
     made["second_approximation"] = second_approximation_table
     made["frequencies"] = frequencies_table
     made["motion"] = motion_table

@@ -9,6 +9,7 @@ from __future__ import annotations
 from ...results import Results
 from ..form import Module
 from .beyond import den_hartog_module, second_approximation_module
+from .dissipation import dissipation_module
 from .flow import slow_flow_modules
 from .frequencies import frequencies_module
 from .inertia import inertia_module
@@ -25,6 +26,7 @@ def all_modules(results: Results) -> list[Module]:
         frequencies_module(results),
         inertia_module(results),
         off_centre_module(results),
+        dissipation_module(results),
         motion_module(results),
         second_approximation_module(results),
         den_hartog_module(results),

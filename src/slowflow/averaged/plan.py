@@ -91,7 +91,8 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
         force = Step("force", True, "one piece: no angles, no corner")
     else:
         force = Step("force", True, "its pieces up to the highest amplitude at F_0")
-    flow = Step("slow flow", True, whole.flow.SCENE)
+    told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
+    flow = Step("slow flow", True, told)
     if question == "peak":
         return Plan(question, F_0, whole, False, (force, flow, *PEAK))
     if question != "saddle_nodes":
@@ -184,7 +185,8 @@ def needs_no_solver(question: str, whole: Model) -> bool:
 
 def plan_of_all(question: str, whole: Model) -> Plan:
     """The plan for one of `OF_ALL`, which are about every forcing."""
-    flow = Step("slow flow", True, whole.flow.SCENE)
+    told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
+    flow = Step("slow flow", True, told)
     if needs_no_solver(question, whole):
         why = words.NO_DETACHMENT if question == "detachment" else "a linear oscillator has none"
         name = "detachment" if question == "detachment" else "folds"
@@ -192,7 +194,7 @@ def plan_of_all(question: str, whole: Model) -> Plan:
     if question == "detachment":
         return Plan(question, None, whole, False, (Step("force", True, "its first piece, at A = u_cr only"), flow))
     force = Step("force", True, "all its pieces" if whole.breakpoints else "one piece: no angles, no corner")
-    if question == "saddle_node_onset" and whole.zeta == 0:
+    if question == "saddle_node_onset" and whole.zeta == 0 and not whole.laws.any:
         search = Step("fold locus", False, "zeta = 0: folds at one forcing tell whether they come down to 4 mu/pi")
         return Plan(question, None, whole, True, (force, flow, search))
     return Plan(question, None, whole, True, (force, flow, LOCUS[question]))

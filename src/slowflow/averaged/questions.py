@@ -17,7 +17,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.averaged import plan, proofs, remarks, solvers, words
-from slowflow.model import Floats, Model
+from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import (
     DRAWN,
     Certificate,
@@ -33,7 +33,7 @@ from slowflow.results import (
     SteadyStates,
     joined,
 )
-from slowflow_kernels import slow_flow
+from slowflow_kernels import dissipation, slow_flow
 
 State = TypeVar("State", FrequencyResponse, SteadyStates)
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
@@ -75,6 +75,10 @@ class Averaged:
     def only_for_a_force(self, question: str) -> None:
         """Raises ValueError where the question is asked of another excitation, for which it has no answer yet."""
         validate.is_force(question, self.model.excitation)
+
+    def only_for_plain_damping(self, question: str) -> None:
+        """Raises ValueError where other laws of damping than mu and zeta leave the question without an answer yet."""
+        validate.is_plain(question, self.model.laws.told())
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
@@ -160,6 +164,7 @@ class Averaged:
         """
         if certify:
             self.only_for_a_force("certify")
+            self.only_for_plain_damping("certify")
         found = self._remarked(self.folds(F_0), F_0)
         if certify:  # an answer does not change; this one has not been given yet
             found.__dict__["proof"] = self._proved_folds(found)
@@ -169,9 +174,11 @@ class Averaged:
         """What is proved at F_0, in interval arithmetic: all folds, F_SN, F_cr, and all states at a frequency `Omega`.
 
         Each has enclosures and says whether it is proved, of the oscillator whose numbers are exactly the given
-        doubles. Raises ValueError for F_0 <= 0, for Omega <= 0 or > 1e40, and for an excitation by inertia.
+        doubles. Raises ValueError for F_0 <= 0, for Omega <= 0 or > 1e40, for an excitation by inertia, and for other
+        laws of damping than mu and zeta.
         """
         self.only_for_a_force("certify")
+        self.only_for_plain_damping("certify")
         found = self.saddle_nodes(F_0)
         states = None
         if Omega is not None:
@@ -233,11 +240,12 @@ class Averaged:
     def closes(self, F_0: float) -> bool:
         """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.
 
-        Without viscous damping it has none, nor on a base that shakes by so much that a hardening spring does not
-        end the resonance.
+        Without damping beside friction it has none, nor on a base that shakes by so much that a hardening spring does
+        not end the resonance.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        return self.model.zeta > 0 and (not self.model.inertial or solvers.closes(self.model, F_0))
+        known = self.model.inertial or self.model.laws.any
+        return (self.model.zeta > 0 or self.model.laws.any) and (not known or solvers.closes(self.model, F_0))
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
         """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).
@@ -269,12 +277,20 @@ class Averaged:
 
     @np.errstate(all="ignore")
     def limit_envelope(self, *, Omega: Any, F_0: Any) -> Floats:
-        """A_L at (Omega, F_0), broadcast (27), which no response exceeds; inf for zeta = 0, 0 where it sticks."""
+        """A_L at (Omega, F_0), broadcast (27), which no response exceeds; inf for zeta = 0, 0 where it sticks.
+
+        Raises ValueError for rubs="attached": beyond u_cr friction's share falls, and I = F_0 has no closed form.
+        """
+        if self.model.laws.rubs != THROUGHOUT:
+            self.only_for_plain_damping("limit_envelope")
         Omega, F_0 = validate.positive_array("Omega", Omega), validate.positive_array("F_0", F_0)
         shape = validate.common_shape({"Omega": Omega, "F_0": F_0})
         force = self.model.force(F_0, Omega)
         bounded = np.inf
-        if self.zeta != 0:
+        if self.model.laws.any:
+            laws = self.model.laws.eta, self.model.d
+            bounded = dissipation.limit_envelope(Omega, force, self.model.m, self.zeta, *laws)
+        elif self.zeta != 0:
             bounded = self.model.flow.limit_envelope(Omega, force, self.model.m, self.zeta)
         return np.broadcast_to(np.where(force <= self.model.m, 0.0, bounded), shape).copy()
 
@@ -285,7 +301,7 @@ class Averaged:
         Raises OverflowError where doubles do not hold what it is made of.
         """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
-        damping = self.model.flow.equivalent_damping(Omega, A, self.model.m, self.zeta) + 0 * (Omega + A)
+        damping = self.model.flow.equivalent_damping(Omega, A, *self.model.alike(Omega, A)) + 0 * (Omega + A)
         return _in_range("the equivalent damping", damping)
 
     @np.errstate(all="ignore")
@@ -295,9 +311,7 @@ class Averaged:
         Raises OverflowError where doubles do not hold what it is made of.
         """
         Omega, A = validate.positive_array("Omega", Omega), validate.positive_array("A", A)
-        h, h_A, _, _ = self.model.averaged(A)
-        margin = self.model.flow.stability(Omega, A, self.model.m, self.zeta, h, h_A)
-        return _in_range("the left side of (30)", margin)
+        return _in_range("the left side of (30)", self.model.stability(Omega, A))
 
     def plot(self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Any = None) -> Any:
         """Draw the response at one forcing, or at each of several, into Matplotlib axes, or new ones; return these.

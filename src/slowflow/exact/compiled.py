@@ -32,7 +32,9 @@ def recurrences(law: Law) -> int | None:
 
 
 def compiles(system: EquationOfMotion) -> bool:
-    """Whether every piece of the force has recurrences in C."""
+    """Whether every piece of the force has recurrences in C, and all of the damping."""
+    if system.c_2 != 0 or system.released:
+        return False
     return all(recurrences(piece.law) is not None for piece in system.force.pieces)
 
 
@@ -61,7 +63,7 @@ class TaylorIntegrator:
     ) -> tuple[float, float, Array]:
         """See `Integrator`."""
         flow = np.empty((2, 4))
-        outcome, steps, u, v = EXACT.advance(of_piece(piece), drive, theta, u, v, end, steps_left(), flow)
+        outcome, steps, u, v = EXACT.advance(of_piece(piece), drive[:4], theta, u, v, end, steps_left(), flow)
         spend(steps)
         if outcome:
             raise ArithmeticError(f"the integration from theta = {theta} to {end} failed")
@@ -72,7 +74,7 @@ class TaylorIntegrator:
     ) -> tuple[float, float, float, int]:
         """See `Integrator`."""
         outcome, steps, at, u, v, event, _ = EXACT.until(
-            of_piece(piece), drive, slip, edge, theta, u, v, end, steps_left()
+            of_piece(piece), drive[:4], slip, edge, theta, u, v, end, steps_left()
         )
         spend(steps)
         if outcome:
@@ -83,7 +85,7 @@ class TaylorIntegrator:
         """See `Integrator`."""
         states = np.empty((grid.size, 2))
         outcome, steps = EXACT.sample(
-            of_piece(piece), drive, theta, u, v, steps_left(), np.ascontiguousarray(grid), states
+            of_piece(piece), drive[:4], theta, u, v, steps_left(), np.ascontiguousarray(grid), states
         )
         spend(steps)
         if outcome:

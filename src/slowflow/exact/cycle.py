@@ -143,7 +143,7 @@ class Cycle:
                 push = forced.push(region, end, u)
                 of_theta[2 + i] = 1.0
                 of_state[1] = 0.0
-                residual[i] = push - next_slip * system.mu
+                residual[i] = push - next_slip * system.friction(region)
                 by_theta, by_u, by_force = forced.push_slopes(region, end, u)
                 jacobian[i] = by_theta * of_theta + by_u * of_state[0]
                 jacobian[i, -1] += by_force
@@ -151,7 +151,7 @@ class Cycle:
                 monodromy[1] = 0.0
                 v, theta = 0.0, end
                 continue
-            piece, drive = forced.piece(region), forced.drive(slip)
+            piece, drive = forced.piece(region), forced.drive(slip, region)
             rate = np.array([v, forced.acceleration(slip, region, theta, u, v)]) / Omega
             u, v, flow = integrator.advance(piece, drive, theta, u, v, end)
             of_state -= np.outer(rate, of_theta)
@@ -196,11 +196,11 @@ class Cycle:
         slip, region = self.signature[phase]
         edge = edge_ahead(self.system, slip, region)
         found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
-        if next_slip != 0 and self.system.mu > 0:
+        if next_slip != 0 and self.system.friction(region) > 0:
             by_theta, by_u, by_force = forced.push_slopes(region, theta, u)
             slope = by_theta * of_theta + by_u * of_u
             slope[-1] += by_force
-            margin = next_slip * forced.push(region, theta, u) - self.system.mu
+            margin = next_slip * forced.push(region, theta, u) - self.system.friction(region)
             found.append(Border(phase, True, margin, next_slip * slope))
         return found
 
@@ -311,7 +311,7 @@ class Cycle:
         for i, (slip, region) in enumerate(self.signature[: phase + 1]):
             end = theta + float(z[2 + i])
             if slip != 0:
-                u, v, _ = self.integrator.advance(forced.piece(region), forced.drive(slip), theta, u, v, end)
+                u, v, _ = self.integrator.advance(forced.piece(region), forced.drive(slip, region), theta, u, v, end)
             theta = end
         return theta, u
 

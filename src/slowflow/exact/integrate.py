@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.mechanism import Piece
-from slowflow_kernels import motion
+from slowflow_kernels import dissipation, motion
 from slowflow_kernels.exact_conventions import Event
 
 Array = NDArray[np.float64]
@@ -66,12 +66,23 @@ def spend(steps: int) -> None:
 
 
 class Drive(NamedTuple):
-    """The constants of a slip phase; friction is mu times the sign of the velocity, less a static load."""
+    """The constants of a slip phase; friction and quadratic are mu and c_2 times the sign of the velocity.
+
+    Of friction a static load is taken off.
+    """
 
     Omega: float
     F_0: float
     zeta: float
     friction: float
+    quadratic: float = 0.0
+
+    def resistance(self, v: Any) -> tuple[Any, Any]:
+        """What resists like friction at a velocity, quadratic damping included, and zeta with its slope beside it."""
+        if self.quadratic == 0:
+            return self.friction, self.zeta
+        resists, damps = dissipation.resistance(v, self.zeta, self.friction, self.quadratic)
+        return resists, damps
 
 
 class Integrator(Protocol):
@@ -103,7 +114,8 @@ class ScipyIntegrator:
     @staticmethod
     def _field(piece: Piece, drive: Drive) -> Any:
         def field(theta: float, y: Array) -> Any:
-            return motion.rates(np.cos(theta), y[1], *drive, piece(y[0]))
+            resists, _ = drive.resistance(y[1])
+            return motion.rates(np.cos(theta), y[1], drive.Omega, drive.F_0, drive.zeta, resists, piece(y[0]))
 
         return field
 
@@ -111,11 +123,12 @@ class ScipyIntegrator:
         self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
     ) -> tuple[float, float, Array]:
         """See `Integrator`."""
-        Omega, _, zeta, _ = drive
+        Omega, F_0, zeta, *_ = drive
 
         def variational(at: float, y: Array) -> Array:
-            given = (np.cos(at), y[1], *drive, piece(y[0]))
-            by_state = np.reshape(motion.rates_by_state(Omega, zeta, piece.slope(y[0])), (2, 2))
+            resists, damps = drive.resistance(y[1])
+            given = (np.cos(at), y[1], Omega, F_0, zeta, resists, piece(y[0]))
+            by_state = np.reshape(motion.rates_by_state(Omega, damps, piece.slope(y[0])), (2, 2))
             by_parameter = np.reshape(motion.rates_by_parameter(*given), (2, -1))
             tangent = by_state @ y[2:].reshape(2, 4)
             tangent[:, 2:] += by_parameter[:, :2]

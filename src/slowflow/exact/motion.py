@@ -69,9 +69,11 @@ class Forced(NamedTuple):
         """The piece of the force in that region."""
         return self.system.force.pieces[abs(region)]
 
-    def drive(self, slip: int) -> Drive:
-        """The constants of a slip phase."""
-        return Drive(self.Omega, self.force, self.system.zeta, slip * self.system.mu - self.system.load)
+    def drive(self, slip: int, region: int) -> Drive:
+        """The constants of a slip phase in that region."""
+        system = self.system
+        friction = slip * system.friction(region) - system.load
+        return Drive(self.Omega, self.force, system.zeta, friction, slip * system.c_2)
 
     def push(self, region: int, theta: float, u: float) -> float:
         """The force less f(u): what friction has to hold at rest."""
@@ -86,8 +88,11 @@ class Forced(NamedTuple):
 
     def acceleration(self, slip: int, region: int, theta: float, u: float, v: float) -> float:
         """u'' in a slip phase."""
-        _, force, zeta, friction = self.drive(slip)
-        return float(motion.acceleration(math.cos(theta), v, force, zeta, friction, self.piece(region).value(u)))
+        drive = self.drive(slip, region)
+        resists, _ = drive.resistance(v)
+        return float(
+            motion.acceleration(math.cos(theta), v, drive.F_0, drive.zeta, resists, self.piece(region).value(u))
+        )
 
 
 def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
@@ -107,7 +112,7 @@ def region_of(system: EquationOfMotion, u: float) -> int:
 
 def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
     """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
-    mu, amplitude = forced.system.mu, forced.force
+    mu, amplitude = forced.system.friction(region), forced.force
     force = forced.piece(region).value(u) - forced.system.load
     found = (math.inf, 0)
     for slip in (1, -1) if amplitude > 0 else ():
@@ -123,7 +128,7 @@ def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[flo
 def after_stop(forced: Forced, slip: int, region: int, theta: float, u: float) -> int:
     """What follows a stop reached in direction `slip`: the next direction, 0 if friction holds the mass."""
     push = forced.push(region, theta, u)
-    if forced.system.mu > 0 and abs(push) <= forced.system.mu:
+    if forced.system.friction(region) > 0 and abs(push) <= forced.system.friction(region):
         return 0
     return -slip if slip else (1 if push > 0 else -1)
 
@@ -164,11 +169,11 @@ def follow(
             region += slip
             continue
         spend(PHASE_WORK)
-        piece, drive = forced.piece(region), forced.drive(slip)
+        piece, drive = forced.piece(region), forced.drive(slip, region)
         from_theta, from_u, from_v = theta, u, v
         if v == 0.0:
             moved = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
-            if moved is None and system.mu > 0:
+            if moved is None and system.friction(region) > 0:
                 # the push exceeds friction by too little and for too short a time to be told from rounding
                 at, slip = break_away(forced, region, theta + NUDGES[-1], u)
                 theta = _rest(phases, region, theta, u, min(at, end), end)

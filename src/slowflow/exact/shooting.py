@@ -179,9 +179,9 @@ class SteadyState(Answer):
         if phase.slip == 0:
             return np.asarray(self.force * np.cos(theta))
         u, v = self._within(phase, theta).T
-        drive = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator).drive(phase.slip)
+        drive = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator).drive(phase.slip, phase.region)
         of_spring = self.cycle.system.force.pieces[abs(phase.region)](u)
-        return np.asarray(of_spring + 2.0 * drive.zeta * v + drive.friction)
+        return np.asarray(of_spring + 2.0 * drive.zeta * v + drive.resistance(v)[0])
 
     def _highest_passed_on(self, phase: Phase) -> float:
         """The largest size of that within a phase, its ends included."""
@@ -203,7 +203,7 @@ class SteadyState(Answer):
             return np.tile(np.array([phase.u, 0.0]), (theta.size, 1))
         forced = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator)
         return self.cycle.integrator.sample(
-            forced.piece(phase.region), forced.drive(phase.slip), phase.theta, phase.u, phase.v, theta
+            forced.piece(phase.region), forced.drive(phase.slip, phase.region), phase.theta, phase.u, phase.v, theta
         )
 
     def _state(self, theta: float) -> tuple[float, float]:
@@ -332,7 +332,7 @@ def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:
     for name, value in (("Omega", Omega), ("F_0", F_0)):
         if not (math.isfinite(value) and value > 0):
             raise ValueError(f"{name} = {value} must be positive and finite")
-    if system.mu == 0 and system.zeta == 0:
+    if system.mu == system.zeta == system.c_2 == 0:
         raise ValueError("mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state")
 
 

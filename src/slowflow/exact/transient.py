@@ -194,7 +194,7 @@ def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:
     """The motion from (u, v) on under one arc."""
     end = arc.theta + arc.Omega * arc.span
     region = region_of(forced.system, u)
-    if arc.F == 0.0 and v == 0.0 and abs(forced.piece(region).value(u)) <= forced.system.mu:
+    if arc.F == 0.0 and v == 0.0 and abs(forced.piece(region).value(u)) <= forced.system.friction(region):
         rest = Phase(0, region, arc.theta, u, 0.0, end, u, 0.0, Event.TIME)
         return Stretch(tau, arc.theta, forced, [rest])
     return Stretch(tau, arc.theta, forced, follow(forced, arc.theta, u, v, end))
@@ -205,10 +205,10 @@ def _states(forced: Forced, phase: Phase, theta: Array) -> Array:
     base = -forced.F_0 * np.cos(theta)
     if phase.slip == 0:
         return np.array([np.full(theta.size, phase.u), np.zeros(theta.size), base, base])
-    drive, piece = forced.drive(phase.slip), forced.piece(phase.region)
+    drive, piece = forced.drive(phase.slip, phase.region), forced.piece(phase.region)
     u, v = forced.integrator.sample(piece, drive, phase.theta, phase.u, phase.v, theta).T
     # seen by who stands still the forcing is no force
-    a = motion.acceleration(0.0, v, drive.F_0, drive.zeta, drive.friction, piece(u))
+    a = motion.acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v)[0], piece(u))
     return np.array([u, v, a, base])
 
 

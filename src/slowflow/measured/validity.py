@@ -23,6 +23,10 @@ NOT_MEASURED = (
     "not measured: how far averaging is off is known of the paper's isolator under a force only (docs/validity.md); "
     ".measure() measures it here and now"
 )
+NOT_MEASURED_LAWS = (
+    "not measured: how far averaging is off is known of viscous damping and dry friction only (docs/validity.md); "
+    "steady_state() has the motion itself"
+)
 NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
 OFF_BY = "were measured to be off by up to {:.0%}, .validity tells it for each"
 OFF_UNKNOWN = "are off, by how much was not measured for this mechanism"
@@ -66,13 +70,15 @@ class Validity(Answer):
 def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -> Validity:
     """The validity of averaged steady states of that model; `corner` tells that a fold on a breakpoint is there."""
     h = model.averaged(A)[0]
-    F_0 = model.flow.level(Omega, A, model.m, model.zeta, h)
+    F_0 = model.flow.level(Omega, A, *model.alike(Omega, A), h)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
         ratio, rest = model.mu / F_0, np.where(model.mu > 0, model.mu / (A * Omega**2), 0.0)
     if not _is_measured(model) or model.inertial:
         unknown = np.full(np.shape(A), np.nan)
         truncation = unknown if model.mechanism.truncated else np.zeros_like(unknown)
-        return Validity(ratio, rest, unknown, unknown, truncation, NOT_MEASURED)
+        return Validity(
+            ratio, rest, unknown, unknown, truncation, NOT_MEASURED_LAWS if model.laws.any else NOT_MEASURED
+        )
     chosen = _bin(measured.RATIOS, ratio), _bin(measured.RESTS, rest)
     typical, error = (np.array(sizes)[chosen] for sizes in (measured.TYPICAL, measured.ERROR))
     truncation = _truncation(model, A)
@@ -133,7 +139,7 @@ def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:
 
 
 def _is_measured(model: Model) -> bool:
-    return model.mechanism.is_generated and model.mechanism.name in measured.MECHANISMS
+    return not model.laws.any and model.mechanism.is_generated and model.mechanism.name in measured.MECHANISMS
 
 
 def _truncation(model: Model, A: Floats) -> Floats:

@@ -62,6 +62,7 @@ class Subject:
         isolator = of.oscillator if isinstance(of, Physical) else of
         if not isinstance(isolator, Isolator):
             raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
+        isolator.only_for_plain_damping("sizing")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"

@@ -13,7 +13,7 @@ import jinja2
 import sympy as sp
 
 from ....conventions import CONVENTIONS
-from ....mechanisms import DAMPING, EXCITATIONS, Parameter
+from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....quadrature import rule
 from ....scaling import Scale, of_every_excitation, of_every_oscillator
 from ....slow_flow import SCENES
@@ -45,7 +45,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = _environment()
     result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
-        damping=DAMPING, excitations=EXCITATIONS
+        damping=DAMPING, dissipation=DISSIPATION, rubs=RUBS, excitations=EXCITATIONS
     )
     result["slowflow_kernels/scaling.py"] = environment.get_template("scaling.py.jinja").render(
         scales={number.name: scale for number, scale in of_every_oscillator().items()},

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import inertia
+from slowflow.averaged.reference import dissipated, inertia
 from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.roots import peak_roots, response_roots
@@ -29,10 +29,9 @@ _RUNGS = _rungs()
 
 def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
     """The lowest F_0 for which each A (n,) is a steady state, and its Omega: min over Omega >= 0 of sqrt(R^2 + I^2)."""
-    h = model.averaged(A)[0]
-    flow = model.flow
-    Omega = np.concatenate([np.zeros((*A.shape, 1)), peak_roots(A, h, model.m, model.zeta)[0]], axis=-1)
-    level = flow.level(Omega, A[..., np.newaxis], model.m, model.zeta, h[..., np.newaxis])
+    stationary = peak_roots(A, model.averaged(A)[0], model.m, model.zeta)[0]
+    Omega = np.concatenate([np.zeros((*A.shape, 1)), stationary], axis=-1)
+    level = model.level(Omega, A[..., np.newaxis])
     lowest = np.nanargmin(level, axis=-1)[..., np.newaxis]
     return np.take_along_axis(level, lowest, -1)[..., 0], np.take_along_axis(Omega, lowest, -1)[..., 0]
 
@@ -44,9 +43,14 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     From there on |h| is too large for a state: it is so there, and rises up to where it has no bound in doubles. Raises
     OverflowError where no such amplitude is found.
     """
-    if model.zeta == 0:
+    if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
+    if model.laws.any:
+        found = dissipated.bound(model, F_0, rungs)
+        if found < np.inf:
+            return found, ""
+        raise OverflowError(f"no amplitude bounds the response at F_0 = {F_0:.17g}")
     if model.inertial:
         closed = inertia.bound(model, F_0, rungs)
         return (closed, "") if closed is not None else words.does_not_close(inertia.cut(model, F_0, rungs))
@@ -80,5 +84,7 @@ def least_beyond(model: Model, rungs: Floats) -> Floats:
 
 
 def closes(model: Model, F_0: float) -> bool:
-    """Whether the response to an excitation by inertia is known to have a highest amplitude."""
+    """Whether the response to an excitation by inertia, or by other laws of damping, has a known highest amplitude."""
+    if model.laws.any:
+        return bool(dissipated.bound(model, F_0, max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS) < np.inf)
     return not amplitude_bound(model, F_0)[1]

@@ -46,10 +46,11 @@ def is_F_close(model: Model, F_0: Any, Omega: Floats, A: Floats) -> Bools:
     """Whether F = R^2 + I^2 - F_0^2 is as near to 0 as rounding may bring it."""
     F_0 = model.force(F_0, Omega)
     h, h_A = model.averaged(A)[:2]
-    R, sine = slow_flow.R(Omega, A, h), slow_flow.I(Omega, A, model.m, model.zeta)
+    m, zeta = model.alike(Omega, A)
+    R, sine = slow_flow.R(Omega, A, h), slow_flow.I(Omega, A, m, zeta)
     of_R = CLOSE * (np.abs(h) + A * (1 + np.abs(h_A)) + A * Omega**2)
     doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (sine**2 + F_0**2)
-    return np.asarray(np.abs(slow_flow.F(Omega, A, F_0, model.m, model.zeta, h)) <= doubt)
+    return np.asarray(np.abs(slow_flow.F(Omega, A, F_0, m, zeta, h)) <= doubt)
 
 
 def are_corners_close(model: Model, F_0: float, A_max: float) -> bool:
@@ -63,7 +64,7 @@ def are_corners_close(model: Model, F_0: float, A_max: float) -> bool:
 
 
 def _is_corner_close(model: Model, F_0: Any, b: float, jump: float) -> bool:
-    A, m, zeta = np.array([b]), model.m, model.zeta
+    A = np.array([b])
     h, h_A = model.averaged(A)[:2]
     if abs(jump) <= CLOSE * b * (1 + abs(h_A[0])):
         return True
@@ -73,7 +74,7 @@ def _is_corner_close(model: Model, F_0: Any, b: float, jump: float) -> bool:
     Omega = frequencies_at(model, b, F_0)
     Omega = Omega[np.isfinite(Omega)]
     F_0 = model.force(F_0, Omega)
-    R, slope = np.abs(slow_flow.R(Omega, b, h)), b * np.abs(slow_flow.F_A(Omega, b, m, zeta, h, h_A)) / 2
+    R, slope = np.abs(slow_flow.R(Omega, b, h)), b * np.abs(model.F_A(Omega, b)) / 2
     size = F_0 + abs(h) + b * (1 + abs(h_A))
     return bool(((R <= CLOSE * size) | (slope <= CLOSE * size**2) | (R * abs(jump) * STEEP <= slope)).any())
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from slowflow.averaged.reference import inertia
+from slowflow.averaged.reference import dissipated, inertia
 from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.model import Floats, Model
 
 
 def frequencies_at(model: Model, A: float, F_0: float) -> Floats:
     """Every Omega at which A is a steady state at the amplitude F_0 of the excitation, by its size."""
+    if model.laws.any:
+        return dissipated.frequencies_at(model, A, F_0)
     at = np.array([A])
     if not model.inertial:
         roots, count = response_roots(at, model.averaged(at)[0], model.m, model.zeta, F_0)
@@ -22,6 +24,8 @@ def frequencies_at(model: Model, A: float, F_0: float) -> Floats:
 
 def stationary_at(model: Model, A: float) -> Floats:
     """Every Omega > 0 at which the level of the amplitude is stationary, by its size."""
+    if model.laws.any:
+        return dissipated.stationary_at(model, A)
     at = np.array([A])
     h = model.averaged(at)[0]
     if not model.inertial:

@@ -1,8 +1,9 @@
 """Saddle-node bifurcations at a forcing: in goes a model, out come its folds.
 
 Folds at F_0 are zeros of a function that is explicit in A (see along); for an excitation by inertia they lie where the
-level along the fold locus passes F_0. And corners: at a breakpoint b of a force that jumps there, F_A changes sign
-between b and the next amplitude above, without passing zero.
+level along the fold locus passes F_0, by other laws of damping they are looked for in boxes. And corners: at a
+breakpoint b of a force that jumps there, or beyond which nothing rubs, F_A changes sign between b and the next
+amplitude above, without passing zero.
 """
 
 from __future__ import annotations
@@ -11,17 +12,18 @@ import numpy as np
 from scipy.optimize import brentq
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import doubt
+from slowflow.averaged.reference import dissipated, doubt
 from slowflow.averaged.reference.along import FoldAt
 from slowflow.averaged.reference.arcs import Arc, Graph, Roots
 from slowflow.averaged.reference.bounds import amplitude_bound
+from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import frequencies_at
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import Stations
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from slowflow.averaged.reference.search import find_zeros
-from slowflow.model import Floats, Model
+from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, NEAR_END
@@ -31,11 +33,11 @@ from slowflow_kernels.conventions import CLOSE, NEAR_END
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     A_max, remark = amplitude_bound(model, F_0)
+    found_by = _points if model.laws.any else _crossings if model.inertial else _zeros
     with np.errstate(all="ignore"):
-        A, Omega, near = _crossings(model, F_0, A_max) if model.inertial else _zeros(model, F_0, A_max)
-        h, h_A, h_AA, _ = model.averaged(A)
+        A, Omega, near = found_by(model, F_0, A_max)
         # Leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it in amplitude.
-        up = np.asarray(model.flow.F_AA(Omega, A, model.m, model.zeta, h, h_A, h_AA)) < 0
+        up = model.F_AA(Omega, A) < 0
         corner_Omega, corner_A, corner_up = _on_corners(model, F_0, A_max)
         undecided = near or doubt.nearly_sticks(model, F_0) or doubt.are_corners_close(model, F_0, A_max)
     Omega, A = np.concatenate((Omega, corner_Omega)), np.concatenate((A, corner_A))
@@ -46,6 +48,12 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     kind = np.where(up, "jump-up", "jump-down")[order]
     beside = Remark.UNDECIDED if undecided else Remark(0)
     return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=beside)
+
+
+def _points(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
+    """A and Omega of the folds inside of pieces, and whether there may be others; for other laws of damping."""
+    found = points_of(model, "folds", stretches_up_to(model, A_max), F_0)
+    return found.A, found.Omega, found.undecided
 
 
 def _zeros(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
@@ -101,12 +109,14 @@ def _on_corners(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats,
     Omega, A, and whether the stable side lies below.
     """
     Omegas, As, ups = [np.empty(0)], [np.empty(0)], [np.empty(0, dtype=bool)]
-    for b, jump in zip(model.breakpoints, model.jumps, strict=True):
-        if jump == 0 or not b < A_max:
+    for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
+        leaves = i == 0 and model.laws.rubs != THROUGHOUT
+        if (jump == 0 and not leaves) or not b < A_max:
             continue
-        h, Omega = model.averaged(np.array([b]))[0], frequencies_at(model, b, F_0)
+        Omega = frequencies_at(model, b, F_0)
         Omega = Omega[np.isfinite(Omega)]
-        below, above = _is_stable_below(model, F_0, b, Omega), slow_flow.R(Omega, b, h) * jump > 0
+        below = _is_stable_below(model, F_0, b, Omega)
+        above = dissipated.is_stable_above(model, i, Omega)
         changes = below != above
         Omegas.append(Omega[changes])
         As.append(np.full(int(changes.sum()), b))
@@ -122,8 +132,8 @@ def _is_stable_below(model: Model, F_0: float, b: float, Omega: Floats) -> Bools
     state is less by F_AOmega F/F_Omega; without viscous damping F = y and F_A = 0.
     """
     m, zeta, at = model.m, model.zeta, samples_at(model, b)
-    if model.inertial:
-        return np.asarray(slow_flow.F_A(Omega, b, m, zeta, at.h[0], at.h_A[0]) > 0)
+    if model.inertial or model.laws.any:
+        return model.F_A(Omega, b) > 0
     (fold,) = FoldAt(model, F_0).ask(at)
     (h,), (h_A,), (k,) = at.h, at.h_A, at.k
     R = slow_flow.R(Omega, b, h)

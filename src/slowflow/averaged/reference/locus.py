@@ -11,8 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from slowflow.averaged import words
+from slowflow.averaged.reference import dissipated
 from slowflow.averaged.reference.along import Cusp, InertiaIsola, Isola, Stiffness, Turn, Undamped
-from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
+from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
+from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Stretch, stretches_up_to
 from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
 from slowflow.averaged.reference.search import Zeros, find_zeros
@@ -72,8 +74,9 @@ class Stations:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max, in order along each branch."""
-    roots = Roots(model, -1.0)
-    graph = Graph(roots, Stations.of(model, A_max).events())
+    roots: Along = dissipated.Roots(model, -1.0) if model.laws.any else Roots(model, -1.0)
+    stations = (dissipated.Stations if model.laws.any else Stations).of(model, A_max)
+    graph = Graph(roots, stations.events())
     arcs = graph.arcs
     if not arcs:
         none = np.empty(0)
@@ -108,6 +111,8 @@ def of_cusps(model: Model, cusps: Zeros) -> Floats:
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
+    if model.laws.any:
+        return _extrema_in_boxes(model, A_max)
     stations = Stations.of(model, A_max)
     with np.errstate(all="ignore"):
         at = stations.cusps
@@ -119,3 +124,18 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
         birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")
         kind = np.where(is_saddle(model, Omega, A), "merger", birth)
     return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else words.NO_ISOLA.format(A_max))
+
+
+def _extrema_in_boxes(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
+    """The same by other laws of damping."""
+    pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
+    cusps, isolas = (points_of(model, system, pieces) for system in ("cusps", "isolas"))
+    with np.errstate(all="ignore"):
+        levels = [model.level(points.Omega, points.A) for points in (cusps, isolas)]
+        minimum = dissipated.is_minimum(model, cusps.Omega, cusps.A)
+        saddle, birth = dissipated.at_isola(model, isolas.Omega, isolas.A)
+    kind = np.where(saddle, "merger", np.where(birth, "birth", "death"))
+    return (
+        Cusps(levels[0], cusps.Omega, cusps.A, minimum, "" if len(cusps) else words.NO_CUSP.format(A_max)),
+        IsolaPoints(levels[1], isolas.Omega, isolas.A, kind, "" if len(isolas) else words.NO_ISOLA.format(A_max)),
+    )

@@ -12,8 +12,10 @@ import math
 import numpy as np
 
 from slowflow.averaged import words
+from slowflow.averaged.reference import dissipated
 from slowflow.averaged.reference.along import Cusp, InertiaIsola, InertiaPeak, Isola, Peak, Rest, Stiffness
 from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
+from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import stationary_at
 from slowflow.averaged.reference.folds import saddle_nodes
@@ -21,7 +23,7 @@ from slowflow.averaged.reference.locus import of_cusps
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.averaged.reference.search import find_zeros
-from slowflow.model import Floats, Model
+from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import slow_flow
@@ -29,6 +31,8 @@ from slowflow_kernels.conventions import COINCIDE, RAISE, RAISES
 
 #: of a force's size: what rounding its parameters may make of its jump
 OF_ROUNDING = 2.0**-48
+#: to either side of a frequency at which folds on a breakpoint may begin
+NEAR = 2.0**-30
 
 
 @dataclasses.dataclass
@@ -60,14 +64,17 @@ class _Best:
         It does not where there is no friction and F_Omega falls below 0: then there are folds at every higher forcing,
         down to this one and without it.
         """
-        counts = (model.m > 0) | (slow_flow.F_OmegaOmega(0.0, A, model.zeta, model.averaged(A)[0]) >= 0)
+        if model.laws.any:
+            counts = dissipated.rises_from_rest(model, A)
+        else:
+            counts = (model.m > 0) | (slow_flow.F_OmegaOmega(0.0, A, model.zeta, model.averaged(A)[0]) >= 0)
         self.rest = float(np.min(np.where(counts, level, math.inf), initial=self.rest))
 
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     with np.errstate(all="ignore"):
-        if model.zeta == 0:
+        if model.zeta == 0 and not model.laws.any:
             return _onset_without_viscous_damping(model)
         best = _lowest(model)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
@@ -119,7 +126,10 @@ def _lowest(model: Model) -> _Best:
     bounded = []
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
         at, above = samples_at(model, b), sample_above(model, i)
-        _consider_breakpoint(model, at, jump, float(above.h_AA[0]), best)
+        if model.laws.any:
+            _consider_corner(model, i, best)
+        else:
+            _consider_breakpoint(model, at, jump, float(above.h_AA[0]), best)
         # where there is no force, as in a dead zone, there is no fold
         stretch = Stretch(first, at, float(first.A[0]))
         if stretch.has_force:
@@ -133,6 +143,9 @@ def _lowest(model: Model) -> _Best:
 
 def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
     """Where the level may be least inside of pieces: cusps, isola points, ends."""
+    if model.laws.any:
+        _consider_boxes(model, pieces, best)
+        return
     if model.inertial:  # at Omega = 0 the level is infinite
         isolas, cusps = find_zeros(model, [InertiaIsola(model), Cusp(model)], pieces)
     else:
@@ -145,6 +158,28 @@ def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
     best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
     least = cusp_is_minimum(model, cusps.Omega, cusps.A)
     best.consider(of_cusps(model, cusps)[least], cusps.Omega[least], cusps.A[least], "cusp")
+
+
+def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
+    """The same by other laws of damping; a least level that is none is no lower than the one of its curve."""
+    ends, isolas, cusps = (points_of(model, system, pieces) for system in ("stiffness", "isolas", "cusps"))
+    best.undecided |= ends.undecided or isolas.undecided or cusps.undecided
+    best.consider_ends(model, ends.A, model.level(0.0, ends.A))
+    for points, kind in ((isolas, "isola"), (cusps, "cusp")):
+        best.consider(model.level(points.Omega, points.A), points.Omega, points.A, kind)
+
+
+def _consider_corner(model: Model, i: int, best: _Best) -> None:
+    """The least forcing on breakpoint i by other laws of damping: the level of the points that bound its folds."""
+    b = model.breakpoints[i]
+    if model.jumps[i] == 0 and not (i == 0 and model.laws.rubs != THROUGHOUT):
+        return
+    Omega = dissipated.corner_frequencies(model, i)
+    signs = [np.sign(dissipated.is_stable_above(model, i, Omega * w) * 2.0 - 1.0) for w in (1 - NEAR, 1 + NEAR)]
+    below = [np.sign(model.F_A(Omega * w, b)) for w in (1 - NEAR, 1 + NEAR)]
+    beside = np.any([one != other for one, other in zip(signs, below, strict=True)], axis=0)
+    Omega = Omega[beside]
+    best.consider(model.level(Omega, np.full_like(Omega, b)), Omega, np.full_like(Omega, b), "corner")
 
 
 def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: float, best: _Best) -> None:
@@ -218,6 +253,12 @@ def detachment(model: Model) -> Detachment:
         if not falls.size:
             return Detachment(None, None, None, words.NOT_REACHED.format(u_cr))
         return Detachment(float(model.level(falls[0], u_cr)), float(falls[0]), u_cr, "")
+    if model.laws.any:
+        u_cr = model.breakpoints[0]
+        at = np.append(stationary_at(model, u_cr), 0.0)
+        levels = model.level(at, np.full(at.size, u_cr))
+        least = int(np.argmin(levels))
+        return Detachment(float(levels[least]), float(at[least]), u_cr, "")
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
     return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
 
@@ -227,9 +268,11 @@ def peak(model: Model, F_0: float) -> PeakFound:
 
     Raises ArithmeticError where there is neither to rounding.
     """
-    if model.zeta == 0:
+    if model.zeta == 0 and not model.laws.any:
         return PeakFound(None, None, F_0, words.NO_PEAK)
     A_max, cut = amplitude_bound(model, F_0)
+    if model.laws.any:
+        return _peak_in_boxes(model, F_0, A_max)
     if model.inertial:
         if cut:
             return PeakFound(None, None, F_0, cut)
@@ -247,3 +290,15 @@ def peak(model: Model, F_0: float) -> PeakFound:
     if not len(found):
         raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
     return PeakFound(float(found.A[-1]), float(found.Omega[-1]), F_0, "")
+
+
+def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:
+    """The same by other laws of damping: where a pair of frequencies ends that is there below."""
+    pieces = stretches_up_to(model, A_max)
+    peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
+    tops = peaks.take(dissipated.is_top(model, peaks.Omega, peaks.A))
+    A, Omega = (tops.A, tops.Omega) if len(tops) else (static.A, np.zeros(len(static)))
+    if not A.size:
+        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+    highest = int(np.argmax(A))
+    return PeakFound(float(A[highest]), float(Omega[highest]), F_0, "")

@@ -7,6 +7,7 @@ is monotone too. So a segment holds at most one state at any frequency, and has 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
@@ -15,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import doubt, inertia
+from slowflow.averaged.reference import dissipated, doubt, inertia
 from slowflow.averaged.reference.along import InertiaPeak, Peak, Rest
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
@@ -26,7 +27,6 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates, joined
 from slowflow_kernels import frequencies, slow_flow
-from slowflow_kernels import inertia as inertia_kernels
 from slowflow_kernels.conventions import LAST_STEP, SAME
 
 
@@ -73,10 +73,10 @@ class Skeleton:
 def skeleton(model: Model, F_0: float) -> Skeleton:
     """Segments and how they hang together, for F_0 > m; kept, as states at one frequency after another ask for it."""
     A_max, remark = amplitude_bound(model, F_0)
-    roots: Along = inertia.Roots(model, F_0) if model.inertial else Roots(model, F_0)
+    roots, events = _along(model, F_0)
     folds = saddle_nodes(model, F_0)
     try:
-        graph = Graph(roots, (_events_of_inertia if model.inertial else _events)(model, F_0, A_max))
+        graph = Graph(roots, events(model, F_0, A_max))
     except ArithmeticError as failure:
         raise ArithmeticError(words.unresolved(model, F_0)) from failure
     on_arc = _arcs_of_folds(roots, graph, folds)
@@ -90,6 +90,15 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
             curve += [(part, upward) for part in (parts if upward else parts[::-1])]
         curves.append(curve)
     return Skeleton(roots, folds, _with_stability(roots, curves), [tour.closed for tour in graph.tours], remark)
+
+
+def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, float], list[Event]]]:
+    """The frequencies along the amplitude, and what gives the events up to one."""
+    if model.laws.any:
+        return dissipated.Roots(model, F_0), dissipated.response_events
+    if model.inertial:
+        return inertia.Roots(model, F_0), _events_of_inertia
+    return Roots(model, F_0), _events
 
 
 def _events(model: Model, F_0: float, A_max: float) -> list[Event]:
@@ -162,8 +171,7 @@ def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> l
     A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
     with np.errstate(all="ignore"):
         Omega = roots.at(A, *_numbers(segments))
-        h, h_A = model.averaged(A)[:2]
-        stable = iter(np.asarray(model.flow.F_A(Omega, A, model.m, model.zeta, h, h_A) > 0).tolist())
+        stable = iter((model.F_A(Omega, A) > 0).tolist())
     return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
 
 
@@ -210,7 +218,6 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         np.array([getattr(segment, side) for segment in segments]).T for side in ("low", "high")
     )
     falls, tail = at_low > at_high, (low == 0) & np.isinf(at_low)
-    slope: Any = inertia_kernels if model.inertial else slow_flow
     lo, hi = low.copy(), high.copy()
     lo[tail] = _tail_amplitudes(roots, high[tail], count[tail], index[tail], Omega[tail])
     A = np.where(tail, lo, lo + (hi - lo) * ((Omega - at_low) / (at_high - at_low)))
@@ -220,10 +227,9 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         below, above, at = lo[active], hi[active], A[active]
         at = np.where((at > below) & (at < above), at, amid(np.zeros(1), below, above))
         w = roots.at(at, count[active], index[active])
-        h, h_A = model.averaged(at)[:2]
         left = (w > Omega[active]) == falls[active]
         below, above = np.where(left, at, below), np.where(left, above, at)
-        following = at - (w - Omega[active]) / slope.Omega_A(w, at, model.m, model.zeta, h, h_A)
+        following = at - (w - Omega[active]) / model.Omega_A(w, at)
         moved = np.abs(following - at)
         x[active], lo[active], hi[active] = at, below, above
         done = (moved <= 2.0**-50 * at) | ~(below < above)
@@ -253,9 +259,9 @@ def _tail_amplitudes(roots: Along, high: Floats, count: Any, index: Any, Omega: 
 def _polished(roots: Along, Omega: Floats, A: Floats) -> Floats:
     """A last Newton step on F at fixed Omega, where F_A leaves one; the residual is in double-double."""
     model = roots.model
-    h, h_A = model.averaged(A)[:2]
-    residual, _ = frequencies.response_fine(Omega, A, model.force(roots.F_0, Omega), model.m, model.zeta, h)[:2]
-    step = residual / slow_flow.F_A(Omega, A, model.m, model.zeta, h, h_A)
+    force, h = model.force(roots.F_0, Omega), model.averaged(A)[0]
+    residual, _ = frequencies.response_fine(Omega, A, force, *model.alike(Omega, A), h)[:2]
+    step = residual / model.F_A(Omega, A)
     return np.asarray(np.where(np.abs(step) < LAST_STEP * A, A - step, A))
 
 

@@ -1,0 +1,259 @@
+"""Steps 2 and 4 once more: dissipation by other laws beside viscous damping and dry friction on all of the cycle.
+
+In:  the equation of motion (3), the averaged equations, `SlowFlow` with all damping; the mechanism stays an open h(A).
+Out: `Dissipation`: with the sine balance (23) of any of these laws together, in I_0, its part that knows no frequency,
+
+    I = I_0 + 2 zeta A Omega + d A^2 Omega^2
+
+    law                                       force on the mass          its share of I
+    structural, loss factor eta on k_v        (eta/Omega) u'             eta A, in I_0
+    quadratic                                 c_2 |u'| u'                d A^2 Omega^2, d = 8 c_2/(3 pi)
+    dry friction of what is attached          mu sign(u'), |u| < u_cr    m min(1, u_cr/A), in I_0
+
+    F_0^2 + F and F_A/2 stay quartics in Omega. Their leading coefficients are positive, and those of Omega and Omega^3
+    not negative: so each has at most two positive critical points, as without these laws. The third power is there
+    where viscous and quadratic damping meet.
+    The trace of the Jacobian (28), (29), is -(A I)_A/(2 A Omega). (A I)_A is a sum of terms of which none is negative,
+    and only friction beyond u_cr has none: so (30) alone decides stability where something else dissipates too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .averaging import VELOCITY, Averaged, cycle_integral
+from .averaging import H as averaged_force
+from .motion import Motion, v
+from .motion import friction as slip_friction
+from .slow_flow import I, R, SlowFlow, m, slope
+from .symbols import F_0, A, Omega, c_2, eta, h, h_A, mu, phi, psi, sigma, zeta
+
+#: the |u| up to which something is attached
+u_cr = sp.Symbol("u_cr", positive=True)
+#: I at Omega = 0 and its derivatives by A; 8 c_2/(3 pi)
+I_0, I_0A, I_0AA, I_0AAA = REST = sp.symbols("I_0 I_0A I_0AA I_0AAA", real=True)
+d = sp.Symbol("d", nonnegative=True)
+#: c_2 times the sign of u'
+quadratic = sp.Symbol("quadratic", real=True)
+#: 1/Omega
+x = sp.Symbol("x", positive=True)
+#: half the angle over which what is attached is not passed: cos(psi_0) = u_cr/A
+psi_0 = sp.Symbol("psi_0", positive=True)
+
+
+@dataclass(frozen=True)
+class System:
+    """Functions of (A, Omega) that vanish together, and their derivatives: by A, by Omega.
+
+    values -- in R, I and the derivatives of h and I_0: two, or one that vanishes at Omega = 0
+    slopes -- of the first, then of the second
+    """
+
+    values: tuple[sp.Expr, ...]
+    slopes: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
+class Dissipation:
+    """Of any mechanism, in I_0 and its derivatives.
+
+    quadratic -- d
+    at_rest, released -- I_0 and three derivatives: friction acts throughout, or beyond u_cr nothing rubs any more
+    I         -- sine balance (23)
+    F_A, ...  -- derivatives of the response (24)
+    Omega_A   -- slope of the response
+    trace     -- -2 A Omega times the trace of the Jacobian (28)
+    stability -- 4 Omega^2 times its determinant (30)
+    peak      -- F_Omega/(4 A Omega), which does not vanish at Omega = 0
+    fold_bend -- F_AOmega/Omega, likewise
+    response_quartic, fold_quartic -- coefficients of F and F_A/2 by power of Omega, constant first
+    limit_envelope -- (27) while friction acts throughout
+    resistance -- mu sign(u') + c_2 |u'|u' in one direction of slip, for friction in (3), and the zeta by which rates
+        depend on u'
+    restoring -- the largest |h| of a state, by d: |R| <= F_0, and d (A Omega)^2 <= F_0
+    turn_share -- D/Omega^2 in x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D
+    systems   -- by what they are
+    """
+
+    quadratic: sp.Expr
+    at_rest: tuple[sp.Expr, ...]
+    released: tuple[sp.Expr, ...]
+    I: sp.Expr
+    F_A: sp.Expr
+    F_AA: sp.Expr
+    F_Omega: sp.Expr
+    F_AOmega: sp.Expr
+    F_OmegaOmega: sp.Expr
+    F_AOmegaOmega: sp.Expr
+    Omega_A: sp.Expr
+    trace: sp.Expr
+    stability: sp.Expr
+    peak: sp.Expr
+    response_quartic: tuple[sp.Expr, ...]
+    fold_quartic: tuple[sp.Expr, ...]
+    limit_envelope: sp.Expr
+    resistance: tuple[sp.Expr, sp.Expr]
+    restoring: sp.Expr
+    turn_share: sp.Expr
+    systems: dict[str, System]
+
+
+def _vanishes(expression: sp.Expr, words: str) -> None:
+    if sp.simplify(sp.expand(expression)) != 0:
+        raise ArithmeticError(f"{words}: {expression} is not zero")
+
+
+def share(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) -> sp.Expr:
+    """The share in I of a force on the left of (3), by the sign of u': -(1/pi) times its sine component over a cycle.
+
+    start -- the force acts from this angle of each half of the cycle to as much before its end
+    """
+    halves = ((-1, start, sp.pi - start), (1, sp.pi + start, 2 * sp.pi - start))
+    beside = sum(cycle_integral(force(sign) * sp.cos(psi), low, high) for sign, low, high in halves)
+    _vanishes(beside, "the share in R of a dissipating force")
+    found = -sum(cycle_integral(force(sign) * sp.sin(psi), low, high) for sign, low, high in halves) / sp.pi
+    return sp.factor(sp.expand(found, trig=True))
+
+
+def by_A(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -> sp.Expr:
+    """d/dA along h, I_0 and their derivatives."""
+    return slope(expression, {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA, **(slopes or {})})
+
+
+def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipation:
+    """All of it."""
+    viscous = share(lambda _: 2 * zeta * VELOCITY)
+    friction = share(lambda sign: mu * sp.Integer(sign))
+    _vanishes(viscous + friction.subs(mu, sp.pi * m / 4) - flow.I, "the shares of viscous damping and dry friction")
+    structural = share(lambda _: eta / Omega * VELOCITY)
+    of_quadratic = share(lambda sign: sign * c_2 * VELOCITY**2)
+    attached = share(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
+    if attached.has(psi_0):
+        raise ArithmeticError(f"the share of friction on one piece: {attached}")
+    of_friction = {mu: sp.solve(flow.m - m, mu)[0]}
+
+    def chain(value: sp.Expr) -> tuple[sp.Expr, ...]:
+        return tuple(sp.diff(value, A, order) for order in range(4))
+
+    factor = sp.cancel(of_quadratic / (A * Omega) ** 2)
+    value = I_0 + viscous + d * A**2 * Omega**2
+    R_A, R_Omega = by_A(flow.R), sp.diff(flow.R, Omega)
+    along_A = {R: R_A, I: by_A(value)}
+
+    def by_amplitude(expression: sp.Expr) -> sp.Expr:
+        return by_A(expression, along_A)
+
+    def by_Omega(expression: sp.Expr) -> sp.Expr:
+        return (
+            sp.diff(expression, Omega)
+            + sp.diff(expression, R) * R_Omega
+            + sp.diff(expression, I) * sp.diff(value, Omega)
+        )
+
+    whole = {R: flow.R, I: value}
+    F = flow.F
+    F_A, F_Omega = sp.factor_terms(by_amplitude(F)), by_Omega(F)
+    F_AA, F_AOmega = sp.factor_terms(by_amplitude(F_A)), by_Omega(F_A)
+    peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
+    _vanishes((4 * A * Omega * peak - F_Omega).subs(whole), "F_Omega over 4 A Omega")
+    linear = sp.Symbol("linear", real=True)
+    of_linear = 2 * zeta * by_A(A * I_0)
+    bend = sp.Poly(sp.expand((F_AOmega / 2).subs(whole)), Omega)
+    _vanishes(bend.coeff_monomial(1) - of_linear, "F_AOmega at Omega = 0")
+    bend_over = sp.expand((bend.as_expr() - bend.coeff_monomial(1)) / Omega)
+    bend_over = sp.collect(bend_over, Omega) + linear / Omega
+    turn = bend_over.subs(linear, of_linear)
+    # where it vanishes R_A is -R/A less this over A
+    beside = sp.expand(sp.expand(turn / 2 - flow.R - A * R_A).subs(Omega, 1 / x) * x**2)
+    if beside.has(h, h_A) or any(power.exp < 0 for power in beside.atoms(sp.Pow) if power.base == x):
+        raise ArithmeticError(f"what F_AOmega has beside R and R_A: {beside}")
+    trace = _trace(averaged, flow, value)
+    return Dissipation(
+        quadratic=factor,
+        at_rest=chain((friction + structural).subs(of_friction)),
+        released=chain((attached + structural).subs(of_friction)),
+        I=value,
+        F_A=F_A,
+        F_AA=F_AA,
+        F_Omega=sp.factor_terms(F_Omega),
+        F_AOmega=sp.factor_terms(F_AOmega),
+        F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
+        F_AOmegaOmega=sp.factor_terms(by_Omega(F_AOmega)),
+        Omega_A=-F_A / F_Omega,
+        trace=trace,
+        stability=sp.factor_terms(F_A / (2 * A)),
+        peak=peak,
+        response_quartic=_coefficients((F + F_0**2).subs(whole)),
+        fold_quartic=_coefficients((F_A / 2).subs(whole)),
+        limit_envelope=_envelope(value),
+        resistance=_resistance(sharp),
+        restoring=F_0 + (flow.R - h).subs(Omega, sp.sqrt(F_0 / d) / A),
+        turn_share=sp.collect(beside, x),
+        systems={
+            # squares as squares: on intervals these are not negative
+            name: System(values, tuple(sp.factor_terms(by(one)) for one in values for by in (by_amplitude, by_Omega)))
+            for name, values in (
+                ("folds", (F, F_A)),
+                ("peaks", (F, peak)),
+                ("cusps", (F_A, F_AA)),
+                ("isolas", (F_A, peak)),
+                ("turns", (F_A, turn)),
+                ("rest", (F,)),
+                ("stiffness", (F_A,)),
+            )
+        },
+    )
+
+
+def _coefficients(expression: sp.Expr) -> tuple[sp.Expr, ...]:
+    """By power of Omega, after a check of the signs that bound the number of roots."""
+    polynomial = sp.Poly(sp.expand(expression), Omega)
+    found = [polynomial.coeff_monomial(Omega**power) for power in range(5)]
+    if polynomial.degree() != 4:
+        raise ArithmeticError(f"not a quartic in Omega: {expression}")
+    for power in (1, 3, 4):
+        # (A I_0)_A is not negative for each law by itself, see `_trace`
+        named = sp.expand(found[power]).subs(I_0A, (sp.Symbol("rise", nonnegative=True) - I_0) / A)
+        positive = named.subs(I_0, sp.Symbol("I_0", nonnegative=True))
+        if any(term.could_extract_minus_sign() for term in sp.Add.make_args(sp.expand(positive))):
+            raise ArithmeticError(f"the coefficient of Omega^{power} may be negative: {found[power]}")
+    return tuple(sp.collect(one, (h, h_A, A)) for one in found)
+
+
+def _trace(averaged: Averaged, flow: SlowFlow, value: sp.Expr) -> sp.Expr:
+    """(A I)_A, from the trace of the slow flow's Jacobian at a fixed point."""
+    A_rate, A_phi_rate = (
+        sp.expand(rate.subs({sigma: Omega**2 - 1, averaged_force: h + A, mu: sp.pi * m / 4}))
+        for rate in averaged.slow_flow
+    )
+    # the dissipation of the amplitude's equation, by the law that it has there
+    own = sp.expand(flow.I)
+    A_rate = sp.expand(A_rate + (own - value) / (2 * Omega))
+    _vanishes(-2 * Omega * A_rate - F_0 * sp.sin(phi) - value, "the amplitude's equation")
+    whole = by_A(A_rate) + sp.diff(A_phi_rate / A, phi)
+    at_fixed_point = sp.expand(whole).subs(F_0 * sp.sin(phi), -value)
+    rise = by_A(A * value)
+    _vanishes(-2 * A * Omega * at_fixed_point - rise, "the trace of the Jacobian")
+    return sp.collect(sp.expand(rise), (A, Omega))
+
+
+def _resistance(sharp: Motion) -> tuple[sp.Expr, sp.Expr]:
+    """What stands for friction in (3) while the mass slips one way, and the zeta by which its rates depend on u'."""
+    resists = slip_friction + quadratic * v**2
+    rates = [rate.subs(slip_friction, resists) for rate in sharp.rates]
+    damps = zeta + sp.diff(resists, v) / 2
+    for rate, by_v in zip(rates, sharp.by_state[1::2], strict=True):
+        _vanishes(sp.diff(rate, v) - by_v.subs(zeta, damps), "the slope of the rates by u'")
+    return resists, damps
+
+
+def _envelope(value: sp.Expr) -> sp.Expr:
+    """The largest A with I = F_0 where I_0 = m + eta A, in the form in which nothing cancels."""
+    balance = sp.Poly(sp.expand(value.subs(I_0, m + eta * A) - F_0), A)
+    constant, linear, second = (balance.coeff_monomial(A**power) for power in range(3))
+    found = -2 * constant / (linear + sp.sqrt(linear**2 - 4 * second * constant))
+    _vanishes(balance.as_expr().subs(A, found), "the limit envelope")
+    return found

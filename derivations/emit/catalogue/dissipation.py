@@ -1,0 +1,153 @@
+"""The kernels of other laws of damping: functions of I_0, the part of I that knows no frequency, and of d.
+
+In:  `Results`.
+Out: `dissipation_module`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from ...dissipation import REST, d, quadratic, u_cr, x
+from ...motion import friction, v
+from ...results import Results
+from ...slow_flow import I, R, m
+from ...symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, zeta
+from ..form import Kernel, Module, plain
+
+#: arguments, in their order
+KNOWN = (Omega, A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
+#: what each system is, in words
+SYSTEMS = {
+    "folds": ("F and F_A", "(24), (30)"),
+    "peaks": ("F and F_Omega/(4 A Omega)", "(24)"),
+    "cusps": ("F_A and F_AA", "(30), (33)"),
+    "isolas": ("F_A and F_Omega/(4 A Omega)", "(30)"),
+    "turns": ("F_A and F_AOmega/Omega, less constant factors", "(30)"),
+    "rest": ("F, for Omega = 0", "(24)"),
+    "stiffness": ("F_A, for Omega = 0", "(30)"),
+}
+
+
+def needed(outputs: Sequence[sp.Expr], *more: sp.Symbol) -> list[sp.Symbol]:
+    """The arguments of outputs, in their order."""
+    symbols = set(more).union(*(output.free_symbols for output in outputs))
+    return [symbol for symbol in KNOWN if symbol in symbols]
+
+
+def dissipation_module(results: Results) -> Module:
+    """The mechanism-free functions; R, and what contains I as a number, are those of `slow_flow`."""
+    flow, of = results.flows[""], results.dissipation
+    amplitude = "A > 0"
+
+    def at_point(name: str, value: sp.Expr, doc: str, equation: str) -> Kernel:
+        lets = [(symbol, whole) for symbol, whole in ((R, flow.R), (I, of.I)) if value.has(symbol)]
+        arguments = needed([value, *(whole for _, whole in lets)])
+        return plain(name, arguments, value, doc, equation, lets=lets)
+
+    found = Module(
+        name="dissipation",
+        title="Structural and quadratic damping, and dry friction of what is attached",
+        inputs=("averaging.py", "slow_flow.py", "dissipation.py"),
+        kernels=(
+            plain(
+                "quadratic", (c_2,), of.quadratic, "Quadratic damping's factor of A^2 Omega^2 in I.", "from (19)", "any"
+            ),
+            plain(
+                "restoring",
+                (A, F_0, d),
+                of.restoring,
+                "The largest |h| of a state with this amplitude, as quadratic damping bounds its frequency.",
+                "from (23)",
+                "A > 0, d > 0",
+            ),
+            plain(
+                "resistance",
+                (v, zeta, friction, quadratic),
+                of.resistance,
+                "Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.",
+                "(3)",
+                "any",
+            ),
+            plain(
+                "at_rest",
+                (A, m, eta),
+                of.at_rest,
+                "I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.",
+                "from (19)",
+                amplitude,
+            ),
+            plain(
+                "released",
+                (A, m, eta, u_cr),
+                of.released,
+                "The same where friction acts for |u| < u_cr only.",
+                "from (19)",
+                "A >= u_cr > 0",
+                searched=True,
+            ),
+            at_point("I", of.I, "Sine balance, -F_0 sin phi at a fixed point.", "(23)"),
+            at_point("F_A", of.F_A, "dF/dA; positive where stable.", "(24), (30)"),
+            at_point("F_AA", of.F_AA, "d2F/dA2.", "(24)"),
+            at_point("F_Omega", of.F_Omega, "dF/dOmega.", "(24)"),
+            at_point("F_OmegaOmega", of.F_OmegaOmega, "d2F/dOmega2.", "(24)"),
+            at_point("F_AOmega", of.F_AOmega, "d2F/dA dOmega.", "(24)"),
+            at_point("F_AOmegaOmega", of.F_AOmegaOmega, "d3F/dA dOmega2.", "(24)"),
+            at_point("Omega_A", of.Omega_A, "dOmega/dA along the response.", "from (24)"),
+            at_point("stability", of.stability, "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.", "(30)"),
+            plain(
+                "response_quartic",
+                needed(of.response_quartic),
+                of.response_quartic,
+                "F + F_0^2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4.",
+                "(24)",
+                amplitude,
+            ),
+            plain(
+                "fold_quartic",
+                needed(of.fold_quartic),
+                of.fold_quartic,
+                "F_A/2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4.",
+                "(30)",
+                amplitude,
+            ),
+            plain(
+                "limit_envelope",
+                (Omega, F_0, m, zeta, eta, d),
+                of.limit_envelope,
+                "Largest amplitude that the forcing can hold at this frequency, where friction acts throughout.",
+                "(27)",
+                "Omega > 0, F_0 > m, one of zeta, eta, d > 0",
+            ),
+            plain(
+                "turn_share",
+                (x, A, *REST[:2], zeta, d),
+                of.turn_share,
+                "D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D.",
+                "from (30)",
+                "x >= 0, A > 0",
+                searched=True,
+            ),
+            *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
+        ),
+    )
+    # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster
+    return replace(found, kernels=tuple(replace(kernel, generic=True) for kernel in found.kernels))
+
+
+def system(name: str, *outputs: sp.Expr) -> Kernel:
+    """Functions and their slopes, with R and I as they are known."""
+    arguments = [*needed(outputs), R, I]
+    doc, equation = SYSTEMS[name]
+    return plain(
+        name,
+        arguments,
+        outputs,
+        f"{doc}; derivatives by A and by Omega" + ("." if len(outputs) == 3 else " of the first, then of the second."),
+        f"from {equation}",
+        "Omega > 0, A > 0",
+        searched=True,
+    )

@@ -1,0 +1,325 @@
+"""Other laws of damping: in go a model and a forcing, out come frequencies at an amplitude, events, a bound.
+
+With I = I_0(A) + 2 zeta A Omega + d (A Omega)^2, F and F_A/2 are quartics in Omega whose coefficients of Omega, Omega^3
+and Omega^4 are not negative (derivations/dissipation.py): they have at most two positive critical points, a maximum w1
+and then a minimum w2, and are monotone between. Where the number of roots changes along the amplitude, `boxes` finds.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.averaged.reference.arcs import Event, Ints, Kind, merged
+from slowflow.averaged.reference.boxes import points_of
+from slowflow.averaged.reference.cells import cells_of, samples_at, stretches_up_to
+from slowflow.model import THROUGHOUT, Floats, Model
+from slowflow_kernels import dissipation, slow_flow
+from slowflow_kernels.conventions import ENDLESS
+
+Bools = NDArray[np.bool_]
+
+#: of Newton's and bisecting steps
+STEPS = 200
+
+
+@dataclass(frozen=True)
+class Roots:
+    """The frequencies along the amplitude: of the response at F_0, or for F_0 < 0 of the fold locus."""
+
+    model: Model
+    F_0: float
+
+    def count(self, A: Floats) -> Ints:
+        """How many there are at each amplitude."""
+        return np.asarray(_Quartics(self.model, self.F_0, A).shown.sum(axis=0), dtype=np.intp)
+
+    def at(self, A: Floats, count: Ints, index: Ints) -> Floats:
+        """Number `index` of `count` at each amplitude; where rounding hides a pair, the place where it meets."""
+        return _Quartics(self.model, self.F_0, A).roots(count, index)
+
+    def lower_pair(self, event: Event) -> tuple[bool, float]:
+        """Whether the lower pair of roots meets at an event, and where."""
+        if event.kind in (Kind.PAIR_LOW, Kind.PAIR_HIGH):
+            return event.kind == Kind.PAIR_LOW, event.Omega
+        one = _Quartics(self.model, self.F_0, np.array([event.A]))
+        lower = bool(one.w1[0] > 0 and abs(one.f1[0]) < abs(one.f2[0]))
+        return lower, float(one.w1[0] if lower else one.w2[0])
+
+
+class _Quartics:
+    """The quartic of each amplitude: its coefficients c, its critical points w1 <= w2 or NaN, its values there.
+
+    beyond -- as in `Model.at_rest`
+    """
+
+    def __init__(self, model: Model, F_0: float, A: Floats, beyond: bool | None = None) -> None:
+        self.model, self.F_0, self.A, self.beyond = model, F_0, A, beyond
+        h, h_A, *_ = (value + np.zeros_like(A) for value in model.averaged(A))
+        I_0, I_0A, *_ = model.at_rest(A, beyond)
+        damping = model.zeta, model.d
+        if F_0 < 0:
+            coefficients = dissipation.fold_quartic(A, I_0, I_0A, *damping, h, h_A)
+        else:
+            coefficients = dissipation.response_quartic(A, I_0, *damping, h)
+        self.c = [np.asarray(one + np.zeros_like(A)) for one in coefficients]
+        self.w1, self.w2 = _critical(self.c)
+        self.f0, self.f1, self.f2 = (self.value(w) for w in (np.zeros_like(A), self.w1, self.w2))
+
+    def value(self, w: Floats) -> Floats:
+        """F, or F_A/2, from R and I, in which nothing cancels but what cancels in F."""
+        if self.F_0 < 0:
+            return 0.5 * self.model.F_A(w, self.A, self.beyond)
+        R, I = slow_flow.R(w, self.A, self.model.averaged(self.A)[0]), self.model.sine(w, self.A)
+        return np.asarray(R * R + (I - self.F_0) * (I + self.F_0))
+
+    @property
+    def shown(self) -> Bools:
+        """Which of the three intervals between 0, w1, w2 and inf hold a root."""
+        exist = np.isfinite(self.w2)
+        below = np.where(exist, (self.f0 < 0) & (self.f1 > 0), False)
+        between = exist & (self.f1 > 0) & (self.f2 < 0)
+        return np.array((below, between, np.where(exist, self.f2 < 0, self.f0 < 0)))
+
+    def roots(self, count: Ints, index: Ints) -> Floats:
+        """See `Roots.at`."""
+        shown = self.shown
+        missing = count - shown.sum(axis=0)
+        # next to where a pair meets rounding may hide or show it: at the critical point whose value is next to 0
+        lower = (np.abs(self.f1) < np.abs(self.f2)) & (self.w1 > 0)
+        there = shown.copy()
+        for pair in (missing >= 2, missing <= -2):
+            for place, own in ((0, lower), (1, True), (2, ~lower)):
+                there[place] = np.where(pair & own, missing > 0, there[place])
+        # and where one ends at Omega = 0, the lowest
+        odd = missing % 2 == 1
+        rank = np.cumsum(there, axis=0) - 1
+        there &= ~(odd & (missing < 0) & (rank == 0))
+        wanted = index - np.where(odd & (missing > 0), 1, 0)
+        rank = np.cumsum(there, axis=0) - 1
+        place = np.argmax(there & (rank == np.maximum(wanted, 0)), axis=0)
+        exist = np.isfinite(self.w2)
+        low = np.where(exist, np.choose(place, (np.zeros_like(self.w1), self.w1, self.w2)), 0.0)
+        high = np.where(exist, np.choose(place, (self.w1, self.w2, np.full_like(self.w2, np.inf))), np.inf)
+        found = self._solved(low, np.where(np.isinf(high), self._above(), high), place == 1)
+        meets = np.where(lower, self.w1, self.w2)
+        is_shown = np.take_along_axis(shown, place[np.newaxis], axis=0)[0]
+        return np.asarray(np.where(wanted < 0, 0.0, np.where(is_shown, found, meets)))
+
+    def _above(self) -> Floats:
+        """Above the largest root: where the quartic without its odd powers, which only raise it, vanishes."""
+        c = self.c
+        root = np.sqrt(np.maximum(c[2] ** 2 - 4 * c[4] * self.f0, 0.0))
+        return np.asarray(np.sqrt(np.maximum((root - c[2]) / (2 * c[4]), 0.0)) * (1 + 2.0**-20) + 1e-300)
+
+    def _solved(self, low: Floats, high: Floats, falls: Bools) -> Floats:
+        """Newton's steps, kept in the brackets."""
+        c, lo, hi = self.c, low.copy(), high.copy()
+        w = 0.5 * (lo + hi)
+        for _ in range(STEPS):
+            f = self.value(w)
+            slope = c[1] + w * (2 * c[2] + w * (3 * c[3] + w * (4 * c[4])))
+            left = (f < 0) != falls
+            lo, hi = np.where(left, w, lo), np.where(left, hi, w)
+            following = w - f / slope
+            following = np.where((following > lo) & (following < hi), following, 0.5 * (lo + hi))
+            done = np.abs(following - w) <= 2.0**-52 * w
+            w = following
+            if done.all():
+                break
+        return w
+
+
+def _critical(c: list[Floats]) -> tuple[Floats, Floats]:
+    """Both positive zeros of the derivative, or NaN: it is convex, so Newton's steps from outside do not pass them."""
+    least = -2 * c[2] / (1.5 * c[3] + np.sqrt(2.25 * c[3] ** 2 - 6 * c[4] * c[2])) / 2
+
+    def derivative(w: Floats) -> Floats:
+        return c[1] + w * (2 * c[2] + w * (3 * c[3] + w * (4 * c[4])))
+
+    exist = (c[2] < 0) & (derivative(least) < 0)
+    w1, w2 = np.zeros_like(least), np.sqrt(np.maximum(-c[2] / (2 * c[4]), 0.0))
+    for _ in range(STEPS):
+        moved = []
+        for w in (w1, w2):
+            step = derivative(w) / (2 * c[2] + w * (6 * c[3] + w * (12 * c[4])))
+            moved.append(np.where(exist & np.isfinite(step), w - step, w))
+        done = all((np.abs(new - w) <= 2.0**-51 * w).all() for new, w in zip(moved, (w1, w2), strict=True))
+        w1, w2 = np.clip(moved[0], 0.0, least), np.maximum(moved[1], least)
+        if done:
+            break
+    return np.where(exist, w1, np.nan), np.where(exist, w2, np.nan)
+
+
+def bound(model: Model, F_0: float, rungs: Floats) -> float:
+    """An amplitude above that of every steady state at F_0; inf where none is known.
+
+    From a rung on |h| is too large for a state: it is so there, and rises up to where it has no bound in doubles, while
+    the frequencies that damping leaves to a state only fall.
+    """
+    at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
+    slope = cells_of(model, at, far).h_A
+    rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
+    friction = model.m if model.laws.rubs == THROUGHOUT else 0.0
+    most = np.full(rungs.shape, np.inf)
+    if model.zeta > 0:
+        most = np.minimum(most, slow_flow.most_restoring(rungs, F_0, friction, model.zeta))
+    if model.d > 0:
+        most = np.minimum(most, dissipation.restoring(rungs, F_0, model.d))
+    bounds = rises & (np.abs(at.h) > most)
+    by_spring = float(rungs[np.argmax(bounds)]) if bounds.any() else np.inf
+    # I is not less than its structural part
+    by_loss = 2 * (F_0 - friction) / model.laws.eta if model.laws.eta > 0 else np.inf
+    return min(by_spring, by_loss)
+
+
+def response_events(model: Model, F_0: float, A_max: float) -> list[Event]:
+    """Where the number of frequencies of the response may change, by rising A: peaks, static states, breakpoints."""
+    pieces = stretches_up_to(model, A_max)
+    peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
+    found = [Event(0.0, np.inf, Kind.CUT)]
+    with np.errstate(all="ignore"):
+        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _F_OmegaOmega(model, peaks.Omega, peaks.A) < 0
+        at_rest = model.F_A(0.0, static.A) > 0
+        coefficients = _Quartics(model, F_0, static.A).c
+        # where F falls from Omega = 0 on, it is a second root that comes from there
+        second = (coefficients[1] == 0) & (coefficients[2] < 0)
+    for number, piece in enumerate(pieces):
+        inside = []
+        for i in np.flatnonzero(peaks.piece == number):
+            up = 1 if rises[i] else -1
+            kind, gain = (Kind.PAIR_LOW, 2 * up) if bends[i] else (Kind.PAIR_HIGH, -2 * up)
+            inside.append(Event(float(peaks.A[i]), float(peaks.Omega[i]), kind, gain))
+        for i in np.flatnonzero(static.piece == number):
+            up = 1 if at_rest[i] else -1
+            inside.append(Event(float(static.A[i]), 0.0, Kind.TO_ZERO, up if second[i] else -up))
+        found += sorted(inside, key=lambda event: event.A)
+        if number + 1 < len(pieces):
+            found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
+    return merged([*found, Event(A_max, 0.0, Kind.CUT)])
+
+
+@dataclass(frozen=True)
+class Stations:
+    """What happens along the fold locus, by rising A."""
+
+    found: list[Event]
+
+    @classmethod
+    def of(cls, model: Model, A_max: float) -> Stations:
+        """Up to an amplitude."""
+        pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
+        stiffness, cusps, isolas, turns = (
+            points_of(model, system, pieces) for system in ("stiffness", "cusps", "isolas", "turns")
+        )
+        with np.errstate(all="ignore"):
+            low, rising = _F_AOmegaOmega(model, turns.Omega, turns.A) < 0, model.F_AA(turns.Omega, turns.A) > 0
+        found: list[Event] = []
+        for number, piece in enumerate(pieces):
+            inside = [
+                Event(float(points.A[i]), float(points.Omega[i]), Kind.THROUGH)
+                for points in (cusps, isolas)
+                for i in np.flatnonzero(points.piece == number)
+            ]
+            inside += [
+                Event(float(stiffness.A[i]), 0.0, Kind.TO_ZERO) for i in np.flatnonzero(stiffness.piece == number)
+            ]
+            for i in np.flatnonzero(turns.piece == number):
+                kind, gain = (Kind.PAIR_LOW if low[i] else Kind.PAIR_HIGH), 2 if rising[i] == low[i] else -2
+                inside.append(Event(float(turns.A[i]), float(turns.Omega[i]), kind, gain))
+            first = piece.base if number == 0 else float(np.nextafter(piece.base, np.inf))
+            ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
+            found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
+        return cls(merged(found))
+
+    def events(self) -> list[Event]:
+        """By rising A."""
+        return self.found
+
+
+def is_top(model: Model, Omega: Floats, A: Floats) -> Bools:
+    """Whether two frequencies that are there below these peaks meet in them."""
+    with np.errstate(all="ignore"):
+        return np.asarray((model.F_A(Omega, A) > 0) == (_F_OmegaOmega(model, Omega, A) > 0))
+
+
+def rises_from_rest(model: Model, A: Floats) -> Bools:
+    """Whether the level rises with Omega from Omega = 0 on at these amplitudes, or F at least does not fall."""
+    I_0 = model.at_rest(A)[0]
+    return np.asarray((model.zeta * I_0 > 0) | (_F_OmegaOmega(model, np.zeros_like(A), A) >= 0))
+
+
+def is_minimum(model: Model, Omega: Floats, A: Floats) -> Bools:
+    """Whether the level has a minimum along the fold locus at these cusps: F_Omega F_AAA F_AOmega < 0."""
+    I_0, known = model.at_rest(A), model.averaged(A)
+    damping = model.zeta, model.d
+    R, I = slow_flow.R(Omega, A, known[0]), model.sine(Omega, A)
+    _, _, _, F_AOmega, F_AAA, _ = dissipation.cusps(Omega, A, *I_0[1:], *damping, *known[1:], R, I)
+    F_Omega = dissipation.F_Omega(Omega, A, I_0[0], *damping, known[0])
+    return np.asarray(F_Omega * F_AAA * F_AOmega < 0)
+
+
+def at_isola(model: Model, Omega: Floats, A: Floats) -> tuple[Bools, Bools]:
+    """Whether F has a saddle at these isola points, and whether the level has a minimum along the fold locus."""
+    I_0, I_0A, *_ = model.at_rest(A)
+    h, h_A, *_ = model.averaged(A)
+    F_AA, F_AOmega = model.F_AA(Omega, A), dissipation.F_AOmega(Omega, A, I_0, I_0A, model.zeta, model.d, h, h_A)
+    determinant = F_AA * _F_OmegaOmega(model, Omega, A) - F_AOmega**2
+    return np.asarray(determinant < 0), np.asarray(F_AA * determinant > 0)
+
+
+def _F_OmegaOmega(model: Model, Omega: Floats, A: Floats) -> Floats:
+    return np.asarray(
+        dissipation.F_OmegaOmega(Omega, A, model.at_rest(A)[0], model.zeta, model.d, model.averaged(A)[0])
+    )
+
+
+def _F_AOmegaOmega(model: Model, Omega: Floats, A: Floats) -> Floats:
+    I_0, I_0A, *_ = model.at_rest(A)
+    h, h_A, *_ = model.averaged(A)
+    return np.asarray(dissipation.F_AOmegaOmega(Omega, A, I_0, I_0A, model.zeta, model.d, h, h_A))
+
+
+def stationary_at(model: Model, A: float, F_0: float = 0.0) -> Floats:
+    """Every Omega > 0 at which the level of the amplitude is stationary, by its size."""
+    one = _Quartics(model, F_0, np.array([A]))
+    found = np.concatenate((one.w1, one.w2))
+    return np.asarray(found[found > 0])
+
+
+def frequencies_at(model: Model, A: float, F_0: float, beyond: bool | None = None) -> Floats:
+    """Every Omega at which A is a steady state at F_0, or for F_0 < 0 on the fold locus, by its size.
+
+    beyond -- as in `Model.at_rest`
+    """
+    one = _Quartics(model, F_0, np.array([A]), beyond)
+    n = int(one.shown.sum())
+    many = _Quartics(model, F_0, np.full(n, A), beyond)
+    return many.roots(np.full(n, n), np.arange(n))
+
+
+def is_stable_above(model: Model, i: int, Omega: Floats) -> Bools:
+    """Whether the side above breakpoint i is stable at states on it: by the force's jump, or by what rubs no more."""
+    b, jump = model.breakpoints[i], model.jumps[i]
+    if jump != 0:
+        return np.asarray(slow_flow.R(Omega, b, model.averaged(b)[0]) * jump > 0)
+    return np.asarray(model.F_A(Omega, b, beyond=True) > 0)
+
+
+def corner_frequencies(model: Model, i: int) -> Floats:
+    """Frequencies of which one has the least level of all folds on breakpoint i.
+
+    Folds sit on it where the sign of F_A changes across it: that begins and ends where F_A vanishes on one side, or R
+    where the force jumps; between, the level may be stationary.
+    """
+    b, jump = model.breakpoints[i], model.jumps[i]
+    found = [frequencies_at(model, b, -1.0), stationary_at(model, b)]
+    if jump == 0:
+        found.append(frequencies_at(model, b, -1.0, beyond=True))
+    else:
+        h = model.averaged(np.array([b]))[0]
+        found.append(np.asarray(slow_flow.backbone(b, np.minimum(h, 0.0))))
+    whole = np.concatenate(found)
+    return np.asarray(whole[whole > 0])

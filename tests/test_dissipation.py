@@ -1,0 +1,262 @@
+"""Other laws of damping: closed forms, states on a grid, folds and onsets, exact motions, stability, refusals."""
+
+import math
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from slowflow import Duffing, Isolator, Oscillator
+from slowflow_kernels import duffing
+
+RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
+
+
+def balances(osc, Omega, A):
+    """R and I of the oscillator's own numbers, I by the work of each law over a cycle."""
+    model, c_2 = osc.model, osc.c_2
+    way = np.minimum(A, osc.breakpoints[0]) if osc.rubs == "attached" else A
+    work = 4 * osc.mu * way + np.pi * (osc.eta + 2 * osc.zeta * Omega) * A**2 + 8 / 3 * c_2 * Omega**2 * A**3
+    return A * Omega**2 + model.averaged(A)[0], work / (np.pi * A)
+
+
+def drawn(rng):
+    """A random oscillator with one of these laws at least."""
+    laws, rod = rng.integers(1, 8), rng.random() < 0.6
+    eta = 10 ** rng.uniform(-3, -0.7) if laws & 1 or not rod else 0.0
+    c_2 = 10 ** rng.uniform(-2, 0.3) if laws & 2 else 0.0
+    rubs = "attached" if rod and (laws & 4 or eta == c_2 == 0) else "throughout"
+    zeta = rng.choice([0.0, 10 ** rng.uniform(-3, -0.5)]) if eta or c_2 else 10 ** rng.uniform(-3, -0.5)
+    mu = rng.choice([0.0, 10 ** rng.uniform(-3.5, -1.7)])
+    damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+    if not rod:
+        return Duffing(rng.choice([1.0, 0.4]), rng.choice([-1, 1]) * 10 ** rng.uniform(-1, 1), **damping)
+    r = rng.uniform(0.3, 3)
+    force = str(rng.choice(["truncated", "untruncated"]))
+    return Isolator(lam=3.0, r=r, delta_h=min(rng.uniform(0.05, 0.9) / (3 * r), 0.9), rubs=rubs, force=force, **damping)
+
+
+def test_a_linear_spring_with_structural_damping_has_its_closed_form():
+    eta, F_0 = 0.05, 0.04
+    found = Duffing(1.0, 0.0, eta=eta).amplitudes(Omega=[0.3, 0.999, 1.0, 1.7], F_0=F_0)
+    passes = 1 - found.Omega**2
+    assert found.A == pytest.approx(F_0 / np.hypot(passes, eta), rel=1e-12)
+    assert found.phi == pytest.approx(-np.arctan2(eta, passes), rel=1e-12)
+    assert found.transmissibility == pytest.approx(np.hypot(1, eta) / np.hypot(passes, eta), rel=1e-12)
+    assert found.stable.all()
+    peak = Duffing(1.0, 0.0, eta=eta).peak(F_0)
+    assert (peak.A, peak.Omega) == pytest.approx((F_0 / eta, 1.0), rel=1e-12)
+
+
+def test_a_linear_spring_with_quadratic_damping_alone_is_a_quadratic_in_the_squared_amplitude():
+    c_2, F_0 = 0.7, 0.04
+    osc, d = Duffing(1.0, 0.0, c_2=c_2), 8 * c_2 / (3 * math.pi)
+    found = osc.amplitudes(Omega=[0.3, 0.999, 1.0, 1.7], F_0=F_0)
+    p, q = (1 - found.Omega**2) ** 2, (d * found.Omega**2) ** 2
+    square = 2 * F_0**2 / (p + np.sqrt(p**2 + 4 * q * F_0**2))
+    assert found.A == pytest.approx(np.sqrt(square), rel=1e-12)
+    assert osc.limit_envelope(Omega=found.Omega, F_0=F_0) == pytest.approx(np.sqrt(F_0 / d) / found.Omega, rel=1e-12)
+    assert osc.equivalent_damping(Omega=1.3, A=0.2) == pytest.approx(d * 0.2 * 1.3 / 2, rel=1e-14)
+    # F_Omega = 0: A^2 = (1 - X)/(d^2 X), and F = 0 is then d^2 X (1 - X) + (1 - X)^2 d^2 = ... in X = Omega^2
+    peak = osc.peak(F_0)
+    X = peak.Omega**2
+    assert (1 - X) == pytest.approx(d**2 * peak.A**2 * X, rel=1e-12)
+    assert peak.A**2 * (1 - X) ** 2 + (d * peak.A**2 * X) ** 2 == pytest.approx(F_0**2, rel=1e-12)
+
+
+def test_laws_that_are_not_there_change_nothing():
+    given = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.012, "zeta": 0.04}
+    plain, same = Isolator(**given), Isolator(**given, eta=0.0, c_2=0.0, rubs="throughout")
+    assert plain == same and repr(plain) == repr(same) and plain.given == same.given
+    assert plain.model == same.model and (plain.model.native is None) == (same.model.native is None)
+    damped = plain.replace(eta=0.02)
+    assert damped != plain and damped.replace(eta=0.0) == plain and "eta=0.02" in repr(damped)
+    assert pickle.loads(pickle.dumps(damped)) == damped and damped.amplitudes(Omega=1.0, F_0=0.04).to_pandas is not None
+
+
+def test_every_state_is_one_and_none_is_missed_that_a_fine_grid_shows():
+    rng, A = np.random.default_rng(11), np.geomspace(1e-5, 30, 60001)
+    for _ in range(16):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            osc = drawn(rng)
+        F_0 = osc.sticking_forcing + 10 ** rng.uniform(-3, -0.7)
+        Omega = np.exp(rng.uniform(np.log(0.3), np.log(3), 6))
+        try:
+            found = osc.amplitudes(Omega=Omega, F_0=F_0)
+        except OverflowError:  # quadratic damping alone on a softening spring: nothing bounds the response
+            continue
+        R, lag = balances(osc, found.Omega, found.A)
+        assert np.allclose(R**2 + lag**2, F_0**2, rtol=1e-9)
+        for w in Omega:
+            R, lag = balances(osc, w, A)
+            F = R**2 + lag**2 - F_0**2
+            assert np.count_nonzero(found.Omega == w) == np.count_nonzero((F[1:] < 0) != (F[:-1] < 0)), (osc, F_0, w)
+
+
+def test_a_state_is_stable_where_both_eigenvalues_of_the_slow_flow_say_so():
+    """(29) too: numerically, of the slow flow with the work of each law; the trace is negative everywhere."""
+    rng, seen = np.random.default_rng(3), set()
+    for _ in range(12):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            osc = drawn(rng)
+        if osc.model.negative_stiffness or osc.eta == osc.zeta == 0:
+            continue
+        F_0 = osc.sticking_forcing + 10 ** rng.uniform(-2.5, -1)
+        found = osc.amplitudes(Omega=np.linspace(0.4, 1.6, 7), F_0=F_0)
+
+        def rates(A, phi, Omega, osc=osc, F_0=F_0):
+            R, lag = balances(osc, Omega, A)
+            return np.array([-(lag + F_0 * np.sin(phi)), -(R + F_0 * np.cos(phi)) / A]) / (2 * Omega)
+
+        for Omega, A, phi, stable in zip(found.Omega, found.A, found.phi, found.stable, strict=True):
+            steps = 1e-6 * A, 1e-6
+            columns = [
+                (rates(A + da, phi + dp, Omega) - rates(A - da, phi - dp, Omega)) / (2 * step)
+                for (da, dp), step in (((steps[0], 0.0), steps[0]), ((0.0, steps[1]), steps[1]))
+            ]
+            jacobian = np.array(columns).T
+            assert np.trace(jacobian) < 0
+            if abs(np.linalg.det(jacobian)) > 1e-6:
+                assert stable == (np.linalg.eigvals(jacobian).real < 0).all()
+                seen.add(bool(stable))
+    assert seen == {True, False}
+
+
+@pytest.mark.parametrize(
+    "osc",
+    [
+        Duffing(1.0, 0.5, eta=0.02),
+        Duffing(1.0, 2.0, 0.003, 0.01, c_2=0.05),
+        RUBBING,
+        RUBBING.replace(force="truncated", eta=0.01),
+        Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated"),
+    ],
+    ids=repr,
+)
+def test_an_onset_is_where_folds_come_and_the_locus_has_its_level(osc):
+    onset = osc.saddle_node_onset()
+    assert len(osc.saddle_nodes(onset.F_SN * (1 - 1e-6))) == 0
+    above = osc.saddle_nodes(onset.F_SN * (1 + 1e-4))
+    assert len(above) >= 2
+    # the locus holds the folds of a forcing, and nothing on it lies lower than the onset
+    F_0 = 1.5 * onset.F_SN
+    locus, folds = osc.fold_locus(A_max=1.0, samples=2000), osc.saddle_nodes(F_0)
+    assert locus.F_0.min() >= onset.F_SN * (1 - 1e-9)
+    for Omega, A, corner in zip(folds.Omega, folds.A, folds.corner, strict=True):
+        R, lag = balances(osc, Omega, A)
+        assert math.hypot(R, lag) == pytest.approx(F_0, rel=1e-10)
+        if not corner and A < 1.0:
+            assert np.hypot((locus.Omega - Omega) / Omega, (locus.A - A) / A).min() < 0.01
+
+
+def test_what_rubs_no_more_beyond_u_cr_makes_a_corner_though_the_force_does_not_jump():
+    """F_A falls by I m/u_cr: folds sit on u_cr where that turns its sign."""
+    osc = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
+    assert osc.model.jumps == (0.0,)
+    found = osc.saddle_nodes(0.0502)
+    at = found.Omega[found.corner]
+    assert at.size == 2 and (found.A[found.corner] == osc.breakpoints[0]).all()
+    beside = (at[:, np.newaxis] * (1 + np.array([-1e-5, 1e-5]))).ravel()
+    states = osc.amplitudes(Omega=beside, F_0=0.0502)
+    assert [np.count_nonzero(states.Omega == w) for w in beside] == [3, 1, 1, 3]
+    assert osc.replace(rubs="throughout").saddle_nodes(0.0502).A.size == 0
+
+
+def test_friction_that_ends_at_u_cr_leaves_an_isolated_curve_below_the_forcing_that_detaches():
+    """On the backbone I = m u_cr/A + 2 zeta A Omega is least beyond u_cr: there a curve is born."""
+    osc = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
+    onset = osc.saddle_node_onset()
+    assert onset.kind == "isola" and osc.breakpoints[0] < onset.A and onset.F_SN < osc.detachment().F_cr
+    A = np.linspace(onset.A - 0.01, onset.A + 0.01, 2001)
+    least = balances(osc, osc.backbone(A), A)[1]
+    assert onset.A == pytest.approx(A[least.argmin()], abs=1e-3)
+    assert least.min() == pytest.approx(onset.F_SN, rel=1e-3)
+    curve = osc.frequency_response(1.02 * onset.F_SN)
+    assert np.unique(curve.branch).size == 2 and curve.isola == (False, True)
+
+
+def settled(osc, Omega, F_0, turns):
+    """The largest |u| after many turns, by SciPy from switch to switch; only for motions that never rest."""
+    force, edges = osc.restoring_force(), osc.breakpoints or (np.inf,)
+    state, t, end, largest = np.array([0.0, 0.0]), 0.0, turns * 2 * np.pi / Omega, 0.0
+    slip, inside = 1.0, True
+    while t < end:
+        mu = osc.mu if inside or osc.rubs == "throughout" else 0.0
+
+        def field(tau, y, slip=slip, mu=mu):
+            resists = (2 * osc.zeta + osc.eta / Omega) * y[1] + slip * (osc.c_2 * y[1] ** 2 + mu)
+            return [y[1], F_0 * np.cos(Omega * tau) - resists - force.value(y[0])]
+
+        events = [lambda tau, y: y[1], lambda tau, y: abs(y[0]) - edges[0]]
+        events[0].terminal = events[1].terminal = True
+        # at a start on the edge the value is a rounding: only the way back across it counts
+        events[0].direction, events[1].direction = -slip, 1 if inside else -1
+        solution = solve_ivp(field, (t, end), state, rtol=1e-9, atol=1e-12, events=events, method="DOP853")
+        t, state = float(solution.t[-1]), solution.y[:, -1]
+        if t > 0.9 * end:
+            largest = max(largest, np.abs(solution.y[0]).max())
+        if solution.t_events[0].size:
+            assert abs(F_0 * np.cos(Omega * t) - force.value(state[0])) > mu
+            slip, state = -slip, np.array([state[0], -slip * 1e-13])
+        elif solution.t_events[1].size:
+            inside = not inside
+    return largest
+
+
+@pytest.mark.parametrize(
+    ("osc", "Omega", "F_0", "within"),
+    [
+        (Duffing(1.0, 0.5, eta=0.15), 1.0, 0.04, 0.005),
+        (Duffing(1.0, 0.5, c_2=1.0), 1.1, 0.06, 0.005),
+        (RUBBING.replace(zeta=0.08), 0.95, 0.1, 0.02),
+    ],
+    ids=repr,
+)
+def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(osc, Omega, F_0, within):
+    state = osc.steady_state(Omega=Omega, F_0=F_0)
+    assert state.stops == 0 and state.stable
+    assert state.A == pytest.approx(settled(osc, Omega, F_0, 40), rel=1e-6)
+    (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
+    assert pytest.approx(A, rel=within) == state.A
+    if osc.rubs == "attached":
+        assert state.A > osc.breakpoints[0]
+
+
+def test_what_has_no_answer_is_refused_in_words():
+    damped, rubbing = Duffing(1.0, 0.5, eta=0.02), RUBBING
+    for ask in (
+        lambda osc: osc.certify(0.04),
+        lambda osc: osc.saddle_nodes(0.04, certify=True),
+        lambda osc: osc.second_approximation,
+        lambda osc: osc.saddle_nodes(0.04).gradient(),
+    ):
+        for osc, law in ((damped, "eta = 0.02"), (rubbing, "rubs = 'attached'")):
+            with pytest.raises(ValueError, match=law):
+                ask(osc)
+    for ask in (
+        lambda: damped.exact_response(0.04),
+        lambda: damped.sweep(Omega=[1.0], F_0=0.04),
+        lambda: damped.transient(acceleration=0.1, duration=1.0),
+        lambda: damped.shock_spectrum(acceleration=0.1, duration=1.0),
+        lambda: damped.saddle_nodes(0.04).measure(),
+    ):
+        with pytest.raises(ValueError, match="structural damping is stated at one frequency"):
+            ask()
+    with pytest.raises(ValueError, match="limit_envelope is not available with rubs = 'attached'"):
+        rubbing.limit_envelope(Omega=1.0, F_0=0.04)
+    with pytest.raises(ValueError, match=r"eta = 0.02 is not allowed with excitation = 'base'"):
+        damped.replace(zeta=0.1, excitation="base")
+    with pytest.raises(ValueError, match="its force has one piece"):
+        Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.02, rubs="attached")
+    with pytest.raises(ValueError, match="nothing would dissipate beyond"):
+        rubbing.replace(zeta=0.0)
+    with pytest.raises(ValueError, match="eta = -1"):
+        Duffing(1.0, 0.5, eta=-1.0)
+    with pytest.raises(ValueError, match="rubs = 'never'"):
+        rubbing.replace(rubs="never")
+    assert "viscous damping and dry friction only" in str(damped.amplitudes(Omega=1.0, F_0=0.04).validity)
+    assert "eta = 0.02" in str(damped.explain("saddle_nodes", 0.04))
