@@ -155,7 +155,8 @@ WRONG = {
         '"saddle_node"',
         "17: questions = 'saddle_node' is not allowed: it must be one of at_rest, rest, saddle_node_onset, "
         "detachment, saddle_nodes, peak, margins, hysteresis, isolation, amplitudes, frequency_response, spectrum, "
-        "tolerances, transient, shock_spectrum, exact_response, fold_locus, cusps, isola_points. Did you mean 'saddle_nodes'?",
+        "tolerances, transient, shock_spectrum, exact_response, fold_locus, cusps, isola_points. "
+        "Did you mean 'saddle_nodes'?",
     ),
     "a decimal comma": (
         "L = 0.080",
