@@ -120,6 +120,15 @@ def test_folds_within_rounding_of_the_corner_are_not_denied_by_an_empty_locus():
     assert len(locus) > 0 or f"within rounding of A = {iso.breakpoints[0]:g}, where the force jumps" in locus.message
 
 
+@compiled
+def test_states_where_the_forcing_exceeds_friction_by_little_are_proved_or_said_to_be_undecided():
+    """Where I exceeds F_0 there is no state: F_0 - 4 mu/pi says up to where, and has six digits here."""
+    iso = Duffing(0.30726528991668056, -0.3658785478804152, mu=2.701549008849204e-06, zeta=4.6374909032157274e-05)
+    F_0, Omega = 3.4397190306415187e-06, 5.44729375421581e-12
+    found, proof = iso.amplitudes(Omega=Omega, F_0=F_0), iso.certify(F_0, Omega=Omega).amplitudes
+    assert (Remark.UNDECIDED in found.remarks) == (not proof.proved)
+
+
 @pytest.mark.both_backends
 def test_two_states_of_one_amplitude_are_two():
     """At zeta = 1e-9 the resonance is so sharp that its two sides have the same double for their amplitude."""

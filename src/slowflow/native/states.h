@@ -114,7 +114,8 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
     double A_max;
     if (sf_inertial(model) || !(model->zeta > 0) || sf_nearly_sticks(model, F_0))
         return -1;
-    A_max = slow_flow_limit_envelope(Omega, F_0, model->m, model->zeta) * (1 + SF_CLOSE); /* there I exceeds F_0 */
+    /* there I exceeds F_0, even if F_0 - m is all but rounding */
+    A_max = slow_flow_limit_envelope(Omega, F_0 * (1 + SF_CLOSE), model->m, model->zeta) * (1 + SF_CLOSE);
     if (!(A_max > SF_FIRST && A_max < SF_ENDLESS))
         return -1;
     asked.Omega = Omega;
