@@ -124,18 +124,3 @@ class OffCentreDetachment(Single):
     B: float | None
     load: float
     message: str
-
-
-@dataclass(frozen=True, eq=False)
-class OffCentreOnset(Single):
-    """The lowest forcing at which a fold is born; None and a message where there is none.
-
-    Omega, A, B -- of the fold
-    """
-
-    F_SN: float | None
-    Omega: float | None
-    A: float | None
-    B: float | None
-    load: float
-    message: str
