@@ -23,39 +23,54 @@ static void sf_output_code(char **args, const ptrdiff_t *steps, int i, ptrdiff_t
     *(signed char *)(args[i] + k * steps[i]) = (signed char)value;
 }
 
+/* The numbers of design k, and its damping behind them. */
+typedef struct {
+    double design[SF_MOST_DESIGN], damping[SF_MOST_DAMPING];
+} sf_numbers;
+
+static void sf_read_numbers_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                               sf_numbers *out) {
+    int i;
+    for (i = 0; i < mechanism->design_size; i++)
+        out->design[i] = sf_input(args, steps, i, k);
+    for (i = 0; i < mechanism->damping_size; i++)
+        out->damping[i] = sf_input(args, steps, mechanism->design_size + i, k);
+}
+
 /* Design k as the solvers take it; 0 if a number lies outside its domain. */
 static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
                         sf_model *model) {
-    double design[SF_MOST_DESIGN], damping[SF_MOST_DAMPING];
-    int i;
-    for (i = 0; i < mechanism->design_size; i++)
-        design[i] = sf_input(args, steps, i, k);
-    for (i = 0; i < mechanism->damping_size; i++)
-        damping[i] = sf_input(args, steps, mechanism->design_size + i, k);
-    if (!mechanism->parameters_of(design, model->p) || !mechanism->damping_of(damping, model->damping))
+    sf_numbers at;
+    sf_read_numbers_at(mechanism, args, steps, k, &at);
+    if (!mechanism->parameters_of(at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
         return 0;
-    sf_prepare(mechanism, design, model);
+    sf_prepare(mechanism, at.design, model);
+    return 1;
+}
+
+/* The same for questions that do not ask what the force loses at its breakpoints, which takes longer than some answers. */
+static int sf_design_without_jumps_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                                      sf_model *model) {
+    sf_numbers at;
+    sf_read_numbers_at(mechanism, args, steps, k, &at);
+    if (!mechanism->parameters_of(at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
+        return 0;
+    sf_prepare(mechanism, NULL, model);
     return 1;
 }
 
 /* Design k as it was given; 0 where no proof is possible. */
 static int sf_given_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_given *given) {
-    double design[SF_MOST_DESIGN];
-    const int damping = mechanism->design_size;
-    int i;
-    for (i = 0; i < mechanism->design_size; i++)
-        design[i] = sf_input(args, steps, i, k);
-    return sf_give(mechanism, design, sf_input(args, steps, damping, k), sf_input(args, steps, damping + 1, k), given);
+    sf_numbers at;
+    sf_read_numbers_at(mechanism, args, steps, k, &at);
+    return sf_give(mechanism, at.design, at.damping[0], at.damping[1], given);
 }
 
 /* The same in pairs; 0 where there is no such form. */
 static int sf_exactly_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_exactly *exactly) {
-    double design[SF_MOST_DESIGN];
-    const int damping = mechanism->design_size;
-    int i;
-    for (i = 0; i < mechanism->design_size; i++)
-        design[i] = sf_input(args, steps, i, k);
-    return sf_make_exact(mechanism, design, sf_input(args, steps, damping, k), sf_input(args, steps, damping + 1, k), exactly);
+    sf_numbers at;
+    sf_read_numbers_at(mechanism, args, steps, k, &at);
+    return sf_make_exact(mechanism, at.design, at.damping[0], at.damping[1], exactly);
 }
 
 /* A solver tries values that it then discards: the flags that these raise are no fault of the arguments. */
@@ -131,7 +146,7 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
         sf_model model;
         double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
         sf_status status = SF_INVALID;
-        if (sf_design_at(mechanism, args, steps, k, &model))
+        if (sf_design_without_jumps_at(mechanism, args, steps, k, &model))
             status = sf_detachment(&model, &F_cr, &Omega_cr, &u_cr);
         sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, u_cr, status);
     }
