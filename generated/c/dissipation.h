@@ -25,6 +25,7 @@ static inline double dissipation_quadratic(double c_2)
 /* The largest |h| of a state with this amplitude, as quadratic damping bounds its frequency.
    Equation from (23). Domain: A > 0, d > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 2.01
  */
 static inline double dissipation_restoring(double A, double F_0, double d)
 {
@@ -34,6 +35,7 @@ static inline double dissipation_restoring(double A, double F_0, double d)
 /* Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.
    Equation (3). Domain: any.
    Operations: 5 structured, 5 common subexpressions, 5 power chains
+   Proved, error / u (1 + kappa): 1.01, 1.01
  */
 static inline void dissipation_resistance(double v, double zeta, double friction, double quadratic, double *out)
 {
@@ -44,6 +46,7 @@ static inline void dissipation_resistance(double v, double zeta, double friction
 /* I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
    Equation from (19). Domain: A > 0.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
+   Proved, error / u (1 + kappa): 1.01, 0.0, 0.0, 0.0
  */
 static inline void dissipation_at_rest(double A, double m, double eta, double *out)
 {
@@ -56,6 +59,7 @@ static inline void dissipation_at_rest(double A, double m, double eta, double *o
 /* The same where friction acts for |u| < u_cr only.
    Equation from (19). Domain: A >= u_cr > 0.
    Operations: 19 structured, 16 common subexpressions, 13 power chains
+   Proved, error / u (1 + kappa): 1.01, 1.01, 0.67, 0.86
  */
 static inline void dissipation_released(double A, double m, double eta, double u_cr, double *out)
 {
@@ -72,6 +76,7 @@ static inline void dissipation_released(double A, double m, double eta, double u
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 9 structured, 9 common subexpressions, 9 power chains
+   Proved, error / u (1 + kappa): 4.01
  */
 static inline double dissipation_I(double Omega, double A, double I_0, double zeta, double d)
 {
@@ -207,6 +212,7 @@ static inline double dissipation_stability(double Omega, double A, double I_0, d
 /* F + F_0^2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4.
    Equation (24). Domain: A > 0.
    Operations: 28 structured, 26 common subexpressions, 23 power chains
+   Proved, error / u (1 + kappa): 0.67, 0.51, 2.51, 0.67, 0.86
  */
 static inline void dissipation_response_quartic(double A, double I_0, double zeta, double d, double h, double *out)
 {
@@ -224,6 +230,7 @@ static inline void dissipation_response_quartic(double A, double I_0, double zet
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, ..., Omega^4.
    Equation (30). Domain: A > 0.
    Operations: 32 structured, 29 common subexpressions, 28 power chains
+   Proved, error / u (1 + kappa): 1.01, 1.67, 4.76, 0.81, 0.84
  */
 static inline void dissipation_fold_quartic(double A, double I_0, double I_0A, double zeta, double d, double h, double h_A, double *out)
 {
@@ -266,6 +273,7 @@ static inline double dissipation_turn_share(double x, double A, double I_0, doub
 /* F and F_A; derivatives by A and by Omega of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 91 structured, 47 common subexpressions, 47 power chains
+   Proved, error / u (1 + kappa): -, 5.01, 5.01, 3.26, -, -
  */
 static inline void dissipation_folds(double Omega, double A, double F_0, double I_0A, double I_0AA, double zeta, double d, double h_A, double h_AA, double R, double I_, double *out)
 {
@@ -290,6 +298,7 @@ static inline void dissipation_folds(double Omega, double A, double F_0, double 
 /* F and F_Omega/(4 A Omega); derivatives by A and by Omega of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 88 structured, 54 common subexpressions, 54 power chains
+   Proved, error / u (1 + kappa): -, -, 5.01, 3.26, -, 10.51
  */
 static inline void dissipation_peaks(double Omega, double A, double F_0, double I_0, double I_0A, double zeta, double d, double h_A, double R, double I_, double *out)
 {
@@ -313,6 +322,7 @@ static inline void dissipation_peaks(double Omega, double A, double F_0, double 
 /* F_A and F_AA; derivatives by A and by Omega of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0.
    Operations: 171 structured, 64 common subexpressions, 64 power chains
+   Proved, error / u (1 + kappa): 5.01, -, -, -, -, -
  */
 static inline void dissipation_cusps(double Omega, double A, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h_A, double h_AA, double h_AAA, double R, double I_, double *out)
 {
@@ -340,6 +350,7 @@ static inline void dissipation_cusps(double Omega, double A, double I_0A, double
 /* F_A and F_Omega/(4 A Omega); derivatives by A and by Omega of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 125 structured, 66 common subexpressions, 66 power chains
+   Proved, error / u (1 + kappa): 5.01, -, -, -, -, 10.51
  */
 static inline void dissipation_isolas(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double d, double h_A, double h_AA, double R, double I_, double *out)
 {
@@ -366,6 +377,7 @@ static inline void dissipation_isolas(double Omega, double A, double I_0, double
 /* F_A and F_AOmega/Omega, less constant factors; derivatives by A and by Omega of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 166 structured, 111 common subexpressions, 110 power chains
+   Proved, error / u (1 + kappa): 5.01, -, -, -, -, 13.17
  */
 static inline void dissipation_turns(double Omega, double A, double I_0, double I_0A, double I_0AA, double zeta, double d, double h, double h_A, double h_AA, double R, double I_, double *out)
 {
@@ -401,6 +413,7 @@ static inline void dissipation_turns(double Omega, double A, double I_0, double 
 /* F, for Omega = 0; derivatives by A and by Omega.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 27 structured, 25 common subexpressions, 25 power chains
+   Proved, error / u (1 + kappa): -, 5.01, 3.26
  */
 static inline void dissipation_rest(double Omega, double A, double F_0, double I_0A, double zeta, double d, double h_A, double R, double I_, double *out)
 {
@@ -414,6 +427,7 @@ static inline void dissipation_rest(double Omega, double A, double F_0, double I
 /* F_A, for Omega = 0; derivatives by A and by Omega.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 64 structured, 38 common subexpressions, 38 power chains
+   Proved, error / u (1 + kappa): 5.01, -, -
  */
 static inline void dissipation_stiffness(double Omega, double A, double I_0A, double I_0AA, double zeta, double d, double h_A, double h_AA, double R, double I_, double *out)
 {

@@ -57,6 +57,7 @@ def restoring(A, F_0, d):
 
     Equation from (23). Domain: A > 0, d > 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 2.01
     """
     return F_0 + F_0 / (A * d)
 
@@ -66,6 +67,7 @@ def resistance(v, zeta, friction, quadratic):
 
     Equation (3). Domain: any.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    Proved, error / u (1 + kappa): 1.01, 1.01
     """
     return (
         friction + quadratic * v * v,
@@ -78,6 +80,7 @@ def at_rest(A, m, eta):
 
     Equation from (19). Domain: A > 0.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Proved, error / u (1 + kappa): 1.01, 0.0, 0.0, 0.0
     """
     return (
         A * eta + m,
@@ -92,6 +95,7 @@ def released(A, m, eta, u_cr):
 
     Equation from (19). Domain: A >= u_cr > 0.
     Operations: 19 structured, 16 common subexpressions, 13 power chains.
+    Proved, error / u (1 + kappa): 1.01, 1.01, 0.67, 0.86
     """
     t0 = m * u_cr
     A2 = A * A
@@ -110,6 +114,7 @@ def I(Omega, A, I_0, zeta, d):  # noqa: E743
 
     Equation (23). Domain: Omega > 0, A > 0.
     Operations: 9 structured, 9 common subexpressions, 9 power chains.
+    Proved, error / u (1 + kappa): 4.01
     """
     return A * A * Omega * Omega * d + 2.0 * A * Omega * zeta + I_0
 
@@ -251,6 +256,7 @@ def response_quartic(A, I_0, zeta, d, h):
 
     Equation (24). Domain: A > 0.
     Operations: 28 structured, 26 common subexpressions, 23 power chains.
+    Proved, error / u (1 + kappa): 0.67, 0.51, 2.51, 0.67, 0.86
     """
     t0 = 4.0 * zeta
     A2 = A * A
@@ -270,6 +276,7 @@ def fold_quartic(A, I_0, I_0A, zeta, d, h, h_A):
 
     Equation (30). Domain: A > 0.
     Operations: 32 structured, 29 common subexpressions, 28 power chains.
+    Proved, error / u (1 + kappa): 1.01, 1.67, 4.76, 0.81, 0.84
     """
     t0 = 2.0 * I_0
     A2 = A * A
@@ -316,6 +323,7 @@ def folds(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     Operations: 91 structured, 47 common subexpressions, 47 power chains.
+    Proved, error / u (1 + kappa): -, 5.01, 5.01, 3.26, -, -
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -342,6 +350,7 @@ def peaks(Omega, A, F_0, I_0, I_0A, zeta, d, h_A, R, I):
 
     Equation from (24). Domain: Omega > 0, A > 0.
     Operations: 88 structured, 54 common subexpressions, 54 power chains.
+    Proved, error / u (1 + kappa): -, -, 5.01, 3.26, -, 10.51
     """
     t0 = zeta / Omega
     t1 = 3.0 * zeta
@@ -367,6 +376,7 @@ def cusps(Omega, A, I_0A, I_0AA, I_0AAA, zeta, d, h_A, h_AA, h_AAA, R, I):
 
     Equation from (30), (33). Domain: Omega > 0, A > 0.
     Operations: 171 structured, 64 common subexpressions, 64 power chains.
+    Proved, error / u (1 + kappa): 5.01, -, -, -, -, -
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -396,6 +406,7 @@ def isolas(Omega, A, I_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
 
     Equation from (30). Domain: Omega > 0, A > 0.
     Operations: 125 structured, 66 common subexpressions, 66 power chains.
+    Proved, error / u (1 + kappa): 5.01, -, -, -, -, 10.51
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -424,6 +435,7 @@ def turns(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I):
 
     Equation from (30). Domain: Omega > 0, A > 0.
     Operations: 166 structured, 111 common subexpressions, 110 power chains.
+    Proved, error / u (1 + kappa): 5.01, -, -, -, -, 13.17
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -461,6 +473,7 @@ def rest(Omega, A, F_0, I_0A, zeta, d, h_A, R, I):
 
     Equation from (24). Domain: Omega > 0, A > 0.
     Operations: 27 structured, 25 common subexpressions, 25 power chains.
+    Proved, error / u (1 + kappa): -, 5.01, 3.26
     """
     t0 = Omega * Omega
     t1 = A * d
@@ -476,6 +489,7 @@ def stiffness(Omega, A, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
 
     Equation from (30). Domain: Omega > 0, A > 0.
     Operations: 64 structured, 38 common subexpressions, 38 power chains.
+    Proved, error / u (1 + kappa): 5.01, -, -
     """
     t0 = Omega * Omega
     t1 = h_A + t0
