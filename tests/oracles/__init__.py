@@ -7,5 +7,5 @@ counts                  proved numbers of states and folds at any forcing
 kernels                 exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
 exact_brute, exact_linear, exact_scipy, exact_cases    the equation of motion by other means, and oscillators to try
-make_kernel_oracle, make_random_isolators, make_off_centre    programs that write `tests/data`
+make_kernel_oracle, make_random_isolators, make_off_centre, make_damped    programs that write `tests/data`
 """

@@ -97,8 +97,8 @@ def _all(parts: Sequence[_Boxes]) -> _Boxes:
 class Searched:
     """One system of one model: its functions at points and on boxes."""
 
-    def __init__(self, model: Model, system: str, F_0: float, pieces: Sequence[Stretch]) -> None:
-        self.model, self.system, self.F_0 = model, system, F_0
+    def __init__(self, model: Model, system: str, F_0: float, pieces: Sequence[Stretch], most: float) -> None:
+        self.model, self.system, self.F_0, self.most = model, system, F_0, most
         self.beyond = np.array([piece.base > 0 for piece in pieces])
         self.at_points: Callable[..., Any] = getattr(dissipation, system)
         self.on_boxes: Callable[..., Any] = getattr(dissipation_intervals, system)
@@ -166,6 +166,7 @@ class Searched:
             known["h_A"] = known["h_A"].both(-((R + beside) / A) - Omega.square())
         first, second, *_ = self._values({**known, "R": R, "I": lag})
         found = (R.lo > R.hi) | (lag.lo > lag.hi) | first.has_sign | second.has_sign
+        found |= (R.square() + lag.square()).lo > self.most * self.most * (1 + 2.0**-40)
         if self.system in FOLDED:
             # F_A/2 = R (R - k)/A + I I_A, of which the first part is not below -k^2/(4 A)
             found |= (4.0 * (A * lag * I_A) - cells.k.square()).lo > 0
@@ -231,11 +232,11 @@ def _interval(value: Any, like: Interval) -> Interval:
 
 @np.errstate(all="ignore")
 def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float = 0.0, most: float = np.inf) -> Points:
-    """All points of a system on the pieces; most: the highest forcing of states that are asked for.
+    """All points of a system on the pieces; most: the highest level that is asked for.
 
     Raises ArithmeticError where too many boxes stay undecided.
     """
-    searched = Searched(model, system, F_0, pieces)
+    searched = Searched(model, system, F_0, pieces, most)
     base = np.array([piece.base for piece in pieces])
     boxes = _first_boxes(searched, pieces, F_0 if system in FORCED else most)
     found, undecided, looked_at = [], False, 0

@@ -161,11 +161,17 @@ def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
 
 
 def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
-    """The same by other laws of damping; a least level that is none is no lower than the one of its curve."""
-    ends, isolas, cusps = (points_of(model, system, pieces) for system in ("stiffness", "isolas", "cusps"))
-    best.undecided |= ends.undecided or isolas.undecided or cusps.undecided
+    """The same by other laws of damping; a least level that is none is no lower than the one of its curve.
+
+    Only what lies below the best so far is looked for: next to u_cr, where friction ends and I falls, F_A and F_AA are
+    nearly proportional on boxes that reach down to it.
+    """
+    ends = points_of(model, "stiffness", pieces)
+    best.undecided |= ends.undecided
     best.consider_ends(model, ends.A, model.level(0.0, ends.A))
-    for points, kind in ((isolas, "isola"), (cusps, "cusp")):
+    for system, kind in (("isolas", "isola"), ("cusps", "cusp")):
+        points = points_of(model, system, pieces, most=best.F_SN)
+        best.undecided |= points.undecided
         best.consider(model.level(points.Omega, points.A), points.Omega, points.A, kind)
 
 
