@@ -36,8 +36,8 @@ from tests.oracles.kernels import is_of_gradients
 
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
-#: modules that serve any kind of number, or arrays as they are
-GENERIC = ("frequencies", "motion")
+#: modules without compiled loops: they serve any kind of number, or arrays as they are, or NumPy's solvers alone
+GENERIC = ("frequencies", "motion", "off_centre", "dissipation")
 #: of a mechanism: its own averages one by one, and the slow flow's functions with these put in
 CALLS_ONLY = (
     *("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"),
@@ -77,8 +77,8 @@ def kernels_of(module) -> list[str]:
     if module.__name__.rpartition(".")[2] in GENERIC:
         return []
     record = getattr(module, "MECHANISM", None)
-    pieces = {function.__name__ for law in record.pieces for function in law[:2]} if record else set()
-    names = [name for name in module.__all__ if callable(getattr(module, name)) and name not in pieces]
+    apart = {function.__name__ for law in record.pieces for function in law[:2]} | {"steps"} if record else set()
+    names = [name for name in module.__all__ if callable(getattr(module, name)) and name not in apart]
     return [name for name in names if not is_of_gradients(name)]
 
 

@@ -163,7 +163,7 @@ def test_every_question_has_a_plan():
     }
     beside = {"certify", "explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
     beside |= {"measured_states", "measured_folds", "states", "curve", "folds", "closes", "only_for_a_force"}
-    beside.add("only_for_plain_damping")
+    beside |= {"only_for_plain_damping", "rest", "at_centre"}
     public = {name for name in dir(type(iso)) if not name.startswith("_") and callable(getattr(type(iso), name))}
     assert public - formulas - beside - {"physical"} == set(asked)
 

@@ -54,6 +54,7 @@ def test_stored_bounds_are_of_the_programs_that_there_are(modules, code):
     assert proved.stored().keys() <= digests
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["slow_flow", "duffing"])
 def test_stored_bounds_are_what_is_proved(modules, name):
     (module,) = (module for module in modules if module.name == name)
@@ -65,6 +66,7 @@ def test_stored_bounds_are_what_is_proved(modules, name):
             assert k is None or float(k) <= float(stored) + 0.02, kept["kernel"]
 
 
+@pytest.mark.slow
 def test_no_error_that_was_found_exceeds_a_proved_bound(of_kernels):
     """The worst points of `make stress`, compiled and NumPy, against another oracle and by another way."""
     rows = json.loads((DATA / "stability.json").read_text())["kernels"]
