@@ -155,6 +155,7 @@ def of_every_kind(seed, n):
         yield oscillator, oscillator.sticking_forcing + 10 ** rng.uniform(-2, 0.5)
 
 
+@pytest.mark.slow
 @compiled_only
 def test_compiled_and_numpy_find_the_same_for_designs_of_every_kind():
     at = np.linspace(0.2, 1.9, 9)

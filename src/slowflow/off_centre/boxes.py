@@ -25,8 +25,8 @@ Ints = NDArray[np.intp]
 AROUND = 0.125
 #: a box is not cut further below this share of its place, and of 1
 NARROW = 2.0**-42
-#: boxes that are looked at in all
-MOST_BOXES = 400_000
+#: boxes that are looked at in all: usual questions take hundreds, hard ones some thousand; this many take a second
+MOST_BOXES = 40_000
 
 
 class Equations(Protocol):
