@@ -50,9 +50,9 @@ def test_a_cubic_spring_is_balanced_as_it_is_by_hand(alpha, beta, load):
     assert found.phi == pytest.approx(np.arctan2(-2 * zeta * A * Omega, -R), rel=1e-12)
 
 
-def test_states_and_detachments_are_all_those_that_are_certified():
-    """24 cubic springs, 12 truncated isolators, to 40 digits."""
-    assert len(CERTIFIED) >= 30
+def test_states_detachments_and_onsets_are_all_those_that_are_certified():
+    """24 cubic springs, 12 truncated isolators, the onsets of 8 cubic springs, to 40 digits."""
+    assert len(CERTIFIED) >= 40
     for case in CERTIFIED:
         if case["kind"] == "duffing":
             given = (case[name] for name in ("alpha", "beta", "mu", "zeta"))
@@ -61,6 +61,12 @@ def test_states_and_detachments_are_all_those_that_are_certified():
             assert len(found) == len(case["states"]) and not found.message
             np.testing.assert_allclose([found.A, found.B], exact, rtol=4e-15, atol=0)
             assert found.stable.tolist() == [state["stable"] for state in case["states"]]
+        elif case["kind"] == "onset":
+            given = (case[name] for name in ("alpha", "beta"))
+            born = Duffing(*given, 0.0, case["zeta"], load=case["load"]).saddle_node_onset()
+            for name, value in case["onset"].items():
+                assert getattr(born, name) == pytest.approx(float(value), rel=1e-14)
+            assert born.kind == "cusp" and not born.message
         else:
             model = Model(ROD_SPRING, tuple(case["parameters"]), case["mu"], case["zeta"])
             detached = OffCentre(model, case["load"]).detachment()
@@ -199,6 +205,58 @@ def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
     assert loaded.replace(load=-0.03).detachment().B == pytest.approx(-B, rel=1e-13)
     assert loaded.replace(load=0.45).detachment().F_cr is None
     assert loaded.replace(load=1e-12).detachment().F_cr == pytest.approx(centred.F_cr, rel=1e-10)
+
+
+@pytest.mark.parametrize("oscillator", [Isolator(**TABLE_1, load=0.03), Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)])
+def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
+    onset = oscillator.saddle_node_onset()
+    m = oscillator.model.m
+    below = [m + (onset.F_SN - m) * share for share in (0.01, 0.3, 0.8, 0.97, 1 - 1e-7)]
+    assert not any(len(oscillator.saddle_nodes(F_0)) for F_0 in below)
+    born = oscillator.saddle_nodes(onset.F_SN * (1 + 1e-7))
+    assert born.kind.tolist() == ["jump-up", "jump-down"]
+    for name in ("Omega", "A", "B"):
+        assert getattr(born, name) == pytest.approx([getattr(onset, name)] * 2, rel=0.01)
+    mirrored = oscillator.replace(load=-oscillator.load).saddle_node_onset()
+    assert mirrored.F_SN == pytest.approx(onset.F_SN, rel=1e-13) and mirrored.B == pytest.approx(-onset.B, rel=1e-9)
+
+
+@pytest.mark.parametrize("centred", [Isolator(**TABLE_1), Duffing(1.0, 0.5, 0.01, 0.05)])
+def test_the_onset_tends_to_that_about_the_centre_as_the_square_of_the_load(centred):
+    at_centre = centred.saddle_node_onset()
+    moved = [centred.replace(load=load).saddle_node_onset().F_SN / at_centre.F_SN - 1 for load in (1e-3, 1e-4)]
+    assert moved[0] == pytest.approx(100 * moved[1], rel=1e-3) and 0 < moved[0] < 1e-3
+    again = centred.off_centre.saddle_node_onset()
+    assert (again.F_SN, again.A, again.B) == (at_centre.F_SN, at_centre.A, 0.0)
+
+
+def test_an_onset_on_a_corner_is_where_states_begin_to_be_three(loaded):
+    heavy = loaded.replace(load=0.1)
+    onset = heavy.saddle_node_onset()
+    assert onset.kind == "corner" and "jump of the force" in onset.message
+    assert onset.A + onset.B == pytest.approx(heavy.breakpoints[0], rel=1e-15)
+    grid = onset.Omega * np.linspace(0.99, 1.03, 81)
+    for share, most in ((0.97, 1), (1.03, 3)):
+        states = heavy.amplitudes(Omega=grid, F_0=share * onset.F_SN)
+        assert max((states.Omega == Omega).sum() for Omega in grid) == most and not states.message
+
+
+def test_motions_of_the_equation_become_three_about_the_onset():
+    heavy = Duffing(1.0, 0.5, 0.0, 0.02, load=0.3)
+    onset = heavy.saddle_node_onset()
+    folds = heavy.saddle_nodes(1.25 * onset.F_SN)
+    for F_0, Omega, most in ((0.8 * onset.F_SN, onset.Omega, 1), (1.25 * onset.F_SN, folds.Omega.mean(), 3)):
+        starts = np.concatenate((heavy.amplitudes(Omega=Omega, F_0=F_0).A, [0.5 * onset.A, 1.5 * onset.A]))
+        motions = [heavy.steady_state(Omega=Omega, F_0=F_0, A=A + onset.B) for A in starts]
+        assert len({round(motion.A, 6) for motion in motions}) == most
+
+
+def test_where_no_onset_is_told_the_reason_is():
+    assert "no saddle node" in Duffing(1.0, 0.0, 0.01, 0.05, load=0.3).saddle_node_onset().message
+    well = Duffing(-0.5, 1.0, 0.005, 0.05, load=0.02).saddle_node_onset()
+    assert well.F_SN is None and "undecided" in well.message
+    with pytest.raises(ValueError, match="needs zeta > 0"):
+        Isolator(**{**TABLE_1, "zeta": 0.0}, load=0.03).saddle_node_onset()
 
 
 def test_every_place_of_rest_is_found():

@@ -20,7 +20,6 @@ from slowflow.results import (
     Measured,
     MeasuredFolds,
     Remark,
-    SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
     joined,
@@ -215,12 +214,14 @@ class Oscillator(Averaged):
         """df/du at displacements of any shape, both dimensionless; at a breakpoint that of the inner piece."""
         return self.restoring_force().stiffness(validate.finite_array("u", u))
 
-    def saddle_node_onset(self) -> SaddleNodeOnset:
+    def saddle_node_onset(self) -> Any:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
 
-        Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force.
+        Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force. Under
+        a load `OffCentre.saddle_node_onset`, with the mean B, and without that.
         """
-        self.at_centre("saddle_node_onset")
+        if self.load != 0:
+            return self.off_centre.saddle_node_onset()
         found = super().saddle_node_onset()
         if not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
             return found

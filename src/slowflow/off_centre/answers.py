@@ -124,3 +124,22 @@ class OffCentreDetachment(Single):
     B: float | None
     load: float
     message: str
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreOnset(Single):
+    """The lowest forcing for which a stable motion ends at a fold; None and a message where none is found.
+
+    F_SN, Omega -- forcing and frequency
+    A, B        -- amplitude and mean displacement
+    kind        -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner"
+                   (where the motion comes to a jump of the force)
+    """
+
+    F_SN: float | None
+    Omega: float | None
+    A: float | None
+    B: float | None
+    kind: str
+    load: float
+    message: str

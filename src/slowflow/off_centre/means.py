@@ -157,7 +157,7 @@ class Steps:
     def resists(self, A: Interval, B: Interval, means: Means) -> Interval:
         """(c_1^2 - s_1^2)/c_1 on the boxes of `on`, which stays finite where a motion comes to a jump of the force.
 
-        There c_1 = C + l and s_1 = S + x l with l = D_0/(pi sqrt(A^2 - a^2)), x = a/A, and this lies between
+        Beyond a jump c_1 = C + l and s_1 = S + x l with l = D_0/(pi sqrt(A^2 - a^2)), x = a/A, and this lies between
         C - S^2/C and what it tends to for a large l, 2 (C - x S) + D_0 M_0/A, as long as C and D_0 are positive.
         """
         C, S = means.c[1], means.s[1]
@@ -166,7 +166,7 @@ class Steps:
         ends = np.where(known, found.ends, np.array([[-np.inf], [np.inf]]))
         for step in range(1, self.places.size):
             gain, below_zero = self.gains[step, 0], means.ladders[0, :, step, ORDERS - 1]
-            jumps = (below_zero[1] == np.inf) & (gain > 0)
+            jumps = (below_zero[1] > 0) & (gain > 0)
             if not jumps.any():
                 continue
             some = np.flatnonzero(jumps)
@@ -180,7 +180,8 @@ class Steps:
             above = 2 * (C - x * S) + M_0 * gain / A_
             below = C - S.square() / C
             both = np.array((np.fmin(below.lo, above.lo), np.fmax(below.hi, above.hi)))
-            ends[:, some] = np.where(C.lo > 0, both, np.array([[-np.inf], [np.inf]]))
+            both = np.where(C.lo > 0, both, np.array([[-np.inf], [np.inf]]))
+            ends[:, some] = np.fmax(ends[0, some], both[0]), np.fmin(ends[1, some], both[1])
         return Interval(ends)
 
     def _roughly(self, A: Interval, B: Interval, n: int, ends: Floats, family: int) -> Interval:

@@ -21,12 +21,14 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import (
     OffCentreDetachment,
     OffCentreFolds,
+    OffCentreOnset,
     OffCentreStates,
     RestPositions,
 )
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.equations import Detaching, Fold, Resting, State
 from slowflow.off_centre.means import ORDERS, Means, Steps
+from slowflow.off_centre.onset import Lowest, Search
 from slowflow.results import SaddleNodes, joined
 from slowflow_kernels import off_centre, slow_flow
 
@@ -47,6 +49,9 @@ BEYOND = "at rest the mass stands beyond the first breakpoint already"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
+NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"
+UNRESOLVED = "the onset is undecided: folds of ever lower forcing go on to Omega = 0, or to where the mean turns back"
+ON_CORNER = "on a corner that the jump of the force makes: one that does not jump has none there"
 UNDECIDED = "how many states there are is undecided at Omega = {}"
 UNDECIDED_FOLDS = "whether there are others is undecided next to A = {}"
 
@@ -248,6 +253,52 @@ class OffCentre:
         Omega, A, B, kind, corner = (column[order] for column in columns)
         return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, message)
 
+    def saddle_node_onset(self) -> OffCentreOnset:
+        """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
+
+        That no fold is below it is proved up to 2^-16 of F_SN; nearer to it, it is the least of its surroundings.
+        Raises ValueError for zeta = 0.
+        """
+        self._damped("saddle_node_onset")
+        if self._keeps_centre:
+            centred = Averaged(self._model).saddle_node_onset()
+            B = None if centred.F_SN is None else 0.0
+            return OffCentreOnset(centred.F_SN, centred.Omega, centred.A, B, centred.kind, 0.0, centred.message)
+        try:
+            found = self._lowest()
+        except ArithmeticError:
+            return OffCentreOnset(None, None, None, None, "", self.load, UNRESOLVED)
+        if found is None:
+            return OffCentreOnset(None, None, None, None, "", self.load, NO_ONSET)
+        message = ON_CORNER if found.kind == "corner" else ""
+        return OffCentreOnset(found.F_0, found.Omega, found.A, found.B, found.kind, self.load, message)
+
+    def _lowest(self) -> Lowest | None:
+        """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
+        search = Search(self._steps, self._m, self._zeta)
+        size = max(1.0, abs(self.load), *self.breakpoints)
+        known = [search.descend(*at) for at in search.begin(size, self._offset_bound)]
+        known += search.corners(self._offset_bound)
+        while True:
+            best = min(known, key=lambda fold: fold.F_0, default=None)
+            if best is not None and not best.kind:
+                raise ArithmeticError("a fold whose forcing only falls")
+            low, high = self._plane(self._m if best is None else best.F_0)
+            lower = search.lower(low, high, math.inf if best is None else best.F_0)
+            if lower is None:
+                return best
+            known.append(search.descend(*lower))
+            if best is not None and known[-1].F_0 >= best.F_0:
+                raise ArithmeticError("a lower fold that is not reached")
+
+    def _plane(self, F_0: float) -> tuple[Floats, Floats]:
+        """Boxes of A and B that hold what may be at F_0 up to `A_max`."""
+        low: list[Any] = []
+        high: list[Any] = []
+        edges = self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)
+        self._add(np.concatenate(([0.0], edges)), low, high)
+        return np.array(low).T, np.array(high).T
+
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
         sizes = (1.0, F_0, F_0 / self._zeta, abs(self.load), *self.breakpoints)
@@ -258,15 +309,11 @@ class OffCentre:
         high: list[Any] = []
         of: list[int] = []
         for i, forcing in enumerate(F_0.tolist()):
-            plane_low: list[Any] = []
-            plane_high: list[Any] = []
-            top = self.A_max(forcing)
-            edges = top * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)
-            self._add(np.concatenate(([0.0], edges)), plane_low, plane_high)
+            plane_low, plane_high = self._plane(forcing)
             # I >= m: beyond it the phase belongs to no Omega
             most = math.sqrt((forcing - self._m) / (forcing + self._m)) * (1 + 2.0**-40)
             phases = np.linspace(-most, most, 5)
-            for a, b in zip(plane_low, plane_high, strict=True):
+            for a, b in zip(plane_low.T, plane_high.T, strict=True):
                 low += [(*a, t) for t in phases[:-1]]
                 high += [(*b, t) for t in phases[1:]]
             of += [i] * (len(low) - len(of))

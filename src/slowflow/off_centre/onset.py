@@ -1,0 +1,303 @@
+"""The lowest forcing with a fold off the centre: in go a force as steps and damping, out come F_SN, Omega, A and B.
+
+A point of the balance and F_A = 0 along it give Omega, and the two with it the forcing, `slow_flow.level`. So folds of
+all forcings lie on curves in the plane of A and B, and the onset is the lowest level on them. The search has two parts.
+
+descend  from a fold down to where the level is stationary: that is a fold, and its level not less than the onset
+lower    cuts the plane into boxes until on each it is proved that the balance does not hold, that F_A along it does not
+         vanish, or that a level is not below (1 - GAP) of the lowest known. A lower fold that turns up is given back.
+
+With p = -h/A, q = -h_A, y = Omega^2 - p and e = q - p, F_A = 0 is |y| (|e| - |y|) = 4 zeta^2 Omega^2 + 2 zeta m Omega/A
+with y of the sign of e, and R = A y. On a box of A, p and e both sides are bounded, on parts of the range of y.
+
+Only folds that end a stable motion are looked at, those with c_1 = df_0/dB > 0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar
+
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.averaged.reference.roots import fold_roots, peak_roots
+from slowflow.model import Floats
+from slowflow.off_centre.means import ORDERS, Steps
+from slowflow_kernels import off_centre, slow_flow
+
+#: relative distance below F_SN within which no fold is proved to be absent
+GAP = 2.0**-16
+#: boxes that are looked at in all, and up to which number the middle of each is asked for a lower fold
+MOST_BOXES, FEW = 100_000, 2000
+#: parts of the range of y, and how often what is left of it is cut into parts again
+PARTS, ROUNDS = 8, 7
+#: amplitudes, by octaves, and mean displacements at which folds are looked for to begin with
+OCTAVES, SAMPLES, ACROSS = 20, 121, 96
+ROUNDED = 2.0**-40
+
+
+@dataclass(frozen=True)
+class Lowest:
+    """A fold, its forcing, and what makes this the lowest: "cusp", "isola", "corner", or "" where none of them does."""
+
+    F_0: float
+    Omega: float
+    A: float
+    B: float
+    kind: str
+
+
+class Search:
+    """For one force with its load, 4 mu/pi and zeta."""
+
+    def __init__(self, steps: Steps, m: float, zeta: float) -> None:
+        self.steps, self.m, self.zeta = steps, m, zeta
+
+    # ==== Folds at points of the balance ==============================================================================
+
+    def folds(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
+        """The lowest level of a fold at each point of the balance, inf where none ends a stable motion; its Omega."""
+        means = self.steps.at(A, B, 1)
+        with np.errstate(all="ignore"):
+            h_A = 2 * means.s[0] / A - 2 * (means.c[1] - means.s[1] ** 2 / means.c[1])
+            return self._lowest(A, means.s[0], np.where(means.c[1] > 0, h_A, np.nan))
+
+    def _lowest(self, A: Floats, s_0: Floats, h_A: Floats) -> tuple[Floats, Floats]:
+        known = np.isfinite(h_A) & (A > 0)
+        Omega = np.full((A.size, 3), np.nan)
+        with np.errstate(all="ignore"):
+            if known.any():
+                Omega[known] = fold_roots(A[known], -2 * s_0[known], h_A[known], self.m, self.zeta)[0]
+            level = slow_flow.level(Omega, A[:, np.newaxis], self.m, self.zeta, -2 * s_0[:, np.newaxis])
+        level = np.where(Omega > 0, level, np.inf)
+        lowest = np.argmin(level, axis=1)[:, np.newaxis]
+        return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
+
+    def begin(self, size: float, offset_bound: Callable[[float], float]) -> list[tuple[float, float]]:
+        """Points of the balance with low folds: the lowest on each stretch of a coarse sample of it."""
+        amplitudes = size * 2.0 ** np.linspace(-OCTAVES / 2, OCTAVES / 2, SAMPLES)
+        across = np.linspace(-1.0, 1.0, ACROSS)
+        bound = np.array([offset_bound(float(A)) for A in amplitudes])
+        A = np.repeat(amplitudes, ACROSS)
+        B = (bound[:, np.newaxis] * across).ravel()
+        value = (self.steps.at(A, B, 0).c[0] - self.steps.load).reshape(SAMPLES, ACROSS)
+        row, column = np.nonzero(value[:, :-1] * value[:, 1:] <= 0)
+        A, low, high = amplitudes[row], bound[row] * across[column], bound[row] * across[column + 1]
+        sign = np.sign(value[row, column])
+        for _ in range(45):
+            B = 0.5 * (low + high)
+            same = sign * (self.steps.at(A, B, 0).c[0] - self.steps.load) > 0
+            low, high = np.where(same, B, low), np.where(same, high, B)
+        level = self.folds(A, 0.5 * (low + high))[0]
+        order = np.argsort(level)[:1]
+        return [(float(A[i]), float(0.5 * (low[i] + high[i]))) for i in order if np.isfinite(level[i])]
+
+    def corners(self, offset_bound: Callable[[float], float]) -> list[Lowest]:
+        """Folds that sit where the motion comes to a jump of the force, at the lowest forcing each."""
+        found = []
+        for step in np.flatnonzero(self.steps.gains[:, 0] != 0):
+            if step == 0:
+                continue
+            place, side = float(self.steps.places[step]), float(self.steps.sides[step])
+
+            def balance(B: Floats, place: float = place, side: float = side) -> Floats:
+                means = self.steps.at(np.abs(place - side * B) * (1 - 1e-15), B, 0)
+                return np.asarray(means.c[0] - self.steps.load)
+
+            bound = offset_bound(2 * place)
+            grid = np.unique(np.concatenate((np.linspace(-bound, bound, 8 * ACROSS), [side * place])))
+            with np.errstate(all="ignore"):
+                values = np.where(grid == side * place, np.nan, balance(grid))
+            for i in np.flatnonzero(values[:-1] * values[1:] < 0):
+                one = partial(_at_one, balance)
+                B = float(brentq(one, grid[i], grid[i + 1], xtol=1e-300, rtol=1e-15))
+                found += self._corner(abs(place - side * B), B, side * np.sign(place - side * B))
+        return found
+
+    def _corner(self, A: float, B: float, x: float) -> list[Lowest]:
+        """At one of them: where F_A has another sign on either side, the least level of the frequencies."""
+        means = self.steps.at(np.array([A * (1 - 1e-12)]), np.array([B]), 1)
+        C, S, s_0 = means.c[1], means.s[1], means.s[0]
+        at = np.array([A])
+        if not C > 0:
+            return []
+        # the stiffness along the balance on either side, see `Steps.resists`
+        beside = [2 * s_0 / at - 2 * resists for resists in (C - S**2 / C, 2 * (C - x * S))]
+        candidates = [self._lowest(at, s_0, h_A) for h_A in beside]
+        Omega = peak_roots(at, -2 * s_0, self.m, self.zeta)[0][0]
+        Omega = Omega[Omega > 0]
+        turns = [slow_flow.F_A(Omega, A, self.m, self.zeta, -2 * s_0, h_A) for h_A in beside]
+        Omega = Omega[turns[0] * turns[1] < 0]
+        candidates.append((slow_flow.level(Omega, A, self.m, self.zeta, -2 * s_0), Omega))
+        level, Omega = (np.concatenate(column) for column in zip(*candidates, strict=True))
+        i = int(np.argmin(level))
+        return [Lowest(float(level[i]), float(Omega[i]), A, B, "corner")] if np.isfinite(level[i]) else []
+
+    # ==== Down to the lowest ==========================================================================================
+
+    def descend(self, A: float, B: float) -> Lowest:
+        """From a point of the balance with a fold along it to the least level near by."""
+        width = 0.05 * (A + abs(B))
+        for _ in range(200):
+            at = self._beside(A, B)
+            found = minimize_scalar(
+                lambda along, at=at: min(self._level(*at(along)), 1e300),
+                bounds=(-width, width),
+                method="bounded",
+                options={"xatol": 0.02 * width},
+            )
+            lower = self._level(*at(found.x)) <= self._level(A, B)
+            if lower:
+                A, B = at(found.x)
+            if not lower or abs(found.x) < 0.5 * width:
+                width *= 0.05
+            if width < 1e-5 * (A + abs(B)):
+                break
+        return self._stationary(A, B)
+
+    def _beside(self, A: float, B: float) -> Callable[[float], tuple[float, float]]:
+        """Points of the balance by their distance along its tangent."""
+        means = self.steps.at(np.array([A]), np.array([B]), 1)
+        slope = np.array((means.s[1][0], means.c[1][0]))
+        slope /= np.hypot(*slope)
+
+        def at(along: float) -> tuple[float, float]:
+            x = np.array((A, B)) + along * np.array((slope[1], -slope[0]))
+            for _ in range(4):
+                if not x[0] > 0:
+                    break
+                means = self.steps.at(x[:1], x[1:], 1)
+                by = np.array((means.s[1][0], means.c[1][0]))
+                x = x - slope * (means.c[0][0] - self.steps.load) / (slope @ by)
+            return float(x[0]), float(x[1])
+
+        return at
+
+    def _level(self, A: float, B: float) -> float:
+        return float(self.folds(np.array([A]), np.array([B]))[0][0]) if A > 0 else np.inf
+
+    def _stationary(self, A: float, B: float) -> Lowest:
+        """The nearest root of F_AA along the balance, or of F_Omega, beside a least level."""
+        at, kind = self._beside(A, B), ""
+        for width in (1e-6, 1e-5, 1e-4, 1e-3):
+            width *= A + abs(B)
+            for name in ("cusp", "isola"):
+
+                def vanishes(along: float, name: str = name) -> float:
+                    return self._slopes(*at(along))[name]
+
+                ends = vanishes(-width), vanishes(width)
+                if not kind and ends[0] * ends[1] < 0:
+                    root = at(float(brentq(vanishes, -width, width, xtol=1e-300, rtol=1e-15)))
+                    if self._level(*root) <= self._level(A, B) * (1 + 1e-9):
+                        (A, B), kind = root, name
+            if kind:
+                break
+        level, Omega = self.folds(np.array([A]), np.array([B]))
+        return Lowest(float(level[0]), float(Omega[0]), A, B, kind)
+
+    def _slopes(self, A: float, B: float) -> dict[str, float]:
+        at = np.array([A]), np.array([B])
+        means, Omega = self.steps.at(*at, ORDERS), self.folds(*at)[1]
+        h, h_A, h_AA, _ = off_centre.averaged(at[0], *means.c[1:], *means.s)
+        given = Omega, at[0], self.m, self.zeta, h
+        return {
+            "cusp": float(np.asarray(slow_flow.F_AA(*given, h_A, h_AA))[0]),
+            "isola": float(np.asarray(slow_flow.F_Omega(*given))[0]),
+        }
+
+    # ==== No fold is lower ============================================================================================
+
+    def lower(self, low: Floats, high: Floats, known: float) -> tuple[float, float] | None:
+        """A point of the balance with a lower fold in the boxes of A and B, or None: none is below (1 - GAP) of it.
+
+        Raises ArithmeticError where too many boxes stay undecided.
+        """
+        looked_at = 0
+        while low.size:
+            looked_at += low.shape[1]
+            if looked_at > MOST_BOXES:
+                raise ArithmeticError("the onset is unresolved: too many boxes stay undecided")
+            with np.errstate(all="ignore"):
+                low, high = self._left(low, high, known * (1 - GAP))
+            if 0 < low.shape[1] <= FEW:
+                A, B = 0.5 * (low + high)
+                for _ in range(4):
+                    means = self.steps.at(A, B, 1)
+                    with np.errstate(all="ignore"):
+                        B = B - (means.c[0] - self.steps.load) / means.c[1]
+                inside = np.isfinite(B) & (low[1] <= B) & (high[1] >= B)
+                level = np.full(A.size, np.inf)
+                level[inside] = self.folds(A[inside], B[inside])[0]
+                if level.min() < known * (1 - GAP / 2):
+                    i = int(np.argmin(level))
+                    return float(A[i]), float(B[i])
+            across = (high[1] - low[1] > high[0] - low[0]).astype(int)
+            n, middle, upper, lower = np.arange(across.size), 0.5 * (low + high), high.copy(), low.copy()
+            upper[across, n] = lower[across, n] = middle[across, n]
+            low, high = np.concatenate((low, lower), axis=1), np.concatenate((upper, high), axis=1)
+        return None
+
+    def _left(self, low: Floats, high: Floats, below: float) -> tuple[Floats, Floats]:
+        """Of boxes those, made smaller, that may hold a fold with a level below."""
+        A, B = Interval(np.stack((low[0], high[0]))), Interval(np.stack((low[1], high[1])))
+        means = self.steps.on(A, B, 1)
+        centre = 0.5 * (low + high)
+        r_A, r_B = np.maximum(high - centre, centre - low) * (1 + ROUNDED)
+        A_0, B_0 = (Interval(np.stack((x, x))) for x in centre)
+        middle = self.steps.on(A_0, B_0, 0)
+        f_0, f_middle = means.c[0] - self.steps.load, middle.c[0] - self.steps.load
+        along = f_middle + means.s[1] * Interval(np.stack((-r_A, r_A)))
+        away = f_0.has_sign | (means.c[1].hi <= 0)
+        rising = means.c[1].lo > 0
+        balanced = B_0 - along / means.c[1]
+        B_low = np.where(rising, np.fmax(low[1], balanced.lo), low[1])
+        B_high = np.where(rising, np.fmin(high[1], balanced.hi), high[1])
+        away |= B_low > B_high
+        # p = 2 s_0/A with its slopes 2 (c_1 - p)/A and 2 s_1/A; a mean of c_1 over smaller amplitudes, too
+        p = means.s[0] * 2.0 / A
+        p = Interval(np.where(A.lo > 0, p.ends, means.c[1].ends))
+        slopes = (means.c[1] - p) * 2.0 / A, means.s[1] * 2.0 / A
+        sharper = middle.s[0] * 2.0 / A_0
+        for slope, r in zip(slopes, (r_A, r_B), strict=True):
+            sharper = sharper + slope * Interval(np.stack((-r, r)))
+        # what is not known is NaN there
+        p = Interval(np.stack((np.fmax(p.lo, sharper.lo), np.fmin(p.hi, sharper.hi))))
+        e = (self.steps.resists(A, B, means) - p) * 2.0
+        away |= ~(self._may(A, p, e.hi, below, 1.0) | self._may(A, p, -e.lo, below, -1.0))
+        return np.stack((low[0], B_low))[:, ~away], np.stack((high[0], B_high))[:, ~away]
+
+    def _may(self, A: Interval, p: Interval, e: Floats, below: float, sign: float) -> np.ndarray:
+        """Whether there may be a fold with y of that sign, |e| <= e, and a level below."""
+        rest = math.sqrt(max(below**2 - self.m**2, 0.0))
+        most = np.where(np.isnan(e), np.inf, e) * (1 + ROUNDED)
+        e = most
+        most = np.fmin(most, rest / A.lo * (1 + ROUNDED))
+        if sign < 0:
+            most = np.minimum(most, np.maximum(p.hi, 0.0))
+        start, end = np.maximum(0.0, -p.hi if sign > 0 else 0.0), most
+        left = (end >= start) & (end >= 0)
+        unknown = ~np.isfinite(end) | ~np.isfinite(p.ends).all(axis=0)
+        shares = np.arange(PARTS + 1)[:, np.newaxis] / PARTS
+        for _ in range(ROUNDS):
+            edges = start + shares * (end - start)
+            y_0, y_1 = edges[:-1] * (1 - ROUNDED), edges[1:] * (1 + ROUNDED)
+            x = np.maximum(p.lo + (y_0 if sign > 0 else -y_1), 0.0)
+            highest = np.clip(0.5 * e, y_0, y_1)
+            needed = 4 * self.zeta**2 * x + 2 * self.zeta * self.m * np.sqrt(x) / A.hi
+            fold = np.isinf(e) | (highest * (e - highest) * (1 + ROUNDED) >= needed * (1 - ROUNDED))
+            level = (A.lo * y_0) ** 2 + (self.m + 2 * self.zeta * A.lo * np.sqrt(x)) ** 2
+            holds = fold & (level * (1 - ROUNDED) <= below**2)
+            left &= holds.any(axis=0)
+            first, last = np.argmax(holds, axis=0), PARTS - 1 - np.argmax(holds[::-1], axis=0)
+            n = np.arange(first.size)
+            start, end = np.where(left, edges[first, n], start), np.where(left, edges[last + 1, n], end)
+        return np.asarray(left | unknown)
+
+
+def _at_one(of: Callable[[Floats], Floats], x: float) -> float:
+    return float(of(np.array([x]))[0])
