@@ -211,7 +211,7 @@ def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
 def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
     onset = oscillator.saddle_node_onset()
     m = oscillator.model.m
-    below = [m + (onset.F_SN - m) * share for share in (0.01, 0.3, 0.8, 0.97, 1 - 1e-7)]
+    below = [m + (onset.F_SN - m) * share for share in (0.1, 0.8, 1 - 1e-7)]
     assert not any(len(oscillator.saddle_nodes(F_0)) for F_0 in below)
     born = oscillator.saddle_nodes(onset.F_SN * (1 + 1e-7))
     assert born.kind.tolist() == ["jump-up", "jump-down"]
@@ -235,7 +235,7 @@ def test_an_onset_on_a_corner_is_where_states_begin_to_be_three(loaded):
     onset = heavy.saddle_node_onset()
     assert onset.kind == "corner" and "jump of the force" in onset.message
     assert onset.A + onset.B == pytest.approx(heavy.breakpoints[0], rel=1e-15)
-    grid = onset.Omega * np.linspace(0.99, 1.03, 81)
+    grid = onset.Omega * np.linspace(0.99, 1.03, 41)
     for share, most in ((0.97, 1), (1.03, 3)):
         states = heavy.amplitudes(Omega=grid, F_0=share * onset.F_SN)
         assert max((states.Omega == Omega).sum() for Omega in grid) == most and not states.message
