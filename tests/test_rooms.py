@@ -1,6 +1,7 @@
 """The rooms of src/slowflow: imports run one way, down, and what is heavy or above is not imported from below."""
 
 import ast
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -44,6 +45,13 @@ def imported(path):
             yield from (name.name for name in node.names)
         elif isinstance(node, ast.ImportFrom):
             yield from (f"{node.module}.{name.name}" for name in node.names)
+
+
+def test_every_room_is_packed():
+    """A wheel without one imports until somebody asks for what is in it."""
+    stated = tomllib.loads((SOURCE.parent / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]
+    rooms = {path.parent.relative_to(SOURCE) for path in SOURCE.rglob("__init__.py")}
+    assert {".".join(room.parts) for room in rooms} <= set(stated["packages"])
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(SOURCE)))
