@@ -45,7 +45,8 @@ _x = sp.Symbol("x", real=True)
 _k_v, _L = sp.symbols("k_v L", positive=True)
 _above = sp.Symbol("above", positive=True)
 #: what a parameter may not be called: it has that meaning already
-TAKEN = {"u", "A", "Omega", "out", "rubs", *(one.symbol.name for one in (*DAMPING, *DISSIPATION, FORCING))}
+TAKEN = {"u", "A", "Omega", "out", "rubs", "load", "excitation"}
+TAKEN |= {one.symbol.name for one in (*DAMPING, *DISSIPATION, FORCING)}
 #: words of C11 that are names in Python: the printed C would not compile
 WORDS_OF_C = frozenset(
     "auto case char const default do double enum extern float goto inline int long register restrict short signed "

@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, Oscillator
+from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
@@ -125,7 +125,8 @@ def test_a_preload_and_a_stop_are_steps_too():
     """A force that jumps at u = 0, of straight pieces, against sums over the cycle."""
     c, k_2, gap = 0.1, 3.0, 0.3
     rows = (c, 1.0, 0.0, k_2, c - k_2 * gap, 1.0 + k_2)
-    steps = Steps(SimpleNamespace(name="", steps=lambda: rows, breakpoints=lambda: (gap,)), (), 0.0)
+    record = SimpleNamespace(name="", steps=lambda: rows, breakpoints=lambda: (gap,), jumps=lambda: (0.0,))
+    steps = Steps(record, (), 0.0)
     psi = (np.arange(200_000) + 0.5) * np.pi / 200_000
     for A, B in ((0.2, 0.05), (0.5, -0.1), (0.2, 0.6)):
         u = B + A * np.cos(psi)
@@ -303,3 +304,10 @@ def test_a_load_is_part_of_what_an_oscillator_is(loaded):
     assert repr(loaded).endswith("load=0.03)") and "load" not in repr(loaded.replace(load=0.0))
     general = Oscillator(loaded.model.mechanism, **TABLE_1, load=0.03)
     assert np.array_equal(general.amplitudes(Omega=0.9, F_0=0.04).A, loaded.amplitudes(Omega=0.9, F_0=0.04).A)
+
+
+def test_a_force_that_only_bends_has_no_fold_where_it_does():
+    """A stop in contact from delta on: its force is continuous, and one state lies on either side of A + B = delta."""
+    stop = derive.library("elastic_stop")(kappa=8, delta=0.2, mu=0.005, zeta=0.03, load=0.05)
+    assert not stop.off_centre._steps.gains[:, 0].any()
+    assert len(stop.saddle_nodes(F_0=0.0155)) == 0

@@ -371,3 +371,10 @@ def test_a_fit_without_dimensions_and_without_noise_is_exact():
     assert found.parameter.tolist() == ["mu", "zeta", "r", "delta_h"]
     assert found.value.tolist() == pytest.approx(expected, rel=1e-6)
     assert np.diag(found.correlation) == pytest.approx(1.0)
+
+
+def test_a_load_is_refused_not_left_out():
+    with pytest.raises(ValueError, match=r"sizing is not available with load = 0.03"):
+        tolerances(isolator(load=0.03), {"r": 0.05}, F_0=0.04)
+    with pytest.raises(ValueError, match="sizing is not available with load"):
+        meet(MOUNT.replace(load=13.0), {"zeta": (0.01, 0.1)}, at_least={"F_SN": 4.0})

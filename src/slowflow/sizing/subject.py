@@ -63,6 +63,7 @@ class Subject:
         if not isinstance(isolator, Isolator):
             raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
         isolator.only_for_plain_damping("sizing")
+        isolator.at_centre("sizing")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"
