@@ -76,6 +76,7 @@ def test_laws_that_are_not_there_change_nothing():
     assert pickle.loads(pickle.dumps(damped)) == damped and damped.amplitudes(Omega=1.0, F_0=0.04).to_pandas is not None
 
 
+@pytest.mark.slow
 def test_every_state_is_one_and_none_is_missed_that_a_fine_grid_shows():
     rng, A = np.random.default_rng(11), np.geomspace(1e-5, 30, 60001)
     for _ in range(16):

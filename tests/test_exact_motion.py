@@ -46,6 +46,7 @@ def test_random_isolators_cover_what_they_should(states):
     assert sum(max(abs(region) for _, region in state.cycle.signature) for state in states) >= 5
 
 
+@pytest.mark.slow
 def test_random_isolators_against_brute_force(states):
     """A turn by small fixed steps from a point of the steady state follows it and comes back to it."""
     for case, state in zip(CASES, states, strict=True):

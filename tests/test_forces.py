@@ -231,6 +231,7 @@ def test_averages_by_quadrature_are_not_compiled(folder):
         derive.mechanism("wave", FORCES["wave"][0], {"k": ABOVE_0, "c": ABOVE_0}, compile=True)
 
 
+@pytest.mark.slow
 def test_a_dead_zone_has_an_onset(folder):
     """Where there is no force at all there is nothing to search; beyond the onset there are two folds more."""
     pieces, parameters = [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0}

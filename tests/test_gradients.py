@@ -141,6 +141,7 @@ def check(of, kind, moves, at, entry=()):
             assert abs(moves[x, by][entry] - certified) < 1e-12 * most, (of, kind, x, by)
 
 
+@pytest.mark.slow
 def test_slopes_are_those_of_certified_answers_at_forty_digits():
     for of in random_oscillators(2):
         folds = of.saddle_nodes(F_0)

@@ -135,6 +135,7 @@ def test_isolation_of_known_roots() -> None:
     assert [float(r.mid()) for r in polynomial_roots(polynomial)] == pytest.approx([1 / 3, 2**0.5])
 
 
+@pytest.mark.slow
 def test_folds_and_their_count_agree_for_a_wild_force() -> None:
     """It jumps up at u_cr: up to ten folds, extrema of every kind. The two ways to count share only h."""
     model = Truncated(alpha=-0.929, beta=182.9, gamma=-2176.5, u=0.28626, mu=0.0315, zeta=0.1612)

@@ -156,6 +156,7 @@ def test_axe_finds_nothing_on_the_page_light_and_dark_on_a_desk_and_on_a_phone(t
         assert found == "[]" and int(passed) > 30
 
 
+@pytest.mark.slow
 def test_the_same_scene_gives_the_same_page(text):
     assert report.html(scenes.read(MOUNT)) == text
 
