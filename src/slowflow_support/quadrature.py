@@ -123,16 +123,16 @@ def _settled(
         value, sizes = _panels(piece, some, low[left], span[left], width, graded, from_top, rule, panels)
         if before is not None:
             moved = np.abs(value - before)
-            rounds = np.broadcast_to(span[left] <= SHORT, moved.shape)
-            if panels >= FEWEST:
+            # an infinite sum stays so
+            apart = (moved > AGREED * sizes) & ~(span[left] <= SHORT)
+            if panels >= FEWEST and apart.any():
                 moves = np.zeros_like(value)
                 for k in range(len(some)):
                     beside = [one * (1 + MOVED) if k == number else one for number, one in enumerate(some)]
                     there, _ = _panels(piece, beside, low[left], span[left], width, graded, from_top, rule, panels)
                     moves += np.abs(there - value)
-                rounds = rounds | (moved <= moves)
-            # an infinite sum stays so
-            settled = ~((moved > AGREED * sizes) & ~rounds).any(axis=0)
+                apart &= ~(moved <= moves)
+            settled = ~apart.any(axis=0)
             found[:, left[settled]] = value[:, settled]
             left, value = left[~settled], value[:, ~settled]
         before, panels = value, 2 * panels
