@@ -13,10 +13,12 @@ import sympy as sp
 from . import inertia
 from . import oscillator as osc
 from .mechanisms import Mechanism
-from .symbols import F_0, Omega, mu, tau, u, zeta
+from .symbols import F_0, Omega, c_2, eta, mu, tau, u, zeta
 
 k_v, L = sp.symbols("k_v L", positive=True)
 x = sp.Symbol("x", real=True)
+#: the factor of |x'|x' in (1), and the loss factor of k_v, whose force is eta k_v x'/omega
+c_q, loss = sp.symbols("c_q eta", positive=True)
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,20 @@ def of_every_oscillator() -> dict[sp.Symbol, Scale]:
     natural = {osc.omega_n: groups[osc.omega_n]}
     bases = (k_v, L, osc.m)
     return {number: scale(values[number].subs(natural), letter, bases) for number, letter in letters.items()}
+
+
+def of_every_law() -> dict[sp.Symbol, Scale]:
+    """Of the numbers of other laws of damping, whose forces are scaled as (1) is."""
+    forces = {c_2: c_q * osc.u_dot**2, eta: loss * k_v / osc.omega * osc.u_dot}
+    own = {c_2: osc.u_dot**2, eta: osc.u_dot / Omega}
+    groups, bases = osc.groups(k_v, L), (k_v, L, osc.m)
+    natural, letters = groups[osc.omega_n], {c_2: c_q, eta: loss}
+    found = {}
+    for number, force in forces.items():
+        # x' = L omega_n u', over k_v L
+        scaled = force.subs({osc.u_dot: L * natural * osc.u_dot, osc.omega: Omega * natural}) / (k_v * L)
+        found[number] = scale(sp.simplify(scaled / own[number]), letters[number], bases)
+    return found
 
 
 def of_every_excitation() -> dict[str, Scale]:

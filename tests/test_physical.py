@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
+from scipy.integrate import quad, solve_ivp
 
 from slowflow import Duffing, Isolator, loads, results
 from slowflow.physical import AMPLITUDES, KINDS, UNITS, Scales
@@ -54,6 +54,8 @@ def test_scales_are_the_papers_groups():
         "F_0": k_v * L,
         "mu": k_v * L,
         "zeta": 2 * math.sqrt(k_v * m),
+        "c_2": m / L,
+        "eta": 1.0,
     }
     assert {name: scales.of(scale) for name, scale in SCALES.items()} == pytest.approx(expected, rel=1e-15)
 
@@ -77,6 +79,51 @@ def test_a_motion_is_that_of_the_dimensional_equation():
     assert abs(x).max() > mount.at_rest().x_cr  # the springs leave
     np.testing.assert_allclose(motion.x, x, atol=2e-6 * motion.A)
     assert motion.t[-1] == pytest.approx(t[-1] - t[0]) and motion.period == pytest.approx(1 / f)
+
+
+def test_a_mount_with_every_law_of_damping_balances_in_newtons():
+    """The first harmonic of (1) with the force (2) and each law's own, in SI units, by quadrature of one cycle."""
+    laws = {"eta": 0.03, "c_2": 25.0, "rubs": "attached"}
+    mount = Isolator.physical(**MOUNT, **laws, force="untruncated")
+    m, k_v, L, preload = (MOUNT[name] for name in ("m", "k_v", "L", "preload"))
+    F, f = 25.0, 2.1
+    omega, c, found = math.tau * f, 2 * 0.02 * math.sqrt(k_v * m), mount.amplitudes(f=f, F=F)
+    x_cr = math.sqrt(preload * (2 * L - preload))
+    assert (found.A > x_cr).any() and (mount.amplitudes(f=5, F=5).A < x_cr).all()
+
+    def left(theta, A):
+        x, v = A * math.cos(theta), -A * omega * math.sin(theta)
+        height = math.sqrt(L**2 - x**2)
+        pushing = max(preload - (L - height), 0.0)
+        rubs = 0.4 * math.copysign(1.0, v) if abs(x) < x_cr else 0.0
+        force = k_v * x - 3 * 1700 * pushing * x / height
+        return -m * omega**2 * x + c * v + rubs + laws["eta"] * k_v / omega * v + laws["c_2"] * abs(v) * v + force
+
+    for A, phi in zip(found.A, found.phi, strict=True):
+        edge = math.acos(min(1.0, x_cr / A))
+        places = {"points": [edge, math.pi - edge]} if A > x_cr else {}
+        # over half a cycle, as the force is odd; F cos(omega t) is F cos(theta - phi)
+        for part, pushed in ((math.cos, math.cos(phi)), (math.sin, math.sin(phi))):
+            held = quad(lambda theta, A=A, part=part: left(theta, A) * part(theta), 0, math.pi, **places)[0]
+            assert held * 2 / math.pi == pytest.approx(F * pushed, rel=1e-9, abs=1e-9 * F)
+
+
+def test_laws_of_damping_are_those_of_the_mount(mount):
+    pint = pytest.importorskip("pint")
+    u = pint.UnitRegistry()
+    given = {"eta": 0.03, "c_2": 30.0, "rubs": "attached"}
+    damped = mount.replace(**given)
+    assert (
+        damped == Isolator.physical(**MOUNT, **given) != mount
+        and damped.replace(eta=0, c_2=0, rubs="throughout") == mount
+    )
+    assert eval(repr(damped), {"Isolator": Isolator}) == damped and "c_2=30.0" in repr(damped)
+    assert repr(mount.replace(eta=0.0)) == repr(mount)
+    of_pint = mount.replace(c_2=u.Quantity(0.3, "N*s^2/cm/m"))
+    assert of_pint.oscillator.c_2 == pytest.approx(damped.oscillator.c_2, rel=1e-15)
+    assert "c_2 = 30 N s^2/m^2" in str(damped.explain("peak", 5))
+    with pytest.raises(ValueError, match=r"c_2 = 30 N s\^2/m\^2 is not allowed with excitation = 'base'"):
+        damped.replace(eta=0, rubs="throughout", excitation="base")
 
 
 @pytest.mark.parametrize(("excitation", "amplitude"), [("base", 0.015), ("unbalance", 0.18)])
@@ -228,6 +275,7 @@ def test_viscous_damping_is_a_coefficient_or_a_ratio(mount):
         ({"preload": 0.09}, "preload = 0.09 is not allowed: preload must be a finite real number >= 0 and < 0.08"),
         ({"friction": -0.4}, "friction = -0.4 is not allowed"),
         ({"c": -1.0}, "c = -1.0 is not allowed"),
+        ({"c_2": -1.0}, "c_2 = -1.0 is not allowed: c_2 must be a finite real number >= 0"),
         ({"load": -1.0}, "load = -1.0 is not allowed"),
     ],
 )

@@ -132,8 +132,8 @@ WRONG = {
     "a misspelt key": (
         "preload = 0.009",
         "preloda = 0.009",
-        "9: preloda is no key of [mount]: it must be one of m, k_v, k_h, L, preload, n, friction, c, zeta, load, "
-        "force, excitation. Did you mean 'preload'?",
+        "9: preloda is no key of [mount]: it must be one of m, k_v, k_h, L, preload, n, friction, c, zeta, eta, c_2, "
+        "rubs, load, force, excitation. Did you mean 'preload'?",
     ),
     "a number outside its domain": (
         "zeta = 0.02",
@@ -185,6 +185,11 @@ WRONG = {
         "14: F = 0.0 is not allowed: F must be a finite real number > 0",
     ),
     "a window that runs down": ("[0.5, 6.0]", "[6.0, 0.5]", "16: window[1] = 0.5 is not allowed"),
+    "quadratic damping that is none": (
+        "zeta = 0.02",
+        "zeta = 0.02\nc_2 = -30",
+        "12: c_2 = -30 is not allowed: c_2 must be a finite real number >= 0",
+    ),
     "a load that is none": (
         "zeta = 0.02",
         "zeta = 0.02\nload = -1",
@@ -299,6 +304,24 @@ def test_a_shock_is_every_pair_of_peaks_and_durations_or_a_record(scene, tmp_pat
     ):
         code, _, err = run("run", scene(text), capsys=capsys)
         assert code == 2 and said in err
+
+
+def test_laws_of_damping_are_keys_of_every_table(scene, capsys):
+    text = (
+        MOUNT.partition("[ask]")[0] + 'eta = 0.02\nc_2 = 30.0\nrubs = "attached"\n[ask]\nquestions = ["detachment"]\n'
+    )
+    mount = scenes.read(scene(text)).oscillator
+    assert mount.given["c_2"] == 30.0 and mount.oscillator.rubs == "attached"
+    for table, given, same in (
+        ("isolator", {"lam": 3, "r": 0.5, "delta_h": 0.02}, {"zeta": 0.03, "eta": 0.01, "rubs": "attached"}),
+        ("duffing", {"alpha": 1.0, "beta": 0.5}, {"eta": 0.05, "c_2": 0.2}),
+    ):
+        lines = "\n".join(f"{name} = {value!r}" for name, value in (given | same).items())
+        path = scene(f'[{table}]\n{lines}\n[ask]\nF_0 = 0.03\nquestions = ["peak"]\n')
+        made = {"isolator": Isolator, "duffing": slowflow.Duffing}[table](**given, **same)
+        assert scenes.read(path).oscillator == made
+    code, out, _ = run("run", path, capsys=capsys)
+    assert code == 0 and f"{made.peak(0.03).A:.4g}" in out
 
 
 def test_a_warning_about_the_design_is_passed_on(scene, capsys):

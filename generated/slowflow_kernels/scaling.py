@@ -13,6 +13,8 @@ SCALES = {
     "F_0": Scale("F", 1.0, (1.0, 1.0, 0.0)),
     "mu": Scale("F_c", 1.0, (1.0, 1.0, 0.0)),
     "zeta": Scale("c", 2.0, (0.5, 0.0, 0.5)),
+    "c_2": Scale("c_q", 1.0, (0.0, -1.0, 1.0)),
+    "eta": Scale("eta", 1.0, (0.0, 0.0, 0.0)),
 }
 #: of F_0, by what it is the amplitude of
 AMPLITUDES = {

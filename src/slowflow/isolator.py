@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from slowflow import validate
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
-from slowflow.model import THROUGHOUT, Model
+from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Designs, Oscillator, designs_of
 from slowflow.physical import Physical, Scales, g, si
 from slowflow_kernels import duffing, rod_spring
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
+#: domain of quadratic damping, and what it is measured in
+OF_C_2 = DISSIPATION[1], SCALES["c_2"]
 
 
 def _averaged(force: Any) -> Mechanism:
@@ -113,6 +115,9 @@ class Isolator(Oscillator):
         friction: Any = 0.0,
         c: Any = None,
         zeta: float | None = None,
+        eta: float = 0.0,
+        c_2: Any = 0.0,
+        rubs: str = THROUGHOUT,
         load: Any = None,
         force: str = "truncated",
         excitation: str = "force",
@@ -126,6 +131,9 @@ class Isolator(Oscillator):
         preload  -- compression of each horizontal spring at the centre, m
         friction -- dry friction, N
         c, zeta  -- viscous damping, N s/m, or the damping ratio c/(2 sqrt(k_v m)): one of them, or neither for none
+        eta      -- structural damping, the loss factor of the vertical spring
+        c_2      -- quadratic damping, the factor of the squared velocity, N s^2/m^2
+        rubs     -- where friction acts: "throughout", or "attached", while the springs touch the push-rod
         load     -- the mass that sits on it and moves, kg, where that is not the m that k_v is preset for
         force    -- as in `Isolator`
         excitation -- "force", in N; "base", a base that shakes, by its displacement in m; "unbalance", a mass that
@@ -134,8 +142,9 @@ class Isolator(Oscillator):
         Numbers are plain ones in these units, or quantities of pint. Without `load` it is taken for granted that the
         vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
         rests off the centre, `rest()` tells where, and moves about there without symmetry: its answers have a mean B.
-        Raises ValueError for a number outside its domain, and for such a load where motions off the centre are not
-        derived: with the force that is not truncated, or an excitation by inertia.
+        Raises ValueError for a number outside its domain, for laws of damping as `Isolator`, and for such a load where
+        motions off the centre are not derived: with the force that is not truncated, an excitation by inertia, or
+        another law of damping.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kilogram"), above=0.0)
         excited = validate.choice("excitation", excitation, tuple(EXCITATIONS))
@@ -151,11 +160,17 @@ class Isolator(Oscillator):
         if c is not None:
             zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
         zeta = 0.0 if zeta is None else zeta
+        laws = Laws.of(eta, scales.over("c_2", si("c_2", c_2, "newton*second**2/meter**2"), *OF_C_2), rubs)
         weight = beyond * g / scales.sizes["force"]
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "load": weight}
-        isolator = cls(force=force, excitation=excitation, rubs=THROUGHOUT, **numbers)
+        numbers |= {"eta": laws.eta, "c_2": laws.c_2}
+        try:
+            isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, **numbers)
+        except ValueError as error:  # of the dimensionless numbers
+            raise ValueError(scales.worded(str(error))) from None
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
+        told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said().items()}
         return Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
 
     @classmethod

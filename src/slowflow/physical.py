@@ -40,10 +40,11 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3},
         "mass": {"kg": 1.0},
+        "quadratic damping": {"N s^2/m^2": 1.0},
     }
 )
 #: those in which answers are shown, one of each kind
-USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg", "kg m")
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg", "kg m", "N s^2/m^2")
 #: of which kind the numbers of an answer are, and what they are called with a unit
 KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
@@ -88,6 +89,7 @@ PHRASES = (
     (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
     (r"\bF_SN = ", "{}_SN = ", "amplitude"),
     (r"\bOmega = ", "f = ", "frequency"),
+    (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
     (r"\bfor Omega in \[", "for f in [", "frequency"),
     (r"\bA = ", "A = ", "length"),
     (r"\bamplitude up to ", "amplitude up to ", "length"),
@@ -313,6 +315,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
         "speed": length * rate,
         "acceleration": length * rate**2,
         "unbalance": size(AMPLITUDE_SCALES["unbalance"], **base),
+        "quadratic damping": size(SCALES["c_2"], **base),
     }
 
 

@@ -18,7 +18,7 @@ from slowflow_kernels.scaling import AMPLITUDES, SCALES
 from slowflow_support.record import Scale
 
 #: a mount's words for the letters of the scales of its design and its damping
-WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c"}
+WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
 #: what all scales are powers of, in their order
 BASE = ("k_v", "L", "m")
 #: of a number that is none

@@ -50,7 +50,7 @@ from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
 from slowflow.physical import EXCITED, Physical, Quantities
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 #: a scene to begin with
 STARTER = """\
@@ -163,7 +163,7 @@ PLAIN = ("F_0", "Omega", "tau")
 
 
 def _kinds() -> dict[str, Kind]:
-    damping = tuple(domain.name for domain in DAMPING)
+    damping = tuple(domain.name for domain in (*DAMPING, *DISSIPATION))
     own = [tuple(one.name for one in record.design) for record in (ROD_SPRING, DUFFING)]
     given = inspect.signature(Isolator.physical).parameters
     return {
@@ -175,14 +175,14 @@ def _kinds() -> dict[str, Kind]:
             "f",
             "t",
         ),
-        "isolator": Kind(Isolator, own[0], (*damping, "force", "excitation", "load"), *PLAIN),
+        "isolator": Kind(Isolator, own[0], (*damping, "rubs", "force", "excitation", "load"), *PLAIN),
         "duffing": Kind(Duffing, own[1], (*damping, "excitation", "load"), *PLAIN),
     }
 
 
 KINDS = _kinds()
 #: keys of these that are no numbers with a tolerance
-NO_NUMBERS = ("load", "force", "excitation")
+NO_NUMBERS = ("load", "force", "excitation", "rubs")
 
 
 @dataclass(frozen=True)

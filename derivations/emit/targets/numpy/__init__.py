@@ -15,7 +15,7 @@ import sympy as sp
 from ....conventions import CONVENTIONS
 from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....quadrature import rule
-from ....scaling import Scale, of_every_excitation, of_every_oscillator
+from ....scaling import Scale, of_every_excitation, of_every_law, of_every_oscillator
 from ....slow_flow import SCENES
 from ...form import AVERAGED, GENERAL, Module, suffix
 from ...provenance import tools
@@ -48,7 +48,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         damping=DAMPING, dissipation=DISSIPATION, rubs=RUBS, excitations=EXCITATIONS
     )
     result["slowflow_kernels/scaling.py"] = environment.get_template("scaling.py.jinja").render(
-        scales={number.name: scale for number, scale in of_every_oscillator().items()},
+        scales={number.name: scale for number, scale in (of_every_oscillator() | of_every_law()).items()},
         excited=of_every_excitation(),
     )
     for conventions in CONVENTIONS:
