@@ -170,7 +170,7 @@ class Isolator(Oscillator):
             raise ValueError(scales.worded(str(error))) from None
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
-        told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said().items()}
+        told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said.items()}
         return Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
 
     @classmethod

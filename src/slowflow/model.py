@@ -61,8 +61,10 @@ class Laws:
         """From what a user gives. Raises ValueError for a number outside its domain, or another word."""
         of_eta, of_c_2 = DISSIPATION
         where = validate.choice("rubs", rubs, tuple(RUBS))
-        return cls(validate.within(of_eta, eta), validate.within(of_c_2, c_2), where)
+        eta, c_2 = validate.within(of_eta, eta), validate.within(of_c_2, c_2)
+        return cls(eta, c_2, where) if eta or c_2 or where != THROUGHOUT else NO_LAWS
 
+    @cached_property
     def said(self) -> dict[str, Any]:
         """Those that are there, by name."""
         return {
@@ -71,14 +73,14 @@ class Laws:
             if getattr(self, field.name) != field.default
         }
 
-    @property
+    @cached_property
     def any(self) -> bool:
         """Whether there are any."""
-        return self != NO_LAWS
+        return bool(self.said)
 
     def told(self) -> str:
         """In words, as they are given."""
-        return ", ".join(f"{name} = {value!r}" for name, value in self.said().items())
+        return ", ".join(f"{name} = {value!r}" for name, value in self.said.items())
 
 
 NO_LAWS = Laws()
@@ -246,41 +248,40 @@ class Model:
         """m and zeta of the slow flow's kernels that have the same I at (Omega, A); only its slopes are others."""
         return (self.sine(Omega, A), 0.0) if self.laws.any else (self.m, self.zeta)
 
+    @property
+    def curve(self) -> Any:
+        """The kernels of the response's slopes, by what dissipates; they take what `_damping` gives."""
+        return dissipation if self.laws.any else self.flow
+
+    def _damping(self, A: Any, orders: int, beyond: Any = None) -> tuple[Any, ...]:
+        """What kernels of `curve` take between A and h: m, zeta, or derivatives of I_0 below `orders`, zeta, d."""
+        if not self.laws.any:
+            return self.m, self.zeta
+        return *self.at_rest(A, beyond)[:orders], self.zeta, self.d
+
     def F_A(self, Omega: Any, A: Any, beyond: Any = None) -> Floats:
         """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast.
 
         beyond -- as in `at_rest`
         """
         h, h_A, _, _ = self.averaged(A)
-        if not self.laws.any:
-            return np.asarray(self.flow.F_A(Omega, A, self.m, self.zeta, h, h_A))
-        I_0, I_0A, _, _ = self.at_rest(A, beyond)
-        return np.asarray(dissipation.F_A(Omega, A, I_0, I_0A, self.zeta, self.d, h, h_A))
+        return np.asarray(self.curve.F_A(Omega, A, *self._damping(A, 2, beyond), h, h_A))
 
     def stability(self, Omega: Any, A: Any) -> Floats:
         """The left side of (30), likewise."""
         h, h_A, _, _ = self.averaged(A)
-        if not self.laws.any:
-            return np.asarray(self.flow.stability(Omega, A, self.m, self.zeta, h, h_A))
-        I_0, I_0A, _, _ = self.at_rest(A)
-        return np.asarray(dissipation.stability(Omega, A, I_0, I_0A, self.zeta, self.d, h, h_A))
+        return np.asarray(self.curve.stability(Omega, A, *self._damping(A, 2), h, h_A))
 
     def F_AA(self, Omega: Any, A: Any) -> Floats:
         """d2F/dA2 (24), likewise."""
         h, h_A, h_AA, _ = self.averaged(A)
-        if not self.laws.any:
-            return np.asarray(self.flow.F_AA(Omega, A, self.m, self.zeta, h, h_A, h_AA))
-        I_0, I_0A, I_0AA, _ = self.at_rest(A)
-        return np.asarray(dissipation.F_AA(Omega, A, I_0, I_0A, I_0AA, self.zeta, self.d, h, h_A, h_AA))
+        return np.asarray(self.curve.F_AA(Omega, A, *self._damping(A, 3), h, h_A, h_AA))
 
     def Omega_A(self, Omega: Any, A: Any) -> Floats:
         """dOmega/dA along the response (24), likewise."""
         h, h_A, _, _ = self.averaged(A)
-        if not self.laws.any:
-            of_response: Any = inertia if self.inertial else general_flow
-            return np.asarray(of_response.Omega_A(Omega, A, self.m, self.zeta, h, h_A))
-        I_0, I_0A, _, _ = self.at_rest(A)
-        return np.asarray(dissipation.Omega_A(Omega, A, I_0, I_0A, self.zeta, self.d, h, h_A))
+        kernels: Any = inertia if self.inertial else dissipation if self.laws.any else general_flow
+        return np.asarray(kernels.Omega_A(Omega, A, *self._damping(A, 2), h, h_A))
 
     def level(self, Omega: Any, A: Any) -> Floats:
         """The amplitude F_0 of the excitation for which (Omega, A), shapes that broadcast, is a steady state (24)."""
@@ -302,7 +303,7 @@ class Model:
         of_design = zip((one.name for one in self.mechanism.design), self.design, strict=False)
         numbers = dict(of_design) or dict(of_force)
         damping = {"mu": self.mu, "zeta": self.zeta}
-        said = {"excitation": self.excitation, **self.laws.said()}
+        said = {"excitation": self.excitation, **self.laws.said}
         return {"mechanism": self.mechanism.name, **numbers, **damping, **said}
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:

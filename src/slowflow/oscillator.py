@@ -100,7 +100,7 @@ class Oscillator(Averaged):
         # not by attribute: these cannot be set
         self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
         self.__dict__.update(design=own, given={"mechanism": mechanism, **given, "excitation": excitation})
-        self.given.update(laws.said())
+        self.given.update(laws.said)
         if load != 0:
             self._put(load)
 

@@ -66,17 +66,15 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     status, F_SN, Omega, A, kind, at_rest = backend.solver().onset(model.native)
+    if status == Status.OK:
+        return words.with_folds_at_rest(SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], ""), at_rest)
     if status == Status.UNRESOLVED:
         raise ArithmeticError(words.unresolved_onset(model))
     _check(status, model)
-    if status == Status.OK:
-        found = SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], "")
-    elif status == Status.UNBOUNDED:
+    if status == Status.UNBOUNDED:
         said = words.OPEN if model.inertial else words.NO_LOWEST.format(model.m)
         return SaddleNodeOnset(None, None, None, "", said)
-    else:
-        found = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
-    return words.with_folds_at_rest(found, at_rest)
+    return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
 
 
 def detachment(model: Model) -> Detachment:

@@ -207,7 +207,10 @@ class Averaged:
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
-        return self._remarked(self._onset, math.nan)
+        # not as a cached property: in Python 3.11 its lock takes longer than all that is said beside the answer
+        if (known := self._known_onset) is None:
+            known = self.__dict__["_onset"] = self._remarked(self._lowest_fold(), math.nan)
+        return known
 
     def detachment(self) -> Detachment:
         """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34)."""
@@ -354,8 +357,13 @@ class Averaged:
             return plan.plan_composed(question, F_0, self.model)
         return self._plan(question, F_0)
 
-    @cached_property
-    def _onset(self) -> SaddleNodeOnset:
+    @property
+    def _known_onset(self) -> SaddleNodeOnset | None:
+        """The onset if it has been asked for."""
+        return self.__dict__.get("_onset")
+
+    def _lowest_fold(self) -> SaddleNodeOnset:
+        """`saddle_node_onset` without the remarks on averaging."""
         if plan.needs_no_solver("saddle_node_onset", self.model):
             return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
         return solvers.onset(self.model)
@@ -368,8 +376,7 @@ class Averaged:
 
     def _plan(self, question: str, F_0: float) -> plan.Plan:
         # finding the onset costs time too: it serves only where it has been asked for already
-        known = self.__dict__.get("_onset")
-        return plan.plan(question, F_0, self.model, known)
+        return plan.plan(question, F_0, self.model, self._known_onset)
 
     def _up_to(self, A_max: float | None) -> float:
         """The amplitude up to which the fold locus is wanted."""
