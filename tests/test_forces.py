@@ -15,6 +15,7 @@ import slowflow_derived
 from slowflow import backend, derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
+from slowflow.results import Remark
 
 u, k, c, p, gap = sp.symbols("u k c p gap")
 ABOVE_0 = {"above": 0}
@@ -268,3 +269,48 @@ def test_a_preload_moves_but_is_not_followed_in_time(oscillator):
         one.steady_state(Omega=0.9, F_0=0.1)
     with pytest.raises(ValueError, match="a force that jumps at u = 0"):
         one.replace(excitation="base")
+
+
+@pytest.fixture(scope="module")
+def preloaded(folder):
+    """A preload on a linear spring, whose folds have a closed form."""
+    return derive.mechanism("preloaded", [(c + k * u, None)], {"c": ABOVE_0, "k": ABOVE_0})
+
+
+@pytest.mark.parametrize("share", [0.3, 0.8, 0.99])
+@pytest.mark.parametrize("mu", [0.0, 0.01])
+def test_a_preload_on_a_linear_spring_has_the_fold_of_its_closed_form(preloaded, mu, share):
+    """With p = 4c/pi, a = Omega^2 - 1, b = 2 zeta Omega F is quadratic in A; with tan t = b/a its discriminant vanishes
+    where m cos t + p sin t = F_0, for which m < F_0 < sqrt(m^2 + p^2) have one t with a positive double root.
+    """
+    zeta, m, p_ = 0.02, 4 * mp.mpf(mu) / mp.pi, 4 * mp.mpf("0.05") / mp.pi
+    one = preloaded(c=0.05, k=1.0, mu=mu, zeta=zeta)
+    held = mp.hypot(m, p_)
+    F_0 = float(m + share * (held - m))
+    t = mp.findroot(lambda t: m * mp.cos(t) + p_ * mp.sin(t) - F_0, (0, mp.atan2(p_, m)), solver="anderson", tol=1e-30)
+    Omega = (zeta + mp.hypot(zeta, mp.tan(t))) / mp.tan(t)
+    a, b = Omega**2 - 1, 2 * zeta * Omega
+    folds = one.saddle_nodes(F_0)
+    assert folds.Omega == pytest.approx([float(Omega)], rel=1e-12)
+    assert folds.A == pytest.approx([float((p_ * a - b * m) / (a**2 + b**2))], rel=1e-9)
+    assert not len(one.saddle_nodes(1.01 * float(held)))
+    assert one.saddle_node_onset().F_SN is None and "no lowest forcing" in one.saddle_node_onset().message
+
+
+def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloaded):
+    """Next to rest a state has R = -4c/pi and I = 4 mu/pi: up to the level of that no state comes out of rest."""
+    one = preloaded(c=0.05, k=1.0, mu=0.01, zeta=0.02)
+    held = 4 / np.pi * np.hypot(0.05, 0.01)
+    assert one.sticking_forcing == pytest.approx(held, rel=1e-15)
+    many = preloaded.many(c=0.05, k=1.0, mu=0.01, zeta=0.02)
+    for F_0, rests in ((0.999 * held, True), (1.001 * held, False)):
+        states = one.amplitudes(Omega=0.6, F_0=F_0)
+        assert bool(len(states)) != rests  # below resonance the mass moves where it is not held, and there only
+        assert one.margins(F_0).sticks == rests == bool(many.margins(F_0).sticks)
+        assert (Remark.HELD_AT_REST in states.remarks) == rests == ("a mass at rest stays there" in states.message)
+        assert many.amplitudes(Omega=0.6, F_0=F_0).remarks == states.remarks
+        row = one.spectrum(Omega=[0.6, 1.1], F_0=F_0)
+        assert row.sticks.tolist() == [rests, False]
+    # at high frequencies the amplitude vanishes, and friction and preload are passed on
+    assert one.amplitudes(Omega=1e4, F_0=0.2).transmissibility[-1] == pytest.approx(held / 0.2, rel=1e-4)
+    assert one.transmissibility_floor(0.2) == pytest.approx(held / 0.2, rel=1e-15)

@@ -38,6 +38,8 @@ class Loaded:
         self.unloaded, self.load = model, load
         for name in KNOWN:
             setattr(self, name, getattr(model, name))
+        # off the centre a preload does not change sides next to rest: friction alone holds the mass there
+        self.held, self.preload = model.m, 0.0
 
     def sticks(self, F_0: float) -> bool:
         """Whether the forcing leaves the mass at rest (27), wherever that is."""

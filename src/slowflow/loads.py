@@ -45,7 +45,7 @@ class Margins(Single):
     kind        -- of the onset, as in `SaddleNodeOnset`
     folds       -- number of folds at F_0
     detaches    -- whether a stable motion at F_0 passes u_cr, isolated curves included
-    sticks      -- whether the mass does not move at all
+    sticks      -- whether a mass at rest stays there, whatever the frequency
     message     -- what to bear in mind
     """
 
@@ -281,10 +281,10 @@ def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[f
     crosses = False
     if before is not None:
         way = [[x + (y - x) * k / STEPS for x, y in zip(before, here, strict=True)] for k in range(STEPS)]
-        counts = {len(oscillator.amplitudes(Omega=x, F_0=y)) for x, y in way if y > oscillator.sticking_forcing}
+        counts = {len(oscillator.amplitudes(Omega=x, F_0=y)) for x, y in way if not oscillator.model.sticks(y)}
         crosses = len(counts | {len(states)} - {0}) > 1
     stable = np.flatnonzero(states.stable)
-    sticks = oscillator.model.force(F_0, Omega) <= oscillator.model.m
+    sticks = not stable.size and oscillator.model.force(F_0, Omega) <= oscillator.model.held
     if not stable.size:
         none = Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
         return none, states.message if sticks else joined(states.message, NONE_STABLE.format(Omega, F_0))

@@ -40,7 +40,7 @@ class ManyMargins(Batch):
     F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing; F_SN and of_SN are NaN where folds below it end at
                 Omega = 0, or none is the lowest; F_cr as in `slowflow.loads.Margins`
     folds    -- number of folds at F_0
-    detaches, sticks -- 1 where a stable motion passes u_cr, and where the mass does not move at all
+    detaches, sticks -- 1 where a stable motion passes u_cr, and where a mass at rest stays there
     """
 
     F_SN: Floats
@@ -90,7 +90,7 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     shape, allowed = folds.status.shape, folds.status != Status.INVALID
     F_SN = np.where(onsets.at_rest, np.nan, np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN))
     F_cr = lifting(designs, detachments)
-    sticks = folds.status == Status.STICKS
+    sticks = (folds.status == Status.STICKS) | ((folds.remarks & Remark.HELD_AT_REST) != 0)
     # the highest motion is stable: beyond it there is none
     passes = (peaks.status == Status.UNBOUNDED) | (peaks.A > detachments.u_cr)
     if designs.excitation != "force":  # an amplitude that only rises tends to F_0
@@ -103,7 +103,7 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
         **{name: np.where(allowed, np.broadcast_to(values, shape), np.nan) for name, values in columns.items()},
         **{name: values.astype(np.int8) for name, values in flags.items()},
         folds=folds.count,
-        status=np.where(sticks, Status.OK, folds.status).astype(np.int8),
+        status=np.where(folds.status == Status.STICKS, Status.OK, folds.status).astype(np.int8),
         _designs=designs,
         _F_0=F_0,
     )

@@ -6,6 +6,7 @@ zeros put in.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
@@ -186,9 +187,14 @@ class Model:
     @cached_property
     def linear(self) -> bool:
         """Whether the averaged force is proportional to the amplitude."""
-        if self.breakpoints:
+        if self.breakpoints or self.preload != 0:
             return False
         return bool(self.averaged(1.0)[2] == 0)
+
+    @cached_property
+    def preload(self) -> float:
+        """-h as A tends to 0: 4/pi times what the force jumps to at u = 0, which all but a few forces do not."""
+        return -float(self.averaged(0.0)[0])
 
     @cached_property
     def hardens(self) -> bool:
@@ -198,8 +204,8 @@ class Model:
 
     @cached_property
     def negative_stiffness(self) -> bool:
-        """Whether the stiffness at rest is negative, which is -h_A there."""
-        return bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
+        """Whether the stiffness at rest is negative, which is -h_A there, or a preload pushes outwards."""
+        return self.preload < 0 or bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float], ...]:
@@ -291,6 +297,18 @@ class Model:
     def sticks(self, F_0: float) -> bool:
         """Whether the excitation leaves the mass at rest at every frequency (27)."""
         return not self.inertial and F_0 <= self.m
+
+    @cached_property
+    def held(self) -> float:
+        """The forcing up to which a mass at rest stays there, whatever the frequency: sqrt(R^2 + I^2) (24) at A = 0.
+
+        That is 4 mu/pi, and more where a preload pulls inwards: then there are motions beside the rest.
+        """
+        return math.hypot(self.m, self.preload) if self.preload > 0 else self.m
+
+    def holds(self, F_0: float) -> bool:
+        """Whether a mass at rest stays there while there are motions as well, which only a preload makes."""
+        return not self.inertial and self.preload > 0 and F_0 <= self.held
 
     @property
     def reach(self) -> float:

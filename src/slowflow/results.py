@@ -37,8 +37,10 @@ class Remark(IntFlag):
     LEAVES_CENTRE = 8
     #: a fold or an onset on a breakpoint at which a truncated force jumps: the untruncated force has none there
     OF_TRUNCATION = 16
-    #: below the onset there are folds that end at Omega = 0
+    #: below the onset there are folds that end at Omega = 0, or with a preload at A = 0
     FOLDS_AT_REST = 32
+    #: a preload holds a mass that is at rest; the motions are beside that
+    HELD_AT_REST = 64
     #: next to where folds meet, or states do: doubles do not tell how many there are, nor does a proof in intervals
     UNDECIDED = 128
 

@@ -496,7 +496,7 @@ class Designs:
             oscillator = Averaged(model)
             if len(asked) > 1:
                 validate.frequencies("Omega", asked[1])
-            if asked and not (validate.number("F_0", asked[0], above=0.0) > oscillator.sticking_forcing):
+            if asked and model.sticks(validate.number("F_0", asked[0], above=0.0)):
                 return (*blank, Status.STICKS)
             return one(oscillator, *asked, places)
         except ValueError:

@@ -66,11 +66,13 @@ class Averaged:
 
     @property
     def sticking_forcing(self) -> float:
-        """4 mu/pi: a forcing that does not exceed it leaves the mass at rest (27).
+        """A forcing that does not exceed it leaves a mass at rest, whatever the frequency: 4 mu/pi (27).
 
+        With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), what F_0 is for a state that tends to rest; from 4 mu/pi
+        on there are motions beside the rest then, and answers say so.
         0 for an excitation by inertia: however small, it moves the mass from Omega = sqrt(4 mu/(pi F_0)) on.
         """
-        return 0.0 if self.model.inertial else self.model.m
+        return 0.0 if self.model.inertial else self.model.held
 
     def only_for_a_force(self, question: str) -> None:
         """Raises ValueError where the question is asked of another excitation, for which it has no answer yet."""
@@ -232,13 +234,13 @@ class Averaged:
     def transmissibility_floor(self, F_0: float) -> float:
         """What transmissibility tends to as Omega tends to inf: 4 mu/(pi F_0) for a force, 0 for one of inertia.
 
-        There A Omega vanishes, or does beside a force that grows with Omega^2: friction is all that a constant force
-        leaves. Raises ValueError for F_0 <= 0.
+        There A Omega vanishes, or does beside a force that grows with Omega^2: friction, and a preload, are all that a
+        constant force leaves. Raises ValueError for F_0 <= 0.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         if self.model.inertial:
             return 0.0
-        return min(1.0, float(slow_flow.transmissibility(1.0, 0.0, F_0, self.model.m, self.zeta, 0.0)))
+        return min(1.0, float(slow_flow.transmissibility(1.0, 0.0, F_0, self.model.m, self.zeta, self.model.preload)))
 
     def closes(self, F_0: float) -> bool:
         """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.

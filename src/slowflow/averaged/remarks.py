@@ -27,7 +27,10 @@ NEAR_STICKING_BELOW = "at low frequencies mu/(F_0 Omega^2) is near pi/4, where a
 WORDS = {
     Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
-    Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to 0",
+    Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to "
+    "0; .off_centre has those that are off it",
+    Remark.HELD_AT_REST: "a mass at rest stays there, whatever the frequency, up to F_0 = {held:g}: preload and "
+    "friction hold it",
     Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many",
     Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
@@ -60,14 +63,16 @@ def of_designs(
     there = A > 0
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
     kept = keeps_centre(mechanism, beside, np.where(there, Omega, 1.0), np.where(there, A, 1.0))
-    # at rest h_A is the stiffness with its sign turned
-    at_rest = np.asarray(mechanism.averaged(0.0, *parameters)[1])
+    # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
+    pull, at_rest = (np.asarray(value) for value in mechanism.averaged(0.0, *parameters)[:2])
+    held = np.where(pull < 0, np.hypot(slow_flow.friction(mu), pull), -np.inf)
     codes = {
         Remark.NEAR_STICKING: validity.is_near_sticking(np.asarray(mu)[..., np.newaxis], force).any(axis=-1),
         Remark.BEYOND_REACH: (there & (mechanism.reach < A)).any(axis=-1),
-        Remark.NEGATIVE_STIFFNESS: at_rest > 0,
+        Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
         Remark.OF_TRUNCATION: mechanism.truncated & (there & corner).any(axis=-1),
+        Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
     }
     return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint8)
 
@@ -83,6 +88,8 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) ->
     if model.negative_stiffness:
         said.append(Remark.NEGATIVE_STIFFNESS)
     if not math.isnan(F_0):
+        if model.holds(F_0):
+            said.append(Remark.HELD_AT_REST)
         near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
         if near.any() if isinstance(near, np.ndarray) else near:
             said.append(Remark.NEAR_STICKING)
@@ -112,7 +119,8 @@ def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
     ends, jumps = mechanism.breakpoints(*parameters), mechanism.jumps(*parameters)
     for end, jump in zip(ends, jumps, strict=True):
         hardens = hardens & ((np.asarray(end) <= 0) | (np.asarray(jump) <= 0))
-    return np.asarray(hardens & ~(np.asarray(mechanism.averaged(0.0, *parameters)[1]) > 0))
+    pull, at_rest = (np.asarray(value) for value in mechanism.averaged(0.0, *parameters)[:2])
+    return np.asarray(hardens & ~(at_rest > 0) & ~(pull > 0))
 
 
 def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
@@ -121,5 +129,5 @@ def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
         near = []
     else:
         near = [NEAR_STICKING_BELOW] if model.inertial else [validity.near_sticking(model, F_0)]
-    known = {"reach": model.reach, "reason": model.mechanism.reach_reason}
+    known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.held}
     return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near

@@ -29,6 +29,9 @@ NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
 NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
 NO_ONSET = "no saddle node"
 AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
+OF_PRELOAD = "below it there are folds down to 4 mu/pi = {:g}, at which motions end beside a mass that a preload holds"
+NONE_BUT_OF_PRELOAD = f"no lowest forcing: {OF_PRELOAD.removeprefix('below it ')}"
+PRELOAD_UNDAMPED = "the onset of a force that jumps at u = 0 is not known without viscous damping: zeta > 0 has one"
 NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
 NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
@@ -97,6 +100,12 @@ def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
     if not rest < (math.inf if onset.F_SN is None else onset.F_SN):
         return onset
     words = (NONE_BUT_AT_REST if onset.F_SN is None else AT_REST).format(rest)
+    return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
+
+
+def with_folds_of_preload(onset: SaddleNodeOnset, m: float) -> SaddleNodeOnset:
+    """The onset, with the remark that there are folds at lower forcings: down to A = 0 and m as Omega tends to inf."""
+    words = (NONE_BUT_OF_PRELOAD if onset.F_SN is None else OF_PRELOAD).format(m)
     return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
 
 

@@ -82,8 +82,12 @@ def onset(model: Model) -> SaddleNodeOnset:
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
         return SaddleNodeOnset(None, None, None, "", words.OPEN)
     if not best.kind:
-        return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), best.rest)
-    return words.with_folds_at_rest(SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, ""), best.rest)
+        found = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
+    else:
+        found = SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, "")
+    if model.preload > 0:  # next to A = 0 R, which tends to -preload, vanishes at frequencies that tend to inf
+        return words.with_folds_of_preload(found, model.m)
+    return words.with_folds_at_rest(found, best.rest)
 
 
 def _hardly_jumps(model: Model) -> bool:
@@ -115,6 +119,8 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
+    if model.preload > 0:
+        return SaddleNodeOnset(None, None, None, "", words.PRELOAD_UNDAMPED)
     if not saddle_nodes(model, 2 * model.m + 1.0).A.size:
         return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
     return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m))
@@ -237,7 +243,7 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
         A_max, cut = amplitude_bound(model, F_0)
         if A_max > first.A[0]:  # what lies below has been looked through
             last = samples_at(model, A_max)
-            if first.A[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
+            if first.A[0] == first.h[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
                 return  # linear
             _consider_pieces(model, [Stretch(first, last, base)], best)
             first = last
