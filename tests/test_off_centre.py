@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -287,6 +288,14 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
             pulse(acceleration=1.0, duration=1.0)
     with pytest.raises(ValueError, match=r"load = 0\.03"):
         _ = loaded.second_approximation
+    # and the page that tells of it has just these
+    page = (Path(__file__).parents[1] / "docs" / "howto" / "off_centre.md").read_text()
+    (told,) = [part for part in page.split("\n\n") if part.startswith("What a load has no answer to yet")]
+    refused = {*questions, *pairs, "transient", "shock_spectrum", "second_approximation", "gradient"}
+    assert set(re.findall(r"`(\w+)`", told)) == refused
+    for answer in (loaded.rest(), loaded.detachment(), loaded.amplitudes(Omega=0.9, F_0=0.04)):
+        with pytest.raises(ValueError, match="off it there is none"):
+            answer.gradient()
     with pytest.raises(ValueError, match="no polynomial"):
         loaded.replace(force="untruncated")
     with pytest.raises(ValueError, match="only with 'force'"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +12,16 @@ import numpy.typing as npt
 from slowflow.answer import Single, Table, frozen
 from slowflow.model import Floats
 from slowflow_kernels import slow_flow
+
+NO_GRADIENT = "gradients are derived of motions about the centre only: off it there is none"
+
+
+class Balanced:
+    """What answers share that stand on the balance of the mean, whose derivatives by parameters are not derived."""
+
+    def gradient(self) -> NoReturn:
+        """Raises ValueError: off the centre no gradient is derived."""
+        raise ValueError(NO_GRADIENT)
 
 
 class Rest(NamedTuple):
@@ -42,7 +52,7 @@ class OffCentreFold(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class RestPositions(Table):
+class RestPositions(Balanced, Table):
     """Where the mass stands without forcing and friction, f(u) = load, by rising u; friction holds it near by too.
 
     u      -- displacement
@@ -59,7 +69,7 @@ class RestPositions(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreStates(Table):
+class OffCentreStates(Balanced, Table):
     """Steady states u = B + A cos(Omega tau + phi), one entry each, by the order of the frequencies, then by rising A.
 
     Omega, A, B -- frequency, amplitude and mean displacement, dimensionless
@@ -89,7 +99,7 @@ class OffCentreStates(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreFolds(Table):
+class OffCentreFolds(Balanced, Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
 
     Omega, A, B -- as in `OffCentreStates`
@@ -111,7 +121,7 @@ class OffCentreFolds(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreDetachment(Single):
+class OffCentreDetachment(Balanced, Single):
     """The lowest forcing for which |B| + A reaches u_cr; None and a message where there is none.
 
     F_cr, Omega_cr -- forcing and frequency
@@ -127,7 +137,7 @@ class OffCentreDetachment(Single):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreOnset(Single):
+class OffCentreOnset(Balanced, Single):
     """The lowest forcing for which a stable motion ends at a fold; None and a message where none is found.
 
     F_SN, Omega -- forcing and frequency
