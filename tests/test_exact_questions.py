@@ -279,5 +279,15 @@ def test_importing_slowflow_imports_no_integrator():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
 
 
+@compiled
+def test_a_first_exact_motion_is_found_without_scipy():
+    asked = "Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02).steady_state(Omega=0.9, F_0=0.04)"
+    code = (
+        f"import sys; from slowflow import Isolator; {asked}; print('scipy' in sys.modules, 'numpy.ma' in sys.modules)"
+    )
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert said == "False False\n"
+
+
 def test_the_answers_are_public():
     assert {"SteadyState", "Response", "Sweep"} <= set(exact.__all__)

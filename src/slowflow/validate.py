@@ -65,7 +65,8 @@ def _is_number(value: Any) -> bool:
 
 def _is_not_masked(name: str, value: Any) -> None:
     """What a mask hides was marked as wrong: it is no number to compute with."""
-    if isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
+    # an array first: numpy.ma is imported when it is asked for
+    if isinstance(value, np.ndarray) and isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
         raise ValueError(f"{name} is not allowed: {int(np.ma.getmaskarray(value).sum())} of its numbers are masked")
 
 

@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
 
 from slowflow.answer import Answer
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator
@@ -190,6 +189,9 @@ class SteadyState(Answer):
         top = int(np.argmax(sizes))
         if top in (0, sizes.size - 1):
             return float(sizes[top])
+        # here, not above: a first motion does without SciPy, whose import takes longer than all else
+        from scipy.optimize import minimize_scalar
+
         found = minimize_scalar(
             lambda theta: -abs(float(self._passed_on(phase, np.array([theta]))[0])),
             bounds=(grid[top - 1], grid[top + 1]),
