@@ -10,6 +10,7 @@ from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, Oscillator
 from slowflow_kernels import duffing
+from slowflow_kernels.conventions import Status
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
 
@@ -227,6 +228,77 @@ def test_exact_motions_are_those_of_an_independent_integration_and_near_the_aver
         assert state.A > osc.breakpoints[0]
 
 
+#: of a batch: arrays of what laws there are; the last has none, the one before is no design
+MANY = {"lam": 3.0, "r": [2.0, 0.5, 2.0, 2.0], "delta_h": [0.08, 0.02, 0.08, 0.08], "mu": 0.02}
+MANY |= {"zeta": [0.04, 0.03, 0.0, 0.04], "eta": [0.01, 0.0, -1.0, 0.0], "c_2": [0.1, 0.0, 0.2, 0.0]}
+
+
+@pytest.mark.parametrize(
+    "more", [{}, pytest.param({"rubs": "attached", "force": "untruncated"}, marks=pytest.mark.slow)], ids=repr
+)
+def test_a_batch_has_the_digits_of_single_answers_and_their_remarks(more):
+    designs, F_0 = Isolator.many(**MANY, **more), 0.0502
+    batch = {
+        "saddle_node_onset": (designs.saddle_node_onset(), {}, ("F_SN", "Omega", "A")),
+        "detachment": (designs.detachment(), {}, ("F_cr", "Omega_cr", "u_cr")),
+        "peak": (designs.peak(F_0), {"F_0": F_0}, ("A", "Omega")),
+        "saddle_nodes": (designs.saddle_nodes(F_0, places=3), {"F_0": F_0}, ("Omega", "A")),
+        "amplitudes": (
+            designs.amplitudes(Omega=0.95, F_0=F_0, places=3),
+            {"Omega": 0.95, "F_0": F_0},
+            ("A", "phi", "transmissibility", "stable"),
+        ),
+        "isolation": (designs.isolation(F_0), {"F_0": F_0}, ("Omega", "A")),
+    }
+    bands = designs.hysteresis(F_0)
+    for k in (0, 1, 3):
+        values = {name: value[k] if isinstance(value, list) else value for name, value in MANY.items()}
+        one = Isolator(**values, **more)
+        for question, (many, asked, names) in batch.items():
+            single = getattr(one, question)(**asked)
+            for name in names:
+                expected = getattr(single, name)
+                found = np.atleast_1d(getattr(many, name)[k])
+                wanted = np.atleast_1d(np.nan if expected is None else expected).astype(float)
+                assert found[: wanted.size].tolist() == pytest.approx(wanted.tolist(), rel=0, abs=0, nan_ok=True)
+                assert np.isnan(found[wanted.size :]).all() or name == "stable"
+            if question != "isolation":  # which has none
+                assert many.remarks[k] == single.remarks, question
+        assert bands.count[k] == len(one.hysteresis(F_0))
+    for many, *_ in batch.values():
+        assert many.status[2] == Status.INVALID
+    assert designs.margins(F_0).status.tolist() == [0, 0, 1, 0]
+
+
+def test_laws_are_columns_of_a_batch_and_of_a_map():
+    peaks = Duffing.many(1.0, 0.5, eta=[0.02, 0.05], c_2=0.1).peak(0.04)
+    columns = peaks.columns()
+    assert columns["eta"].tolist() == [0.02, 0.05] and columns["c_2"].tolist() == [0.1, 0.1]
+    assert peaks.A.tolist() == [Duffing(1.0, 0.5, eta=eta, c_2=0.1).peak(0.04).A for eta in (0.02, 0.05)]
+    plain = Duffing.many(1.0, 0.5, 0.0, 0.02, eta=0.0)
+    assert plain == Duffing.many(1.0, 0.5, 0.0, 0.02) and "eta" not in plain.values
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("dask")
+    eta = xarray.DataArray([0.02, 0.05], dims="rubber", coords={"rubber": ["soft", "hard"]})
+    given = {"lam": 3.0, "r": 2.0, "delta_h": 0.08, "mu": 0.01, "zeta": 0.04, "rubs": "attached"}
+    grid = Isolator.many(**given, eta=eta.chunk(1))
+    found = grid.peak(0.04).compute()
+    assert found.attrs["rubs"] == "attached" and "loss factor" in found.eta.attrs["long_name"]
+    assert found.A.values.tolist() == [Isolator(**given, eta=one).peak(0.04).A for one in (0.02, 0.05)]
+    for ask in (
+        lambda: grid.second_approximation,
+        lambda: grid.certify(0.04),
+        lambda: Isolator.many(**given, eta=0.1).certify(0.04),
+        lambda: Isolator.many(**given, eta=0.1).second_approximation,
+        lambda: Isolator.many(**given, eta=0.1).shock_spectrum(acceleration=0.1, duration=1.0),
+        lambda: Isolator.many(**given, eta=0.1, excitation="base"),
+    ):
+        with pytest.raises(ValueError, match=r"eta.*rubs = 'attached'"):
+            ask()
+    with pytest.raises(ValueError, match="rubs = 'never'"):
+        Isolator.many(**{**given, "rubs": "never"})
+
+
 def test_what_has_no_answer_is_refused_in_words():
     damped, rubbing = Duffing(1.0, 0.5, eta=0.02), RUBBING
     for ask in (
@@ -234,6 +306,7 @@ def test_what_has_no_answer_is_refused_in_words():
         lambda osc: osc.saddle_nodes(0.04, certify=True),
         lambda osc: osc.second_approximation,
         lambda osc: osc.saddle_nodes(0.04).gradient(),
+        lambda osc: osc.many(**{k: v for k, v in osc.given.items()}).peak(0.04).gradient(),
     ):
         for osc, law in ((damped, "eta = 0.02"), (rubbing, "rubs = 'attached'")):
             with pytest.raises(ValueError, match=law):

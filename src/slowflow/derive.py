@@ -69,9 +69,9 @@ class Derived:
         """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
         return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
 
-    def many(self, *, mu: Any = 0.0, zeta: Any = 0.0, excitation: str = "force", **design: Any) -> Designs | Grid:
+    def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Designs | Grid:
         """Many designs at once: `Oscillator.many(record, ...)`."""
-        return Oscillator.many(self.record, mu=mu, zeta=zeta, excitation=excitation, **design)
+        return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def document(self) -> str:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""

@@ -182,6 +182,9 @@ class Isolator(Oscillator):
         delta_h: Any,
         mu: Any = 0.0,
         zeta: Any = 0.0,
+        eta: Any = 0.0,
+        c_2: Any = 0.0,
+        rubs: str = THROUGHOUT,
         force: str = "truncated",
         excitation: str = "force",
     ) -> Designs | Grid:
@@ -194,7 +197,7 @@ class Isolator(Oscillator):
         design: each answer has a status.
         """
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return designs_of(_averaged(force), values, excitation)
+        return designs_of(_averaged(force), values, {"eta": eta, "c_2": c_2}, rubs, excitation)
 
 
 class Duffing(Oscillator):
@@ -232,7 +235,16 @@ class Duffing(Oscillator):
 
     @classmethod
     def many(  # type: ignore[override]
-        cls, alpha: Any, beta: Any, mu: Any = 0.0, zeta: Any = 0.0, *, excitation: str = "force"
+        cls,
+        alpha: Any,
+        beta: Any,
+        mu: Any = 0.0,
+        zeta: Any = 0.0,
+        *,
+        eta: Any = 0.0,
+        c_2: Any = 0.0,
+        excitation: str = "force",
     ) -> Designs | Grid:
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        return designs_of(DUFFING, {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}, excitation)
+        values = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}
+        return designs_of(DUFFING, values, {"eta": eta, "c_2": c_2}, THROUGHOUT, excitation)

@@ -1,7 +1,7 @@
 """What an engineer asks of many designs under a load: in go designs and forcings, out come columns, a row a design.
 
 The same answers as of `loads`, from the batch questions. What these do not tell, as of designs with more than two folds
-or without viscous damping, is asked design by design.
+or with other damping than viscous damping and dry friction, is asked design by design.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from slowflow import loads, validate
 from slowflow.averaged.many import Batch, Codes, Designs, Detachments
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
-from slowflow.model import Model
 from slowflow.results import Remark
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -113,8 +112,7 @@ def lifting(designs: Designs, detachments: Detachments) -> Floats:
     """F_cr of each design, inf where there is none, and where it is only tended to as Omega rises the limit, u_cr."""
     none = np.full(designs.shape, math.inf)
     if designs.excitation != "force":
-        *design, _, _ = (np.asarray(value, dtype=float) for value in designs.values.values())
-        parameters = designs.mechanism.coefficients(*design)
+        parameters = designs.mechanism.coefficients(*designs.design)
         for end in reversed(designs.mechanism.breakpoints(*parameters)):
             none = np.where(np.asarray(end) > 0, end, none)
     return np.where(detachments.status == Status.NONE, none, detachments.F_cr)
@@ -157,7 +155,7 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
     shape = peaks.status.shape
     Omega, A, at_fold = np.full(shape, np.nan), np.full(shape, np.nan), np.zeros(shape, np.int8)
     status = peaks.status.copy()
-    plain = (peaks.status == Status.OK) & (folds.status == Status.OK)
+    plain = (peaks.status == Status.OK) & (folds.status == Status.OK) & (not designs.laws)
     plain &= ((peaks.remarks | folds.remarks) & (Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS)) == 0
     spread = {name: np.broadcast_to(value, shape)[plain] for name, value in designs.values.items()}
     forcing = np.broadcast_to(np.asarray(F_0, dtype=float), shape)[plain]
@@ -239,6 +237,6 @@ def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[[Averaged, 
     for at in map(tuple, np.argwhere(wanted)):
         values = {name: float(np.broadcast_to(value, wanted.shape)[at]) for name, value in designs.values.items()}
         try:
-            yield at, ask(Averaged(Model.of(designs.mechanism, values, designs.excitation)), float(forcing[at]))
+            yield at, ask(Averaged(designs.model(values)), float(forcing[at]))
         except ArithmeticError:
             yield at, None

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import backend, validate
-from slowflow.mechanism import Floats, Mechanism
+from slowflow.mechanism import Floats, Mechanism, Parameter
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
@@ -30,9 +30,13 @@ LARGEST = 1e300
 WITHOUT_DAMPING = "the response to an excitation by inertia is derived with viscous damping only"
 
 
-def check_names(mechanism: Mechanism, values: Mapping[str, Any]) -> list[str]:
-    """The names of a design's numbers, mu and zeta last, if the values have just these; else a TypeError names one."""
+def check_names(mechanism: Mechanism, values: Mapping[str, Any], beside: tuple[Parameter, ...] = ()) -> list[str]:
+    """The names of a design's numbers, then mu and zeta, if the values have just these; else a TypeError names one.
+
+    beside -- what the values may have too: these names come last
+    """
     names = [domain.name for domain in (*mechanism.design, *DAMPING)]
+    names += [domain.name for domain in beside if domain.name in values]
     if values.keys() != set(names):
         wrong = next(name for name in (*values, *names) if name not in values or name not in names)
         what = "is missing for" if wrong in names else "is no number of"
@@ -87,6 +91,28 @@ class Laws:
 NO_LAWS = Laws()
 
 
+def check_told(told: str, mechanism: Mechanism, excitation: str) -> None:
+    """Raises ValueError for an excitation or a mechanism that laws of damping, told in words, have no answer for."""
+    if excitation != "force":
+        raise ValueError(f"{told} is not allowed with excitation = {excitation!r}: only with 'force'")
+    if mechanism.enclosed is not None:
+        raise ValueError(f"{told} is not allowed for {mechanism.name}: its force is averaged by quadrature")
+
+
+def at_rest(A: Any, m: Any, eta: Any, u_cr: Any = None, beyond: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
+    """The part of I (23) that knows no frequency, and three derivatives by A; shapes that broadcast.
+
+    u_cr   -- where dry friction ends, None where it acts throughout
+    beyond -- whether amplitudes are taken as beyond u_cr; by default where they are
+    """
+    within: tuple[Floats, ...] = dissipation.at_rest(A, m, eta)
+    if u_cr is None:
+        return within  # type: ignore[return-value]
+    passed = np.asarray(A) > u_cr if beyond is None else beyond
+    released = dissipation.released(np.maximum(A, u_cr), m, eta, u_cr)
+    return tuple(np.where(passed, two, one) for one, two in zip(within, released, strict=True))  # type: ignore[return-value]
+
+
 @dataclass(frozen=True)
 class Model:
     """The slow flow of one oscillator, dimensionless.
@@ -134,10 +160,7 @@ class Model:
     def _check_laws(self) -> None:
         """Raises ValueError for laws that have no answer here."""
         told = self.laws.told()
-        if self.inertial:
-            raise ValueError(f"{told} is not allowed with excitation = {self.excitation!r}: only with 'force'")
-        if self.mechanism.enclosed is not None:
-            raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force is averaged by quadrature")
+        check_told(told, self.mechanism, self.excitation)
         if self.averaged(0.0)[0] != 0:
             raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0")
         if self.laws.rubs == THROUGHOUT:
@@ -232,17 +255,9 @@ class Model:
         return float(dissipation.quadratic(self.laws.c_2))
 
     def at_rest(self, A: Any, beyond: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
-        """The part of I (23) that knows no frequency, and three derivatives, at the amplitudes A (any shape).
-
-        beyond -- whether they are taken as amplitudes beyond the first breakpoint; by default where they are
-        """
-        within: tuple[Floats, ...] = dissipation.at_rest(A, self.m, self.laws.eta)
-        if self.laws.rubs == THROUGHOUT:
-            return within  # type: ignore[return-value]
-        u_cr = self.breakpoints[0]
-        passed = np.asarray(A) > u_cr if beyond is None else beyond
-        released = dissipation.released(np.maximum(A, u_cr), self.m, self.laws.eta, u_cr)
-        return tuple(np.where(passed, two, one) for one, two in zip(within, released, strict=True))  # type: ignore[return-value]
+        """See `at_rest`; friction ends at the first breakpoint."""
+        u_cr = None if self.laws.rubs == THROUGHOUT else self.breakpoints[0]
+        return at_rest(A, self.m, self.laws.eta, u_cr, beyond)
 
     def sine(self, Omega: Any, A: Any) -> Floats:
         """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""

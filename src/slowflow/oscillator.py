@@ -24,7 +24,7 @@ from slowflow.results import (
     SteadyStates,
     joined,
 )
-from slowflow_kernels.domains import EXCITATIONS
+from slowflow_kernels.domains import EXCITATIONS, RUBS
 
 if TYPE_CHECKING:
     from slowflow import exact, loads
@@ -442,7 +442,16 @@ class Oscillator(Averaged):
 
     @classmethod
     def many(
-        cls, mechanism: Mechanism, *, mu: Any = 0.0, zeta: Any = 0.0, excitation: str = "force", **design: Any
+        cls,
+        mechanism: Mechanism,
+        *,
+        mu: Any = 0.0,
+        zeta: Any = 0.0,
+        eta: Any = 0.0,
+        c_2: Any = 0.0,
+        rubs: str = THROUGHOUT,
+        excitation: str = "force",
+        **design: Any,
     ) -> Designs | Grid:
         """Many designs of one mechanism at once, from arrays that broadcast; see `slowflow.averaged.many`.
 
@@ -450,7 +459,7 @@ class Oscillator(Averaged):
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
-        return designs_of(mechanism, {**design, "mu": mu, "zeta": zeta}, excitation)
+        return designs_of(mechanism, {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2}, rubs, excitation)
 
 
 class Designs(many.Designs):
@@ -461,6 +470,7 @@ class Designs(many.Designs):
         """The same questions with the higher harmonics of force and friction."""
         from slowflow.second.many import SecondDesigns
 
+        self.only_for_plain_damping("second_approximation")
         return SecondDesigns(self)
 
     def margins(self, F_0: Any, *, workers: int = 1) -> ManyMargins:
@@ -489,17 +499,25 @@ class Designs(many.Designs):
         """
         from slowflow.exact.shocks import of_designs
 
+        self.only_for_plain_damping("shock_spectrum")
         return of_designs(self, acceleration, duration)
 
 
-def designs_of(mechanism: Mechanism, values: dict[str, Any], excitation: str) -> Designs | Grid:
-    """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled."""
+def designs_of(
+    mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], rubs: str, excitation: str
+) -> Designs | Grid:
+    """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled.
+
+    laws -- eta and c_2: a plain 0 is none
+    """
     validate.choice("excitation", excitation, tuple(EXCITATIONS))
+    validate.choice("rubs", rubs, tuple(RUBS))
+    values |= {name: value for name, value in laws.items() if not (type(value) in (int, float) and value == 0)}
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid
 
-        return Grid(mechanism, values, excitation)
-    return Designs(mechanism, values, excitation)
+        return Grid(mechanism, values, excitation, rubs)
+    return Designs(mechanism, values, excitation, rubs)
 
 
 def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:

@@ -24,11 +24,12 @@ from slowflow.averaged import remarks
 from slowflow.averaged.questions import Averaged
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Mechanism
-from slowflow.model import Floats, Model, check_names
+from slowflow.model import THROUGHOUT, Floats, Laws, Model, at_rest, check_names, check_told
 from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak, of_states
 from slowflow.results import NOT_AVERAGED, Remark
-from slowflow_kernels import inertia, slow_flow
+from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
+from slowflow_kernels.domains import DISSIPATION
 
 Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
@@ -64,13 +65,15 @@ class Batch(Answer):
 
     def _whose(self) -> Given:
         """Whose answers these are."""
-        numbers = tuple(np.asarray(value, dtype=float) for value in self._designs.values.values())
-        return Given(self._designs.mechanism, numbers, self._designs.excitation)
+        designs = self._designs
+        damping = (np.asarray(designs.values[name], dtype=float) for name in ("mu", "zeta"))
+        return Given(designs.mechanism, (*designs.design, *damping), designs.excitation)
 
     def _given(self) -> Given:
-        """The same for gradients. Raises ValueError for answers of another approximation."""
+        """The same for gradients. Raises ValueError for another approximation, and for other laws of damping."""
         if not self._averaged:
             raise ValueError(NOT_AVERAGED)
+        self._designs.only_for_plain_damping("gradient")
         return self._whose()
 
     def _asked_at(self) -> dict[str, Any]:
@@ -125,8 +128,9 @@ class Batch(Answer):
         return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})
 
     def about(self) -> dict[str, Any]:
-        """The mechanism, and the shape of the designs."""
-        return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape}
+        """The mechanism, the shape of the designs, and where friction acts if not throughout."""
+        said = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
+        return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **said}
 
     @cached_property
     def remarks(self) -> remarks.Codes:
@@ -277,10 +281,20 @@ class States(Counted):
 
     @cached_property
     def _of_designs(self) -> tuple[Floats, Floats, Floats]:
-        """m, zeta and h at each place."""
+        """m, zeta and h at each place; for other laws of damping the m that alone has the same I, as `Model.alike`."""
         mechanism, (*design, mu, zeta), _ = self._whose().with_places()
         with np.errstate(all="ignore"):
-            return slow_flow.friction(mu), zeta, mechanism.averaged(self.A, *mechanism.coefficients(*design))[0]
+            m, parameters = slow_flow.friction(mu), mechanism.coefficients(*design)
+            h = mechanism.averaged(self.A, *parameters)[0]
+            if not self._designs.laws:
+                return m, zeta, h
+            eta, c_2 = (np.asarray(self._designs.values.get(one.name, 0.0))[..., np.newaxis] for one in DISSIPATION)
+            u_cr = None
+            if self._designs.rubs != THROUGHOUT:
+                ends = np.array(np.broadcast_arrays(*mechanism.breakpoints(*parameters)))
+                u_cr = np.take_along_axis(ends, np.argmax(ends > 0, axis=0)[np.newaxis], axis=0)[0]
+            I_0 = at_rest(self.A, m, eta, u_cr)[0]
+            return dissipation.I(self._frequency, self.A, I_0, zeta, dissipation.quadratic(c_2)), np.zeros(()), h
 
     def _asked_at(self) -> dict[str, Any]:
         return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
@@ -329,31 +343,62 @@ class Designs:
     """Arrays of designs of one mechanism, and the questions about them.
 
     mechanism -- record of the mechanism
-    values    -- the numbers of its design by name, mu and zeta last; real arrays that broadcast
+    values    -- the numbers of its design by name, mu, zeta, and eta and c_2 where they are given; real arrays that
+                 broadcast
     excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
+    rubs      -- where dry friction acts, the same for all: "throughout" or "attached"
 
-    Raises TypeError for a name that is missing or unknown.
+    With eta, c_2 or rubs="attached" designs are answered one by one on NumPy, as single ones are: some tenths of a
+    second each. Raises TypeError for a name that is missing or unknown, ValueError for such laws with another
+    excitation, or a force that is averaged by quadrature.
     """
 
-    def __init__(self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force") -> None:
-        names = check_names(mechanism, values)
-        self.mechanism, self.excitation = mechanism, excitation
+    def __init__(
+        self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force", rubs: str = THROUGHOUT
+    ) -> None:
+        names = check_names(mechanism, values, DISSIPATION)
+        self.mechanism, self.excitation, self.rubs = mechanism, excitation, rubs
         self.values = {name: validate.real_array(name, values[name]) for name in names}
         self.shape = validate.common_shape(self.values)
+        if self.laws:
+            check_told(self.laws, mechanism, excitation)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Designs) or (self.mechanism, *self.values) != (other.mechanism, *other.values):
             return NotImplemented if not isinstance(other, Designs) else False
         pairs = zip(self.values.values(), other.values.values(), strict=True)
-        same = self.excitation == other.excitation
+        same = (self.excitation, self.rubs) == (other.excitation, other.rubs)
         return same and all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
 
     def __hash__(self) -> int:
         return hash((self.mechanism, *(value.tobytes() for value in self.values.values())))
 
+    @property
+    def design(self) -> list[Floats]:
+        """The numbers that the mechanism's parameters follow from, in its order."""
+        return [np.asarray(self.values[domain.name], dtype=float) for domain in self.mechanism.design]
+
+    @cached_property
+    def laws(self) -> str:
+        """The laws of damping beside mu and zeta, in words; empty without."""
+        given = ((one.name, self.values[one.name]) for one in DISSIPATION if one.name in self.values)
+        told = [f"{name} = {value}" if value.ndim == 0 else f"an array of {name}" for name, value in given]
+        return ", ".join(told if self.rubs == THROUGHOUT else [*told, f"rubs = {self.rubs!r}"])
+
+    def model(self, numbers: dict[str, float]) -> Model:
+        """One design, from its numbers by name. Raises ValueError for one outside its domain."""
+        own = dict(numbers)
+        eta, c_2 = (own.pop(one.name, 0.0) for one in DISSIPATION)
+        laws = Laws.of(eta, c_2, self.rubs)
+        return Model.of(self.mechanism, own, self.excitation, laws)
+
     def only_for_a_force(self, question: str) -> None:
         """Raises ValueError where the question is asked of another excitation, for which it has no answer yet."""
         validate.is_force(question, self.excitation)
+
+    def only_for_plain_damping(self, question: str) -> None:
+        """Raises ValueError where other laws of damping than mu and zeta leave the question without an answer yet."""
+        validate.is_plain(question, self.laws)
 
     def detachment(self, *, workers: int = 1) -> Detachments:
         """F_cr, Omega_cr and u_cr of every design; `Status.NONE` for a mechanism without breakpoints."""
@@ -380,9 +425,8 @@ class Designs:
 
     def _leave_out_what_drifts(self, Omega: Any, A: Floats, stable: Codes) -> None:
         """States are stable only if they stay about u = 0 as well."""
-        *design, _, _ = (np.asarray(value, dtype=float) for value in self.values.values())
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*design))
+            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
             may = np.broadcast_to(~remarks.stay_centred(self.mechanism, parameters), A.shape[:-1])
             if may.any():
                 chosen = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in parameters)
@@ -396,6 +440,7 @@ class Designs:
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Proofs:
         """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs."""
         self.only_for_a_force("certify")
+        self.only_for_plain_damping("certify")
         if Omega is None:
             return Proofs(*self.ask(PROVED_FOLDS, workers, F_0), _designs=self, _F_0=F_0)
         return Proofs(*self.ask(PROVED_STATES, workers, F_0, Omega=Omega), _designs=self, _F_0=F_0)
@@ -406,14 +451,14 @@ class Designs:
         load = self.mechanism.load_untruncated
         if load is not None and wanted.any():
             chosen = {name: np.broadcast_to(value, self.shape)[wanted] for name, value in self.values.items()}
-            F_SN[wanted] = Designs(load(), chosen, self.excitation).saddle_node_onset().F_SN
+            F_SN[wanted] = Designs(load(), chosen, self.excitation, self.rubs).saddle_node_onset().F_SN
         return F_SN
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
         """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""
-        *design, mu, _ = (np.asarray(value, dtype=float) for value in self.values.values())
+        mu = np.asarray(self.values["mu"], dtype=float)
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*design))
+            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
             force = np.asarray(F_0)[..., np.newaxis]
             if self.excitation != "force":
                 force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
@@ -457,7 +502,7 @@ class Designs:
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
         record = None
-        if self.excitation == "force" or question.by_inertia:
+        if not self.laws and (self.excitation == "force" or question.by_inertia):
             record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
         if backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
@@ -492,8 +537,7 @@ class Designs:
         """One design's answer, with the status of its failure in place of an exception."""
         blank = one(None, *asked, places)[:-1]
         try:
-            model = Model.of(self.mechanism, dict(zip(self.values, given, strict=True)), self.excitation)
-            oscillator = Averaged(model)
+            oscillator = Averaged(self.model(dict(zip(self.values, given, strict=True))))
             if len(asked) > 1:
                 validate.frequencies("Omega", asked[1])
             if asked and model.sticks(validate.number("F_0", asked[0], above=0.0)):

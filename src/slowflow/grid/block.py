@@ -64,9 +64,10 @@ def made_by(mechanism: Mechanism) -> dict[str, str]:
 class Ask:
     """A question about designs, asked block by block.
 
-    excitation -- what F_0 is the amplitude of
+    excitation, rubs -- what F_0 is the amplitude of, and where dry friction acts
     depth   -- one of `DEPTHS`
-    names   -- of the numbers that it is called with: the design's, mu and zeta, and F_0 and Omega where it takes them
+    names   -- of the numbers that it is called with: the design's, mu, zeta and those of other laws of damping, and F_0
+               and Omega where it takes them
     places  -- of folds or states; 0 for a question without
     workers -- threads that share a block
     made_by -- of the slowflow that is to answer
@@ -74,6 +75,7 @@ class Ask:
 
     mechanism: Mechanism
     excitation: str
+    rubs: str
     question: str
     depth: str
     names: tuple[str, ...]
@@ -102,7 +104,7 @@ class Ask:
         return tuple(getattr(answer, name) for name in self.columns())
 
     def _designs(self, given: dict[str, Any]) -> many.Designs | SecondDesigns:
-        designs = many.Designs(self.mechanism, given, self.excitation)
+        designs = many.Designs(self.mechanism, given, self.excitation, self.rubs)
         if self.depth == DEPTHS[0]:
             return designs
         from slowflow.second.many import SecondDesigns

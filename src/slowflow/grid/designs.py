@@ -18,7 +18,8 @@ from slowflow.answer import optional
 from slowflow.grid import meaning
 from slowflow.grid.block import DEPTHS, QUESTIONS, Ask, made_by
 from slowflow.mechanism import Mechanism
-from slowflow.model import check_names
+from slowflow.model import THROUGHOUT, check_names, check_told
+from slowflow_kernels.domains import DISSIPATION
 
 __all__ = ["Grid"]
 
@@ -37,9 +38,10 @@ class Grid:
     """Designs of one mechanism over named axes, and the questions about them; answers are xarray's Datasets.
 
     mechanism -- record of the mechanism
-    values    -- the numbers of its design by name, mu and zeta last: xarray's DataArrays, which broadcast by the names
-                 of their axes; or dask's and NumPy's arrays, which broadcast as NumPy's do, axes "design_0" and so on
-    excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
+    values    -- the numbers of its design by name, mu and zeta, and eta and c_2 if they are given: xarray's DataArrays,
+                 which broadcast by the names of their axes; or dask's and NumPy's arrays, which broadcast as NumPy's
+                 do, axes "design_0" and so on
+    excitation, rubs -- as of `slowflow.averaged.many.Designs`
 
     An answer has the columns of a batch's and `remarks`, over all axes, with the parameters as coordinates; of the
     arrays' own coordinates those of axes are kept. It is computed at once, unless a parameter is dask's: then nothing
@@ -49,18 +51,29 @@ class Grid:
     do not fit, ImportError without xarray.
     """
 
-    def __init__(self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force") -> None:
-        self.mechanism, self.excitation = mechanism, excitation
+    def __init__(
+        self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force", rubs: str = THROUGHOUT
+    ) -> None:
+        self.mechanism, self.excitation, self.rubs = mechanism, excitation, rubs
         self._depth = DEPTHS[0]
-        self._given = {name: values[name] for name in check_names(mechanism, dict(values))}
+        self._given = {name: values[name] for name in check_names(mechanism, dict(values), DISSIPATION)}
+        if self._laws:
+            check_told(self._laws, mechanism, excitation)
         self.values = labelled(self._given)
 
     @cached_property
     def second_approximation(self) -> Grid:
         """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""
+        validate.is_plain("second_approximation", self._laws)
         deeper = copy.copy(self)
         deeper._depth = DEPTHS[1]
         return deeper
+
+    @property
+    def _laws(self) -> str:
+        """The laws of damping beside mu and zeta, by name; empty without."""
+        given = [one.name for one in DISSIPATION if one.name in self._given]
+        return ", ".join(given if self.rubs == THROUGHOUT else [*given, f"rubs = {self.rubs!r}"])
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -143,13 +156,15 @@ class Grid:
         validate.workers(workers)
         if question == "certify":
             validate.is_force(question, self.excitation)
+            validate.is_plain(question, self._laws)
         if question in ONLY_AVERAGED and self._depth != DEPTHS[0]:
             raise ValueError(f"{question}: {ONLY_AVERAGED[question]}")
         forced = {"F_0": F_0} if "F_0" in takes else {}
         forced |= {} if Omega is None else {"Omega": Omega}
         values = labelled({**self._given, **forced}) if forced else self.values
         by = made_by(self.mechanism)
-        ask = Ask(self.mechanism, self.excitation, question, self._depth, tuple(values), places, workers, by)
+        asked_of = self.mechanism, self.excitation, self.rubs
+        ask = Ask(*asked_of, question, self._depth, tuple(values), places, workers, by)
         taken = {"place", "done", *ask.columns()} & {*sizes(values), *values}
         if taken:
             raise ValueError(

@@ -10,9 +10,10 @@ from enum import IntEnum
 from typing import Any
 
 from slowflow.grid.block import Ask
+from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 #: status of a design in a block that is not computed yet; none of the solvers'
 NOT_YET = -1
@@ -41,13 +42,13 @@ KINDS: dict[str, type[IntEnum]] = {"saddle_node_onset": OnsetKind, "saddle_nodes
 def of_map(ask: Ask) -> dict[str, Any]:
     """Of a whole map."""
     about = {"mechanism": ask.mechanism.name, "title": ask.mechanism.title, "excitation": ask.excitation}
-    about |= {"question": ask.question}
+    about |= {"question": ask.question, **({} if ask.rubs == THROUGHOUT else {"rubs": ask.rubs})}
     return {**about, "depth": ask.depth, **ask.made_by}
 
 
 def of_column(ask: Ask, name: str) -> dict[str, Any]:
     """Of a column of an answer, or of one of the numbers that it was asked with."""
-    known = {domain.name: domain.doc for domain in (*ask.mechanism.design, *DAMPING)}
+    known = {domain.name: domain.doc for domain in (*ask.mechanism.design, *DAMPING, *DISSIPATION)}
     found: dict[str, Any] = {"long_name": known.get(name) or WORDS[name]}
     if name == "remarks":
         codes = [remark for remark in Remark]

@@ -23,6 +23,7 @@ import zarr
 
 from slowflow.grid import meaning
 from slowflow.grid.block import Ask
+from slowflow.model import THROUGHOUT
 
 #: which blocks are written; it is made last, so that a store which has it is prepared
 DONE = "done"
@@ -209,6 +210,7 @@ def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dic
     found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, "places": ask.places}
     # a record that was changed keeps its name
     found["record"] = hashlib.sha256(pickle.dumps(ask.mechanism)).hexdigest()[:16]
+    found |= {} if ask.rubs == THROUGHOUT else {"rubs": ask.rubs}
     found |= {"excitation": ask.excitation, "depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
     for name, value in values.items():
         dims = _dims(value, sizes)

@@ -187,10 +187,9 @@ class _Batch:
         if name == "F_cr":
             return lifting(self.designs, self._ask("detachment"))
         if name == "rest":
-            *design, _, _ = self.designs.values.values()
             mechanism = self.designs.mechanism
             with np.errstate(all="ignore"):  # what is no design has no frequency
-                stiffness = -np.asarray(mechanism.averaged(0.0, *mechanism.coefficients(*design))[1])
+                stiffness = -np.asarray(mechanism.averaged(0.0, *mechanism.coefficients(*self.designs.design))[1])
                 return np.sqrt(np.where(stiffness > 0, stiffness, np.nan))
         if name == "isolation":
             return np.asarray(self._ask("isolation", self.F_0).Omega)
