@@ -537,7 +537,8 @@ class Designs:
         """One design's answer, with the status of its failure in place of an exception."""
         blank = one(None, *asked, places)[:-1]
         try:
-            oscillator = Averaged(self.model(dict(zip(self.values, given, strict=True))))
+            model = self.model(dict(zip(self.values, given, strict=True)))
+            oscillator = Averaged(model)
             if len(asked) > 1:
                 validate.frequencies("Omega", asked[1])
             if asked and model.sticks(validate.number("F_0", asked[0], above=0.0)):
