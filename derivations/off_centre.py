@@ -226,17 +226,21 @@ def climb() -> Climb:
     return Climb(begin, up, down)
 
 
-def steps(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> tuple[tuple[sp.Expr, ...], ...]:
+def steps(
+    pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], jumps: Sequence[sp.Expr]
+) -> tuple[tuple[sp.Expr, ...], ...]:
     """Of the pieces of a force f and its derivatives: the first at 0, gains at each breakpoint, the last at 0.
 
+    What f itself gains is its jump with the other sign: 0 for one that is continuous, not a difference of its pieces.
     By the last a motion is bounded that is large beside the breakpoints: the others cancel there.
     """
     highest = max(sp.degree(piece, u) for piece in pieces)
+
+    def derivatives(f: sp.Expr, at: sp.Expr) -> list[sp.Expr]:
+        return [sp.horner(sp.diff(f, u, order), u).subs(u, at) for order in range(highest + 1)]
+
     gains = [
-        (pieces[0], 0),
-        *((above - below, b) for below, above, b in zip(pieces, pieces[1:], breakpoints, strict=False)),
-        (pieces[-1], 0),
+        (-jump, *derivatives(above - below, b)[1:])
+        for below, above, b, jump in zip(pieces, pieces[1:], breakpoints, jumps, strict=False)
     ]
-    return tuple(
-        tuple(sp.horner(sp.diff(gain, u, order), u).subs(u, at) for order in range(highest + 1)) for gain, at in gains
-    )
+    return tuple(derivatives(pieces[0], sp.Integer(0))), *gains, tuple(derivatives(pieces[-1], sp.Integer(0)))

@@ -963,8 +963,8 @@ static inline void rod_spring_hardening(const double *p, double *out)
 
 /* f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
    Equation (3), (5). Domain: any parameters.
-   Operations: 33 structured, 20 common subexpressions, 20 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 6.67, 6.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0, 0.0,
+   Operations: 33 structured, 21 common subexpressions, 21 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 7.67, 7.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0, 0.0,
    0.0, 0.0, 0.0
  */
 static inline void rod_spring_steps(const double *p, double *out)
@@ -977,15 +977,14 @@ static inline void rod_spring_steps(const double *p, double *out)
     const double t1 = 120.0 * gamma;
     const double t2 = u_cr * u_cr;
     const double t3 = gamma * t2;
-    const double t4 = 1.0 - alpha;
     out[0] = 0.0;
     out[1] = alpha;
     out[2] = 0.0;
     out[3] = t0;
     out[4] = 0.0;
     out[5] = t1;
-    out[6] = u_cr * (t2 * (-beta - t3) + t4);
-    out[7] = t2 * (-3.0 * beta - 5.0 * t3) + t4;
+    out[6] = -u_cr * (alpha + t2 * (beta + t3) - 1.0);
+    out[7] = -alpha + t2 * (-3.0 * beta - 5.0 * t3) + 1.0;
     out[8] = u_cr * (-t0 - 20.0 * t3);
     out[9] = -t0 - 60.0 * t3;
     out[10] = -t1 * u_cr;

@@ -957,8 +957,8 @@ def steps(alpha, beta, gamma, u_cr):
     """f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
 
     Equation (3), (5). Domain: any parameters.
-    Operations: 33 structured, 20 common subexpressions, 20 power chains.
-    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 6.67, 6.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0,
+    Operations: 33 structured, 21 common subexpressions, 21 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 7.67, 7.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0
     """
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
@@ -966,7 +966,6 @@ def steps(alpha, beta, gamma, u_cr):
     t1 = 120.0 * gamma
     t2 = u_cr * u_cr
     t3 = gamma * t2
-    t4 = 1.0 - alpha
     arguments = (alpha, beta, gamma, u_cr)
     return (
         full(0.0, arguments),
@@ -975,8 +974,8 @@ def steps(alpha, beta, gamma, u_cr):
         full(t0, arguments),
         full(0.0, arguments),
         full(t1, arguments),
-        u_cr * (t2 * (-beta - t3) + t4),
-        t2 * (-3.0 * beta - 5.0 * t3) + t4,
+        -u_cr * (alpha + t2 * (beta + t3) - 1.0),
+        -alpha + t2 * (-3.0 * beta - 5.0 * t3) + 1.0,
         full(u_cr * (-t0 - 20.0 * t3), arguments),
         full(-t0 - 60.0 * t3, arguments),
         full(-t1 * u_cr, arguments),

@@ -10,6 +10,7 @@ parameters do.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -96,74 +97,70 @@ def _sums(
         wide = span > 0
         if wide.any():
             chosen = [one[wide] for one in numbers]
-            total[:, wide] += _settled(piece, chosen, low[wide], span[wide], width, graded[number], from_top, rule)
+            own = _Piece(piece, width, graded[number], from_top, rule)
+            total[:, wide] += own.settled(chosen, low[wide], span[wide])
         low = high
     return total
 
 
-def _settled(
-    piece: Terms,
-    numbers: list[Floats],
-    low: Floats,
-    span: Floats,
-    width: int,
-    graded: int,
-    from_top: bool,
-    rule: tuple[Floats, Floats],
-) -> Floats:
-    """One piece's integrals over low < t < low + span, or over the `span` below t = pi/2."""
-    found = np.empty((width, span.size))
-    left, before, panels = np.arange(span.size), None, 1
-    while left.size:
-        if panels > MOST_PANELS:
-            raise ArithmeticError(
-                f"the average at A = {numbers[0][left[0]]:.17g} does not settle: the force is all but singular there"
-            )
-        some = [one[left] for one in numbers]
-        value, sizes = _panels(piece, some, low[left], span[left], width, graded, from_top, rule, panels)
-        if before is not None:
-            moved = np.abs(value - before)
-            # an infinite sum stays so
-            apart = (moved > AGREED * sizes) & ~(span[left] <= SHORT)
-            if panels >= FEWEST and apart.any():
-                moves = np.zeros_like(value)
-                for k in range(len(some)):
-                    beside = [one * (1 + MOVED) if k == number else one for number, one in enumerate(some)]
-                    there, _ = _panels(piece, beside, low[left], span[left], width, graded, from_top, rule, panels)
-                    moves += np.abs(there - value)
-                apart &= ~(moved <= moves)
-            settled = ~apart.any(axis=0)
-            found[:, left[settled]] = value[:, settled]
-            left, value = left[~settled], value[:, ~settled]
-        before, panels = value, 2 * panels
-    return found
+@dataclass(frozen=True)
+class _Piece:
+    """One piece of the force, to be integrated over low < t < low + span, or over the `span` below t = pi/2.
 
+    terms, width, graded, rule -- as in `over_quarter`
+    from_top -- whether the angle is counted downwards from pi/2
+    """
 
-def _panels(
-    piece: Terms,
-    numbers: list[Floats],
-    low: Floats,
-    span: Floats,
-    width: int,
-    graded: int,
-    from_top: bool,
-    rule: tuple[Floats, Floats],
-    panels: int,
-) -> tuple[Floats, Floats]:
-    """The integrals by that many panels, and those of the integrands' sizes."""
-    at, weights = rule
-    x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + at)) / panels).ravel()
-    w = np.tile(0.5 * weights / panels, panels)
-    x, w = x**graded, w * graded * x ** (graded - 1)
-    wide, start = span[:, np.newaxis], low[:, np.newaxis]
-    t = wide * (1 - x) if from_top else start + wide * x
-    sine, cosine = (np.cos(t), np.sin(t)) if from_top else (np.sin(t), np.cos(t))
-    A, *parameters = (one[:, np.newaxis] for one in numbers)
-    # u less where the piece begins: a difference of sines
-    middle = np.sin(wide * (1 - 0.5 * x)) if from_top else np.cos(start + 0.5 * wide * x)
-    beyond = 2 * A * middle * np.sin(0.5 * wide * x)
-    values = piece(beyond, sine, cosine, *parameters)
-    weighted = [np.broadcast_to(value, sine.shape) * w for value in values]
-    sums = np.array([one.sum(axis=-1) for one in weighted]) * span
-    sizes = np.array([np.abs(one).sum(axis=-1) for one in weighted]) * span
-    return sums.reshape(width, -1), sizes.reshape(width, -1)
+    terms: Terms
+    width: int
+    graded: int
+    from_top: bool
+    rule: tuple[Floats, Floats]
+
+    def settled(self, numbers: list[Floats], low: Floats, span: Floats) -> Floats:
+        """The integrals."""
+        found = np.empty((self.width, span.size))
+        left, before, panels = np.arange(span.size), None, 1
+        while left.size:
+            if panels > MOST_PANELS:
+                raise ArithmeticError(
+                    f"the average at A = {numbers[0][left[0]]:.17g} does not settle: "
+                    "the force is all but singular there"
+                )
+            some, at = [one[left] for one in numbers], (low[left], span[left])
+            value, sizes = self._by(panels, some, *at)
+            if before is not None:
+                moved = np.abs(value - before)
+                # an infinite sum stays so
+                apart = (moved > AGREED * sizes) & ~(span[left] <= SHORT)
+                if panels >= FEWEST and apart.any():
+                    moves = np.zeros_like(value)
+                    for k in range(len(some)):
+                        beside = [one * (1 + MOVED) if k == number else one for number, one in enumerate(some)]
+                        there, _ = self._by(panels, beside, *at)
+                        moves += np.abs(there - value)
+                    apart &= ~(moved <= moves)
+                settled = ~apart.any(axis=0)
+                found[:, left[settled]] = value[:, settled]
+                left, value = left[~settled], value[:, ~settled]
+            before, panels = value, 2 * panels
+        return found
+
+    def _by(self, panels: int, numbers: list[Floats], low: Floats, span: Floats) -> tuple[Floats, Floats]:
+        """The integrals by that many panels, and those of the integrands' sizes."""
+        at, weights = self.rule
+        x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + at)) / panels).ravel()
+        w = np.tile(0.5 * weights / panels, panels)
+        x, w = x**self.graded, w * self.graded * x ** (self.graded - 1)
+        wide, start = span[:, np.newaxis], low[:, np.newaxis]
+        t = wide * (1 - x) if self.from_top else start + wide * x
+        sine, cosine = (np.cos(t), np.sin(t)) if self.from_top else (np.sin(t), np.cos(t))
+        A, *parameters = (one[:, np.newaxis] for one in numbers)
+        # u less where the piece begins: a difference of sines
+        middle = np.sin(wide * (1 - 0.5 * x)) if self.from_top else np.cos(start + 0.5 * wide * x)
+        beyond = 2 * A * middle * np.sin(0.5 * wide * x)
+        values = self.terms(beyond, sine, cosine, *parameters)
+        weighted = [np.broadcast_to(value, sine.shape) * w for value in values]
+        sums = np.array([one.sum(axis=-1) for one in weighted]) * span
+        sizes = np.array([np.abs(one).sum(axis=-1) for one in weighted]) * span
+        return sums.reshape(self.width, -1), sizes.reshape(self.width, -1)

@@ -446,7 +446,7 @@ def steps_of(derived: OfMechanism) -> list[tuple[str, tuple[sp.Expr, ...], str, 
     """The force as a sum of steps, where its pieces are polynomials."""
     if not is_stepped(derived):
         return []
-    rows = steps(derived.whole.pieces, derived.whole.breakpoints)
+    rows = steps(derived.whole.pieces, derived.whole.breakpoints, derived.whole.jumps)
     values = tuple(value for row in rows for value in row)
     return [("steps", values, DOC_OF_STEPS, "(3), (5)")]
 

@@ -187,7 +187,7 @@ static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const pt
         for (i = 0; i < rows * columns; i++)
             out[i] = NAN;
         if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && Omega >= 0 && Omega < HUGE_VAL && F_0 >= 0 && F_0 < HUGE_VAL &&
-            sf_design_at(mechanism, args, steps, k, &model))
+            sf_design_at(mechanism, args, steps, k, 1, &model))
             status = sf_gradient(&model, design, (sf_pinned)sf_input(args, steps, first + 3, k), Omega, A, F_0, rows,
                                  columns, out);
         for (i = 0; i < rows; i++)

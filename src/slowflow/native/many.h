@@ -37,25 +37,15 @@ static void sf_read_numbers_at(const sf_mechanism *mechanism, char **args, const
         out->damping[i] = sf_input(args, steps, mechanism->design_size + i, k);
 }
 
-/* Design k as the solvers take it; 0 if a number lies outside its domain. */
-static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+/* Design k as the solvers take it; 0 if a number lies outside its domain.
+ * jumps: whether it is asked what the force loses at its breakpoints, which takes longer than some answers. */
+static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, int jumps,
                         sf_model *model) {
     sf_numbers at;
     sf_read_numbers_at(mechanism, args, steps, k, &at);
     if (!mechanism->parameters_of(at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
         return 0;
-    sf_prepare(mechanism, at.design, model);
-    return 1;
-}
-
-/* The same for questions that do not ask what the force loses at its breakpoints, which takes longer than some answers. */
-static int sf_design_without_jumps_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                                      sf_model *model) {
-    sf_numbers at;
-    sf_read_numbers_at(mechanism, args, steps, k, &at);
-    if (!mechanism->parameters_of(at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
-        return 0;
-    sf_prepare(mechanism, NULL, model);
+    sf_prepare(mechanism, jumps ? at.design : NULL, model);
     return 1;
 }
 
@@ -146,7 +136,7 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
         sf_model model;
         double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
         sf_status status = SF_INVALID;
-        if (sf_design_without_jumps_at(mechanism, args, steps, k, &model))
+        if (sf_design_at(mechanism, args, steps, k, 0, &model))
             status = sf_detachment(&model, &F_cr, &Omega_cr, &u_cr);
         sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, u_cr, status);
     }
@@ -163,7 +153,7 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
         sf_exactly exactly;
         sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL};
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (work != NULL && sf_design_at(mechanism, args, steps, k, &model))
+        if (work != NULL && sf_design_at(mechanism, args, steps, k, 1, &model))
             status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
                                       &found);
         sf_write_onset(args, steps, out, k, &found, sf_is_rest_below(&found), status);
@@ -183,7 +173,7 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
         sf_exactly exactly;
         double A = NAN, Omega = NAN;
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model))
+        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model))
             status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0, work,
                                      &A, &Omega);
         sf_write_peak(args, steps, out, k, A, Omega, status);
@@ -205,7 +195,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         sf_folds found;
         sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
         found.n = found.undecided = 0;
-        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model)) {
+        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model)) {
             const int is_given = sf_given_at(mechanism, args, steps, k, &given);
             status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
         }
@@ -232,7 +222,7 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
         sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
         int n = 0, undecided = 0;
         if (room != NULL && mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA &&
-            sf_design_at(mechanism, args, steps, k, &model)) {
+            sf_design_at(mechanism, args, steps, k, 1, &model)) {
             const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
             room->followed = 0;
             status = sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided);

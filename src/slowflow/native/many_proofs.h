@@ -21,7 +21,7 @@ static void sf_loop_proofs(char **args, const ptrdiff_t *dimensions, const ptrdi
         sf_given given;
         int count = 0, proved = 0;
         if (status == SF_INVALID && mechanism->is_forcing(F_0) && Omega > 0 && Omega < HUGE_VAL &&
-            sf_design_at(mechanism, args, steps, k, &model)) {
+            sf_design_at(mechanism, args, steps, k, 1, &model)) {
             status = SF_UNRESOLVED;
             if (sf_given_at(mechanism, args, steps, k, &given)) {
                 status = of_states ? sf_certify_states(&model, &given, F_0, Omega, proof, found)

@@ -90,7 +90,7 @@ static void sf_loop_second_detachment(char **args, const ptrdiff_t *dimensions, 
         sf_model model;
         double first[3] = {NAN, NAN, NAN}, F_cr = NAN, Omega_cr = NAN;
         sf_status status = SF_INVALID;
-        if (sf_design_at(mechanism, args, steps, k, &model) && sf_has_second(&model))
+        if (sf_design_at(mechanism, args, steps, k, 1, &model) && sf_has_second(&model))
             status = sf_detachment(&model, &first[0], &first[1], &first[2]);
         if (status == SF_OK && sf_second_detach(&model, first[0], first[1], first[2], &F_cr, &Omega_cr) != SF_OK_SECOND)
             status = SF_NONE, F_cr = Omega_cr = NAN;
@@ -110,7 +110,7 @@ static void sf_loop_second_onsets(char **args, const ptrdiff_t *dimensions, cons
         sf_exactly exactly;
         double u_max = NAN;
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (work != NULL && sf_design_at(mechanism, args, steps, k, &model) && sf_has_second(&model))
+        if (work != NULL && sf_design_at(mechanism, args, steps, k, 1, &model) && sf_has_second(&model))
             status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
                                       &first);
         if (status == SF_OK && (first.kind != SF_CUSP_KIND || sf_second_cusp(&model, &first, &found, &u_max) != SF_OK_SECOND))
@@ -133,7 +133,7 @@ static void sf_loop_second_peaks(char **args, const ptrdiff_t *dimensions, const
         sf_given given;
         double A = NAN, Omega = NAN;
         sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
+        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model) &&
             sf_has_second(&model))
             status = sf_second_peak(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL, F_0,
                                     room, &A, &Omega);
@@ -156,7 +156,7 @@ static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const
         sf_second_folds found;
         sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
         found.n = found.lost = 0;
-        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, &model) &&
+        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model) &&
             sf_has_second(&model))
             status = sf_second_saddle_nodes(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL,
                                             F_0, room, &found);

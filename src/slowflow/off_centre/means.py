@@ -55,8 +55,6 @@ class Steps:
             )
         ends = [float(end) for end in mechanism.breakpoints(*parameters)]
         rows = np.array([float(value) for value in mechanism.steps(*parameters)]).reshape(len(ends) + 2, -1)
-        # as a difference of rounded pieces it is not 0 where the force only bends
-        rows[1:-1, 0] = [-float(jump) for jump in mechanism.jumps(*parameters)]
         self._state(np.array(ends), rows, load)
 
     def first(self) -> Steps:

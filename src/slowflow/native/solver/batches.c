@@ -54,14 +54,21 @@ typedef struct {
     char types[MOST_OPERANDS];
 } kept;
 
-static PyObject *new_batch(const sf_mechanism *record, const question *asked, sf_many loop)
+/* A question and the loop that answers it. */
+typedef struct {
+    const question *asked;
+    sf_many loop;
+} answered;
+
+static PyObject *new_batch(const sf_mechanism *record, const void *how)
 {
+    const question *asked = ((const answered *)how)->asked;
     const int inputs = record->design_size + record->damping_size + asked->at;
     char signature[3 * MOST_OPERANDS + 32] = "()";
     kept *own = malloc(sizeof *own);
     if (own == NULL)
         return PyErr_NoMemory();
-    own->loop = (PyUFuncGenericFunction)loop;
+    own->loop = (PyUFuncGenericFunction)((const answered *)how)->loop;
     own->data = (void *)record;
     for (int i = 1; i < inputs; i++)
         strcat(signature, ",()");
@@ -77,25 +84,11 @@ static PyObject *new_batch(const sf_mechanism *record, const question *asked, sf
     return ufunc;
 }
 
-/* The ufunc of a record for a question, made when it is first asked for; the cache is by the records' addresses. */
+/* The ufunc of a record for a question, made when it is first asked for. */
 static PyObject *batch(PyObject *cache, PyObject *capsule, const question *asked, sf_many loop)
 {
-    const sf_mechanism *record = sf_record_in(capsule);
-    if (record == NULL)
-        return NULL;
-    PyObject *address = PyLong_FromVoidPtr((void *)record);
-    if (address == NULL)
-        return NULL;
-    PyObject *ufunc = PyDict_GetItemWithError(cache, address);
-    if (ufunc != NULL) {
-        Py_INCREF(ufunc);
-    } else if (!PyErr_Occurred()) {
-        ufunc = new_batch(record, asked, loop);
-        if (ufunc != NULL && PyDict_SetItem(cache, address, ufunc) < 0)
-            Py_CLEAR(ufunc);
-    }
-    Py_DECREF(address);
-    return ufunc;
+    const answered how = {asked, loop};
+    return sf_kept(cache, capsule, new_batch, &how);
 }
 
 static PyObject *many_detachment(PyObject *cache, PyObject *record)

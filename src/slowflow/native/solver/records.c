@@ -58,33 +58,41 @@ static double inertial_level(double Omega, double A, const double *damping, doub
     return inertia_level(Omega, A, damping[0], damping[1], h);
 }
 
-/* A record is never let go, as batches keep its address: the cache holds one for each mechanism. */
-static PyObject *inertial(PyObject *cache, PyObject *capsule)
+PyObject *sf_kept(PyObject *cache, PyObject *capsule, PyObject *(*make)(const sf_mechanism *, const void *), const void *how)
 {
     const sf_mechanism *record = sf_record_in(capsule);
-    if (record == NULL)
-        return NULL;
-    PyObject *address = PyLong_FromVoidPtr((void *)record);
+    PyObject *address = record == NULL ? NULL : PyLong_FromVoidPtr((void *)record);
     if (address == NULL)
         return NULL;
     PyObject *found = PyDict_GetItemWithError(cache, address);
     Py_XINCREF(found);
     if (found == NULL && !PyErr_Occurred()) {
-        sf_mechanism *made = malloc(sizeof *made);
-        if (made != NULL) {
-            *made = *record;
-            made->inertial = 1, made->level = inertial_level, made->damping_of = inertial_damping_of;
-            found = PyCapsule_New(made, SF_RECORD, NULL);
-            if (found == NULL || PyDict_SetItem(cache, address, found) < 0) {
-                Py_CLEAR(found);
-                free(made);
-            }
-        } else {
-            PyErr_NoMemory();
-        }
+        found = make(record, how);
+        if (found != NULL && PyDict_SetItem(cache, address, found) < 0)
+            Py_CLEAR(found);
     }
     Py_DECREF(address);
     return found;
+}
+
+/* A record is never let go, as batches keep its address. */
+static PyObject *new_inertial(const sf_mechanism *record, const void *how)
+{
+    sf_mechanism *made = malloc(sizeof *made);
+    (void)how;
+    if (made == NULL)
+        return PyErr_NoMemory();
+    *made = *record;
+    made->inertial = 1, made->level = inertial_level, made->damping_of = inertial_damping_of;
+    PyObject *found = PyCapsule_New(made, SF_RECORD, NULL);
+    if (found == NULL)
+        free(made);
+    return found;
+}
+
+static PyObject *inertial(PyObject *cache, PyObject *capsule)
+{
+    return sf_kept(cache, capsule, new_inertial, NULL);
 }
 
 /* What the capsule of a model points to. */
