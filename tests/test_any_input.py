@@ -193,6 +193,7 @@ VALUES = st.one_of(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
 @given(st.integers(0, 6), VALUES)
 def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
@@ -237,6 +238,7 @@ def test_sizing_is_answered_or_refused_in_words(part, F_0, bound, name):
                 assert answer is not None
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
 @given(sheets, st.lists(physical, min_size=1, max_size=3))
 def test_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):

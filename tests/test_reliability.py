@@ -128,6 +128,7 @@ print((resident() - before) * 4096)
     assert int(done.stdout) < 2**20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("switches", "variables"),
     [
