@@ -148,6 +148,36 @@ def test_a_row_crosses_a_fold_where_one_lies_between_it_and_the_row_before():
     assert found.crosses.tolist() == [False, *between]
 
 
+def test_a_fold_is_crossed_however_narrow_the_band_of_several_motions():
+    iso = isolator()
+    F_0 = 1.05 * iso.saddle_node_onset().F_SN
+    assert iso.spectrum(Omega=[0.5, 1.5], F_0=F_0).crosses.tolist() == [False, True]
+    for iso, F_0 in some_isolators(60):
+        folds = iso.saddle_nodes(F_0).Omega
+        crossed = iso.spectrum(Omega=[0.5, 1.5, 0.5], F_0=F_0).crosses[1:]
+        assert (crossed == bool(((folds > 0.5) & (folds < 1.5)).any())).all()
+
+
+def test_on_a_way_across_forcings_a_fold_is_crossed_where_the_number_of_states_changes():
+    draw, seen = random.Random(11), set()
+    for iso, F_0 in some_isolators(40):
+        ends = [(draw.uniform(0.6, 1.4), F_0 * draw.uniform(0.5, 1.5)) for _ in range(2)]
+        way = np.linspace(*ends, 1500)
+        F = way[:, 1]
+        moves = F > iso.sticking_forcing
+        counts = [len(iso.amplitudes(Omega=O, F_0=f)) for O, f in way[moves]]
+        assert bool(np.diff(counts).any()) <= (
+            crossed := bool(iso.spectrum(Omega=way[[0, -1], 0], F_0=F[[0, -1]]).crosses[1])
+        )
+        if (
+            crossed and not np.diff(counts).any()
+        ):  # then between two of these points: at both sides of it a fold is near
+            folds = [np.abs(iso.saddle_nodes(f).Omega - O).min(initial=1) for O, f in way[moves]]
+            assert min(folds) < 3 / 1500
+        seen.add(crossed)
+    assert seen == {False, True}
+
+
 def test_a_spectrum_of_a_mount_is_in_its_units():
     mount = Isolator.physical(**MOUNT)
     found = mount.spectrum(f=[2.2, 5.0], F=[5.0, 3.0])

@@ -31,8 +31,9 @@ NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
 BEYOND = 1.1
 #: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
 SAMPLES = 2000
-#: steps between two rows of a load spectrum
+#: steps between two rows of a load spectrum whose forcings differ, and the share of the way that is halved no more
 STEPS = 16
+SHORTEST = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +123,7 @@ class Spectrum(Table):
     A        -- the largest stable amplitude, 0 where the mass sticks; nan where no motion is stable
     transmissibility_dB -- of that motion; nan where there is none
     motions  -- number of stable motions
-    crosses  -- whether the number of motions changes on the straight way from the row before: a fold is crossed
+    crosses  -- whether a fold lies on the straight way from the row before
     detaches -- whether a stable motion passes u_cr
     sticks   -- whether the mass does not move
     """
@@ -274,15 +275,41 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
     return Spectrum(**typed, message=words.at_several(said))
 
 
+def _sides(oscillator: Averaged, Omega: float, F_0: float) -> tuple[int, int]:
+    """How many folds at F_0 lie at or below the frequency Omega, and how many above it."""
+    below = oscillator.saddle_nodes(F_0).Omega <= Omega
+    return int(below.sum()), int((~below).sum())
+
+
+def _crosses(oscillator: Averaged, before: tuple[float, float], here: tuple[float, float]) -> bool:
+    """Whether a fold lies on the straight way between two (Omega, F_0).
+
+    As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well, the
+    way is halved until they do so on a piece too short to matter.
+    """
+
+    def at(t: float) -> tuple[float, float]:
+        return before[0] + (here[0] - before[0]) * t, before[1] + (here[1] - before[1]) * t
+
+    def met(start: float, end: float, sides: tuple[int, int], others: tuple[int, int]) -> bool:
+        if sum(sides) == sum(others):
+            return sides != others
+        if end - start < SHORTEST:
+            return False
+        middle = 0.5 * (start + end)
+        between = _sides(oscillator, *at(middle))
+        return met(start, middle, sides, between) or met(middle, end, between, others)
+
+    ways = np.linspace(0, 1, 2 if before[1] == here[1] else STEPS + 1).tolist()
+    sides = [_sides(oscillator, *at(t)) for t in ways]
+    return any(met(*way, *ends) for way, ends in zip(pairwise(ways), pairwise(sides), strict=True))
+
+
 def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[float, float]) -> tuple[Load, str]:
     """One row, and what is said beside it; `before` is where the one before it stands."""
     Omega, F_0 = here
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
-    crosses = False
-    if before is not None:
-        way = [[x + (y - x) * k / STEPS for x, y in zip(before, here, strict=True)] for k in range(STEPS)]
-        counts = {len(oscillator.amplitudes(Omega=x, F_0=y)) for x, y in way if not oscillator.model.sticks(y)}
-        crosses = len(counts | {len(states)} - {0}) > 1
+    crosses = before is not None and _crosses(oscillator, before, here)
     stable = np.flatnonzero(states.stable)
     sticks = not stable.size and oscillator.model.force(F_0, Omega) <= oscillator.model.held
     if not stable.size:
