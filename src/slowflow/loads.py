@@ -284,8 +284,8 @@ def _sides(oscillator: Averaged, Omega: float, F_0: float) -> tuple[int, int]:
 def _crosses(oscillator: Averaged, before: tuple[float, float], here: tuple[float, float]) -> bool:
     """Whether a fold lies on the straight way between two (Omega, F_0).
 
-    As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well, the
-    way is halved until they do so on a piece too short to matter.
+    As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well,
+    the way is halved until they do so on a piece too short to matter.
     """
 
     def at(t: float) -> tuple[float, float]:
