@@ -11,6 +11,7 @@ from types import SimpleNamespace
 import mpmath
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.averaged.reference.intervals import Interval
@@ -191,6 +192,87 @@ def test_folds_are_where_two_states_meet_and_no_others_are(loaded):
     assert np.array_equal(counts == 3, (folds.Omega[0] < grid) & (grid < folds.Omega[1]))
 
 
+def by_hand(alpha, beta, zeta, load, F_0, window):
+    """The response of a cubic spring: for each B the balance gives A, and F = 0 is quadratic in Omega^2.
+
+    Points (n, 3) all over it, and how many states there are at both edges of the window together.
+    """
+    B = np.linspace(-2, 2, 400_001)
+    with np.errstate(all="ignore"):
+        A = np.sqrt((load - alpha * B - beta * B**3) / (1.5 * beta * B))
+        stiffness = alpha + 0.75 * beta * A**2 + 3 * beta * B**2
+        half = stiffness - 2 * zeta**2
+        roots = [half + sign * np.sqrt(half**2 - stiffness**2 + (F_0 / A) ** 2) for sign in (-1, 1)]
+        points = np.concatenate([np.stack((np.sqrt(root), A, B)) for root in roots], axis=1)
+        at_edges = 0
+        for Omega in window:
+            apart = A**2 * ((Omega**2 - stiffness) ** 2 + (2 * zeta * Omega) ** 2) - F_0**2
+            at_edges += int((apart[1:] * apart[:-1] < 0).sum())
+    inside = np.isfinite(points).all(axis=0) & (points[0] >= window[0]) & (points[0] <= window[1]) & (points[1] < 3)
+    return points[:, inside].T, at_edges
+
+
+@pytest.mark.parametrize(
+    ("alpha", "beta", "load", "F_0"), [(1.0, 0.5, 0.3, 0.2), (-0.5, 1.0, 0.02, 0.05), (-0.5, 1.0, 0.02, 0.2)]
+)
+def test_the_response_off_the_centre_is_all_of_that_by_hand(alpha, beta, load, F_0):
+    window = (0.1, 1.8)
+    cloud, at_edges = by_hand(alpha, beta, 0.05, load, F_0, window)
+    found = Duffing(alpha, beta, 0.0, 0.05, load=load).frequency_response(F_0, Omega=window, samples=1500)
+    curve = np.stack((found.Omega, found.A, found.B)).T
+    assert cKDTree(curve).query(cloud)[0].max() < 0.02  # no part of it is lost
+    terms = np.array(
+        [alpha * found.B, beta * found.B**3, 1.5 * beta * found.A**2 * found.B, np.full(len(found), -load)]
+    )
+    assert (np.abs(terms.sum(axis=0)) <= 1e-12 * np.abs(terms).sum(axis=0)).all()
+    R = found.A * found.Omega**2 - alpha * found.A - 0.75 * beta * found.A**3 - 3 * beta * found.A * found.B**2
+    assert np.hypot(R, 0.1 * found.A * found.Omega) == pytest.approx(np.full(len(found), F_0), rel=1e-10)
+    # neighbours on a branch are near one another, and a branch ends at the edges of the window only
+    assert np.abs(np.diff(curve, axis=0))[np.diff(found.branch) == 0].max() < 0.05
+    ends = np.flatnonzero(np.diff(found.branch, prepend=-1, append=-1))
+    assert set(found.Omega[ends[:-1]]) | set(found.Omega[ends[1:] - 1]) <= set(window)
+    assert 2 * len(found.isola) == at_edges and not any(found.isola)
+
+
+def test_a_response_off_the_centre_has_the_states_and_folds_that_are_asked_for_one_by_one(loaded):
+    found, folds = loaded.frequency_response(0.04, Omega=(0.5, 1.4)), loaded.saddle_nodes(0.04)
+    points = list(zip(found.Omega, found.A, found.B, strict=True))
+    assert all((fold.Omega, fold.A, fold.B) in points for fold in folds)
+    assert found.Omega.min() == 0.5 and found.Omega.max() == 1.4 and found.isola == (False,)
+    assert (np.diff(found.stable.astype(int)) != 0).sum() == len(folds)
+    for Omega in (0.7, 0.93, 1.1):
+        at = np.flatnonzero((found.Omega[:-1] < Omega) != (found.Omega[1:] < Omega))
+        states = loaded.amplitudes(Omega=Omega, F_0=0.04)
+        assert np.sort(found.A[at]) == pytest.approx(states.A, abs=0.01) and len(at) == len(states)
+    near = loaded.amplitudes(Omega=found.Omega[100], F_0=0.04)
+    k = int(np.argmin(np.abs(near.A - found.A[100])))
+    assert (near.phi[k], near.stable[k]) == (pytest.approx(found.phi[100], rel=1e-9), found.stable[100])
+    assert found.plot(of="B").get_ylabel() == "mean displacement $B$" and loaded.plot(0.04) is not None
+
+
+def test_two_wells_have_their_responses_beside_that_about_the_centre():
+    well = Duffing(-0.5, 1.0, 0.0, 0.05)
+    found, centred = (of.frequency_response(0.05, Omega=(0.1, 1.8)) for of in (well.off_centre, well))
+    assert np.array_equal(found.A[found.B == 0], centred.A)
+    up, down = (np.sort(found.A[sign * found.B > 0]) for sign in (1, -1))
+    assert up.size > 100 and up == pytest.approx(down, rel=1e-12)
+    assert well.off_centre.frequency_response(1e-3).Omega.max() == 2.0
+    stuck = well.replace(mu=0.1).off_centre.frequency_response(0.05)
+    assert len(stuck) == 0 and "sticks" in stuck.message
+    hardening = Duffing(1.0, 0.5, 0.0, 0.05)
+    assert np.array_equal(hardening.off_centre.frequency_response(0.2).A, hardening.frequency_response(0.2).A)
+
+
+def test_many_frequencies_at_once_are_not_too_many():
+    """Each has boxes of its own to be looked at."""
+    well = Duffing(-0.5, 1.0, 0.0, 0.05, load=0.02)
+    grid = np.linspace(0.5, 1.5, 129)
+    states = well.amplitudes(Omega=grid, F_0=0.05)
+    assert [(states.Omega == Omega).sum() for Omega in grid[::32]] == [
+        len(well.amplitudes(Omega=Omega, F_0=0.05)) for Omega in grid[::32]
+    ]
+
+
 def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
     """The balance of the inner piece at |B| + A = u_cr, and the lowest level of that amplitude, by hand."""
     found, centred = loaded.detachment(), loaded.replace(load=0.0).detachment()
@@ -272,9 +354,9 @@ def test_every_place_of_rest_is_found():
 
 def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     questions = {
-        "frequency_response": (0.04,), "peak": (0.04,), "fold_locus": (), "cusps": (), "isola_points": (),
+        "peak": (0.04,), "fold_locus": (), "cusps": (), "isola_points": (),
         "certify": (0.04,), "margins": (0.04,), "hysteresis": (0.04,), "isolation": (0.04,), "exact_response": (0.04,),
-        "backbone": ([0.1],), "plot": (0.04,), "explain": ("peak", 0.04),
+        "backbone": ([0.1],), "explain": ("peak", 0.04),
     }  # fmt: skip
     for name, given in questions.items():
         with pytest.raises(ValueError, match=r"load = 0\.03"):

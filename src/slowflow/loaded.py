@@ -27,7 +27,7 @@ KNOWN = (
 
 AT_CENTRE = (
     "load = {:g}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
-    "saddle_nodes, saddle_node_onset, amplitudes and steady_state"
+    "saddle_nodes, saddle_node_onset, amplitudes, frequency_response and steady_state"
 )
 
 

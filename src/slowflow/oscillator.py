@@ -155,6 +155,14 @@ class Oscillator(Averaged):
             self.at_centre("certify")
         return self.off_centre.saddle_nodes(F_0)
 
+    def frequency_response(
+        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
+    ) -> Any:
+        """The response, see `Averaged.frequency_response`; under a load `OffCentre.frequency_response`, with its B."""
+        if self.load != 0:
+            return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
+        return super().frequency_response(F_0, samples=samples, Omega=Omega)
+
     def detachment(self) -> Any:
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
         return super().detachment() if self.load == 0 else self.off_centre.detachment()

@@ -36,6 +36,7 @@ NO_ANSWER = "#D0D0D0"
 LABELS = {
     "Omega": r"frequency $\Omega$",
     "A": "amplitude $A$",
+    "B": "mean displacement $B$",
     "phi": r"phase $\varphi$ / rad",
     "transmissibility_dB": "transmissibility / dB",
     "F_0": "forcing $F_0$",

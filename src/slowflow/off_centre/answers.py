@@ -9,8 +9,10 @@ from typing import Any, ClassVar, NamedTuple, NoReturn
 import numpy as np
 import numpy.typing as npt
 
+from slowflow import validate
 from slowflow.answer import Single, Table, frozen
 from slowflow.model import Floats
+from slowflow.results import DRAWN
 from slowflow_kernels import slow_flow
 
 NO_GRADIENT = "gradients are derived of motions about the centre only: off it there is none"
@@ -39,6 +41,17 @@ class OffCentreState(NamedTuple):
     B: float
     phi: float
     stable: bool
+
+
+class OffCentrePoint(NamedTuple):
+    """A point of a response curve, as in `OffCentreResponse`."""
+
+    Omega: float
+    A: float
+    B: float
+    phi: float
+    stable: bool
+    branch: int
 
 
 class OffCentreFold(NamedTuple):
@@ -96,6 +109,44 @@ class OffCentreStates(Balanced, Table):
     def phi(self) -> Floats:
         """Phase in radians, in [-pi, 0] (25); computed when first asked for."""
         return frozen(np.asarray(slow_flow.phase(self.Omega, self.A, *self._damping, self._h)) + 0 * self.A)
+
+    @cached_property
+    def transmissibility(self) -> Floats:
+        """Fundamental harmonic of what spring, damper and friction pass on, over F_0, of each state."""
+        given = self.Omega, self.A, self.F_0, *self._damping, self._h
+        return frozen(np.asarray(slow_flow.transmissibility(*given)) + 0 * self.A)
+
+    @property
+    def transmissibility_dB(self) -> Floats:
+        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(20.0 * np.log10(self.transmissibility))
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreResponse(OffCentreStates):
+    """A response curve off the centre: points in order along each branch.
+
+    branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
+    isola  -- for each branch, whether it is closed
+    """
+
+    entry: ClassVar[Any] = OffCentrePoint
+
+    branch: npt.NDArray[np.intp]
+    isola: tuple[bool, ...]
+    picture: ClassVar[str] = "response"
+
+    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
+        """Draw the curve into Matplotlib axes, or new ones, and return these; stable is solid, unstable dashed.
+
+        of -- what is drawn over Omega: "A", "B", "phi", "transmissibility" or "transmissibility_dB"
+
+        Raises ValueError for another one, ImportError without Matplotlib.
+        """
+        from slowflow import pictures
+
+        return pictures.response(ax, self, validate.choice("of", of, ("B", *DRAWN)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,8 +25,9 @@ Ints = NDArray[np.intp]
 AROUND = 0.125
 #: a box is not cut further below this share of its place, and of 1
 NARROW = 2.0**-42
-#: boxes that are looked at in all: usual questions take hundreds, hard ones some thousand; this many take a second
-MOST_BOXES = 40_000
+#: boxes that are looked at for one system: usual questions take hundreds, hard ones some thousand; this many take a
+#: second. And for each of many, on the average
+MOST_BOXES, MOST_EACH = 40_000, 4_000
 
 
 class Equations(Protocol):
@@ -67,11 +68,12 @@ def solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solution
 
 def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutions:
     d, looked_at = low.shape[0], 0
+    most = max(MOST_BOXES, MOST_EACH * np.unique(of).size)
     found: list[tuple[Floats, Floats, Floats, Ints]] = []
     open_: list[tuple[Floats, Ints]] = []
     while of.size:
         looked_at += of.size
-        if looked_at > MOST_BOXES:
+        if looked_at > most:
             raise ArithmeticError("the states are unresolved: too many boxes stay undecided")
         x, r = 0.5 * (low + high), 0.5 * (high - low)
         wide = r * (1 + AROUND)

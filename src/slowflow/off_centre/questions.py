@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -22,10 +24,12 @@ from slowflow.off_centre.answers import (
     OffCentreDetachment,
     OffCentreFolds,
     OffCentreOnset,
+    OffCentreResponse,
     OffCentreStates,
     RestPositions,
 )
 from slowflow.off_centre.boxes import Ints, Solutions, solve
+from slowflow.off_centre.curve import Curves, Slow, curves
 from slowflow.off_centre.equations import Detaching, Fold, Resting, State
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.onset import Lowest, Search
@@ -179,12 +183,22 @@ class OffCentre:
         low: list[Any] = []
         high: list[Any] = []
         of: list[int] = []
-        for i, most in enumerate(((F_0 - self._m) / (2 * self._zeta * Omega)).tolist()):  # (27): I <= F_0
-            edges = most * (1 + 2.0**-40) * 0.5 ** np.arange(BELOW, -1, -1)
+        with np.errstate(divide="ignore"):
+            bounds = (F_0 - self._m) / (2 * self._zeta * Omega)  # (27): I <= F_0
+        for i, most in enumerate(bounds.tolist()):
+            octaves = BELOW
+            if most == math.inf:  # a static state
+                most, octaves = self.A_max(F_0), BELOW + ABOVE
+            edges = most * (1 + 2.0**-40) * 0.5 ** np.arange(octaves, -1, -1)
             self._add(np.concatenate(([0.0], edges)), low, high)
             of += [i] * (len(low) - len(of))
         equations = State(self._steps, self._m, self._zeta, Omega, F_0)
-        return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+        found = solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+        if self.load != 0:
+            return found
+        # those about the centre have solvers of their own
+        off = np.abs(found.undecided[1]) > AT_CENTRE
+        return replace(found, undecided=found.undecided[:, off], undecided_of=found.undecided_of[off])
 
     def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
         """Boxes of A between neighbouring edges and of all B that the balance may have there."""
@@ -193,6 +207,45 @@ class OffCentre:
             parts = np.linspace(-bound, bound, PARTS + 1)
             low += [(a, part) for part in parts[:-1]]
             high += [(b, part) for part in parts[1:]]
+
+    def frequency_response(
+        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
+    ) -> OffCentreResponse:
+        """The response at F_0, every branch and isolated curve with its B, for frequencies in the window `Omega`.
+
+        About `samples` points; folds are among them exactly. No branch is lost: folds and the states at frequencies
+        between them are all there are, and neighbouring states are shown to be on one arc.
+        Raises ValueError as `Oscillator.frequency_response` and for zeta = 0, ArithmeticError where it is not decided
+        which states are on one curve.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
+        low, high = validate.window("Omega", Omega)
+        self._damped("frequency_response")
+        if F_0 <= self._m:
+            return self._response(Curves.none(), F_0, STICKS.format(F_0, self._m))
+        found, message = Curves.none(), ""
+        if not self._keeps_centre:
+            folds = self.saddle_nodes(F_0)
+            off = np.abs(folds.B) > AT_CENTRE if self.load == 0 else np.ones(len(folds), dtype=bool)
+            places = np.stack((folds.Omega, folds.A, folds.B))[:, off]
+            slow = Slow(self._steps, self._m, self._zeta, F_0)
+            found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
+            message = folds.message if len(folds) else ""
+        if self.load == 0:
+            centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
+            found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
+        return self._response(found, F_0, message)
+
+    def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
+        """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
+        parts = [self._at(Omega[first : first + TOGETHER], F_0) for first in range(0, Omega.size, TOGETHER)]
+        x = np.concatenate([part.x for part in parts], axis=1)
+        of = np.concatenate([TOGETHER * k + part.of for k, part in enumerate(parts)])
+        if any(part.undecided_of.size for part in parts):
+            raise ArithmeticError("the response is unresolved: at a frequency next to a fold doubles do not decide")
+        off = np.abs(x[1]) > AT_CENTRE if self.load == 0 else np.ones(of.size, dtype=bool)
+        return x[:, off], of[off]
 
     def _offset_bound(self, A: float) -> float:
         """What |B| does not exceed where the mean is balanced, for amplitudes up to A.
@@ -370,15 +423,23 @@ class OffCentre:
         self, at: Floats, A: Floats, B: Floats, F_0: float, message: str, undecided: Floats, of: Ints
     ) -> OffCentreStates:
         Omega = at[of]
+        stable, h = self._stability(Omega, A, B)
+        damping = self._m, self._zeta
+        return OffCentreStates(Omega, A, B, stable, F_0, self.load, message, h, damping, Omega_undecided=undecided)
+
+    def _stability(self, Omega: Floats, A: Floats, B: Floats) -> tuple[Any, Floats]:
+        """Where states are stable, and h there."""
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
             h, h_A, *_ = self._along(A, means)
             turns = np.asarray(slow_flow.F_A(Omega, A, self._m, self._zeta, h, h_A))
-        stable = (turns > 0) & (means.c[1] > 0)
+        return (turns > 0) & (means.c[1] > 0), np.asarray(h)
+
+    def _response(self, found: Curves, F_0: float, message: str) -> OffCentreResponse:
+        stable, h = self._stability(found.Omega, found.A, found.B)
+        columns = found.Omega, found.A, found.B, stable
         damping = self._m, self._zeta
-        return OffCentreStates(
-            Omega, A, B, stable, F_0, self.load, message, np.asarray(h), damping, Omega_undecided=undecided
-        )
+        return OffCentreResponse(*columns, F_0, self.load, message, h, damping, found.branch, found.closed)
 
     def _damped(self, question: str) -> None:
         if self._zeta == 0:

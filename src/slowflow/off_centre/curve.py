@@ -1,0 +1,356 @@
+"""The response curve off the centre: in go all states at any frequency and all folds, out come the curves of these.
+
+Between the frequencies of folds no state arises or ends: as many arcs as there are states lead from one to the next.
+States are on one arc where their tangents lead from both to one place, and to no other one's; where that is not
+plain, states at a frequency between are asked for. Past a fold what is not on the other side meets in it. So no arc is
+lost, whatever the sheets of the balance do, and isolated curves, which have folds, are found with the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Bools
+from slowflow.model import Floats
+from slowflow.off_centre.boxes import Ints
+from slowflow.off_centre.means import Steps
+from slowflow_kernels import off_centre, slow_flow
+
+#: frequencies of a cell that are asked for at first, and how often a stretch is cut where its arcs are not told apart
+FIRST, CUTS = 6, 12
+#: folds nearer to one another than this, relatively, are taken for one frequency, as those of mirrored motions are
+TOGETHER = 1e-12
+#: what nearer by far is, and what near is beside the largest amplitude
+BY_FAR, NEAR = 0.1, 0.02
+
+UNRESOLVED = "the response is unresolved between Omega = {:.6g} and {:.6g}: which states are on one curve is undecided"
+
+
+class Node(NamedTuple):
+    """A state, by number, at a frequency, by number; a fold has the frequency -1."""
+
+    at: int
+    state: int
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """Points in order along each curve.
+
+    Omega, A, B -- arrays of one length
+    branch      -- number of the curve of each point; open curves first
+    closed      -- of each curve whether it is closed
+    """
+
+    Omega: Floats
+    A: Floats
+    B: Floats
+    branch: Ints
+    closed: tuple[bool, ...]
+
+    @classmethod
+    def none(cls) -> Curves:
+        """No curve at all."""
+        none = np.empty(0)
+        return cls(none, none, none, np.empty(0, dtype=np.intp), ())
+
+    def behind(self, first: Curves) -> Curves:
+        """Those given first and then these; the closed ones last."""
+        names = ("Omega", "A", "B")
+        Omega, A, B = (np.concatenate((getattr(first, name), getattr(self, name))) for name in names)
+        closed = np.array((*first.closed, *self.closed), dtype=bool)
+        branch = np.concatenate((first.branch, len(first.closed) + self.branch))
+        order = np.argsort(closed, kind="stable")
+        number = np.argsort(order, kind="stable")[branch] if closed.size else branch
+        by_branch = np.argsort(number, kind="stable")
+        return Curves(Omega[by_branch], A[by_branch], B[by_branch], number[by_branch], tuple(closed[order].tolist()))
+
+
+class Slow(NamedTuple):
+    """An averaged oscillator at a forcing."""
+
+    steps: Steps
+    m: float
+    zeta: float
+    F_0: float
+
+
+def curves(
+    of: Slow, folds: Floats, states: Callable[[Floats], tuple[Floats, Ints]], window: tuple[float, float], points: int
+) -> Curves:
+    """All curves in a window of frequencies.
+
+    folds  -- Omega, A, B of every fold, shape (3, k)
+    states -- every state at some frequencies: A and B, and the number of its frequency
+    points -- about how many there are to be
+
+    Raises ArithmeticError where it is not decided which states are on one curve.
+    """
+    low, high = window
+    inside = folds[:, (folds[0] > low) & (folds[0] < high)]
+    skeleton = _Skeleton(of, inside, states)
+    skeleton.build(low, high)
+    tours = [*skeleton.tours()]
+    tours.sort(key=lambda tour: tour[1])
+    return _points(of, skeleton, tours, points)
+
+
+@dataclass
+class _Part:
+    """Two frequencies, by number, and the folds between them, by number."""
+
+    a: int
+    b: int
+    folds: tuple[int, ...]
+    cuts: int = 0
+
+
+class _Skeleton:
+    """States at some frequencies, and which of them follow one another on a curve."""
+
+    def __init__(self, of: Slow, folds: Floats, states: Callable[[Floats], tuple[Floats, Ints]]) -> None:
+        self.of, self.folds, self._states = of, folds, states
+        self.Omega: list[float] = []
+        self.x: list[Floats] = []
+        self.links: dict[Node, list[Node]] = {}
+
+    def build(self, low: float, high: float) -> None:
+        """Links all states between two frequencies."""
+        groups = _groups(self.folds[0])
+        ends = [low, *(float(self.folds[0, group].mean()) for group in groups), high]
+        parts: list[_Part] = []
+        last = None
+        for k, (a, b) in enumerate(pairwise(ends)):
+            numbers = self._ask(_first(a, b, k > 0, k < len(groups)))
+            if last is not None:
+                parts.append(_Part(last, numbers[0], tuple(groups[k - 1])))
+            parts += [_Part(one, two, ()) for one, two in pairwise(numbers)]
+            last = numbers[-1]
+        self.size = max((float(np.abs(x).max()) for x in self.x if x.size), default=0.0)
+        while parts:
+            parts = self._cut([part for part in parts if not self._link(part)])
+
+    def _ask(self, Omega: Sequence[float]) -> list[int]:
+        """States at new frequencies; the numbers of these."""
+        x, of = self._states(np.array(Omega))
+        numbers = list(range(len(self.Omega), len(self.Omega) + len(Omega)))
+        self.Omega += Omega
+        self.x += [x[:, of == k] for k in range(len(Omega))]
+        return numbers
+
+    def _cut(self, parts: list[_Part]) -> list[_Part]:
+        """Each in two, or, with a fold inside, a narrower one and what is beside it."""
+        new: list[float] = []
+        for part in parts:
+            a, b = self.Omega[part.a], self.Omega[part.b]
+            if part.cuts > CUTS:
+                raise ArithmeticError(UNRESOLVED.format(a, b))
+            if part.folds:
+                fold = float(self.folds[0, list(part.folds)].mean())
+                new += [fold + 0.25 * (a - fold), fold + 0.25 * (b - fold)]
+            else:
+                new.append(0.5 * (a + b))
+        numbers = iter(self._ask(new) if new else [])
+        found: list[_Part] = []
+        for part in parts:
+            cuts = part.cuts + 1
+            if part.folds:
+                left, right = next(numbers), next(numbers)
+                found += [
+                    _Part(part.a, left, (), cuts),
+                    _Part(left, right, part.folds, cuts),
+                    _Part(right, part.b, (), cuts),
+                ]
+            else:
+                middle = next(numbers)
+                found += [_Part(part.a, middle, (), cuts), _Part(middle, part.b, (), cuts)]
+        return found
+
+    def _link(self, part: _Part) -> bool:
+        """Links what is on one arc, if that is told of all states on both sides."""
+        a, b = self.x[part.a], self.x[part.b]
+        if abs(a.shape[1] - b.shape[1]) != 2 * len(part.folds):
+            return False
+        pairs = self._pairs(part, a, b)
+        if len(pairs) < min(a.shape[1], b.shape[1]):
+            return False
+        more, at = (0, part.a) if a.shape[1] > b.shape[1] else (1, part.b)
+        x = (a, b)[more]
+        rest = [i for i in range(x.shape[1]) if i not in {pair[more] for pair in pairs}]
+        for fold in part.folds:
+            # two of what is left meet in each: those that are nearest
+            rest.sort(key=lambda i, fold=fold: float(np.abs(x[:, i] - self.folds[1:, fold]).max()))  # type: ignore[misc]
+            for i in rest[:2]:
+                self._join(Node(at, i), Node(-1, fold))
+            rest = rest[2:]
+        for i, j in pairs:
+            self._join(Node(part.a, i), Node(part.b, j))
+        return True
+
+    def _join(self, one: Node, two: Node) -> None:
+        self.links.setdefault(one, []).append(two)
+        self.links.setdefault(two, []).append(one)
+
+    def _pairs(self, part: _Part, a: Floats, b: Floats) -> list[tuple[int, int]]:
+        """Which states on the one side are on one arc with which on the other.
+
+        Their tangents bring both to one place midway: nearer by far than to any other's, and near beside the curve.
+        """
+        if not (a.shape[1] and b.shape[1]):
+            return []
+        low, high = self.Omega[part.a], self.Omega[part.b]
+        half = 0.5 * (high - low)
+        slope_a, slope_b = (_tangents(self.of, np.full(x.shape[1], at), x) for x, at in ((a, low), (b, high)))
+        apart = np.linalg.norm((a + half * slope_a)[:, :, np.newaxis] - (b - half * slope_b)[:, np.newaxis], axis=0)
+        to_b, to_a = np.argmin(apart, axis=1), np.argmin(apart, axis=0)
+        i = np.flatnonzero(to_a[to_b] == np.arange(a.shape[1]))
+        j = to_b[i]
+        others = apart.copy()
+        others[i, j] = np.inf
+        least = np.minimum(BY_FAR * np.minimum(others[i].min(axis=1), others[:, j].min(axis=0)), NEAR * self.size)
+        linked = apart[i, j] < least
+        return [(int(one), int(two)) for one, two in zip(i[linked], j[linked], strict=True)]
+
+    def tours(self) -> list[tuple[list[Node], bool]]:
+        """Each curve as its nodes in order, and whether it is closed."""
+        lone = [Node(at, i) for at, x in enumerate(self.x) for i in range(x.shape[1]) if Node(at, i) not in self.links]
+        found: list[tuple[list[Node], bool]] = [([node], False) for node in lone]
+        seen: set[Node] = set()
+        ends = sorted(node for node, others in self.links.items() if len(others) == 1)
+        for start in (*ends, *sorted(self.links)):
+            if start in seen:
+                continue
+            tour, node = [], start
+            while node not in seen:
+                seen.add(node)
+                tour.append(node)
+                node = next((other for other in self.links[node] if other not in seen), start)
+            closed = len(self.links[start]) == 2
+            found.append(([*tour, start] if closed else tour, closed))
+        return found
+
+    def place(self, node: Node) -> tuple[float, float, float]:
+        """Omega, A, B."""
+        if node.at < 0:
+            Omega, A, B = self.folds[:, node.state].tolist()
+            return Omega, A, B
+        A, B = self.x[node.at][:, node.state].tolist()
+        return self.Omega[node.at], A, B
+
+
+def _groups(Omega: Floats) -> list[list[int]]:
+    """Numbers of folds by rising frequency, those of one frequency together."""
+    found: list[list[int]] = []
+    for k in np.argsort(Omega, kind="stable").tolist():
+        if found and Omega[k] - Omega[found[-1][0]] <= TOGETHER * Omega[k]:
+            found[-1].append(k)
+        else:
+            found.append([k])
+    return found
+
+
+def _first(low: float, high: float, after_fold: bool, before_fold: bool) -> list[float]:
+    """Frequencies of a cell: they crowd towards a fold, without it; an edge of the window is one of them."""
+    share = (np.arange(FIRST) + 0.5) / FIRST
+    if after_fold and before_fold:
+        share = np.sin(0.5 * np.pi * share) ** 2
+    elif after_fold:
+        share = np.append(share**2, 1.0)
+    elif before_fold:
+        share = np.append(0.0, 1 - (1 - share) ** 2)
+    else:
+        share = np.linspace(0.0, 1.0, FIRST + 1)
+    found: list[float] = (low + (high - low) * share).tolist()
+    if not before_fold:
+        found[-1] = high
+    return found
+
+
+def _tangents(of: Slow, Omega: Floats, x: Floats) -> Floats:
+    """dA/dOmega and dB/dOmega along the response at states (2, n)."""
+    means = of.steps.at(x[0], x[1], 0)
+    by_Omega = slow_flow.F_Omega(Omega, x[0], of.m, of.zeta, -2 * means.s[0])
+    return -_solved(of, Omega, x, lambda f_0, F: (0 * f_0, by_Omega))
+
+
+def _steps_of_newton(of: Slow, Omega: Floats, x: Floats) -> Floats:
+    return _solved(of, Omega, x, lambda f_0, F: (f_0, F))
+
+
+def _solved(of: Slow, Omega: Floats, x: Floats, right: Callable[[Floats, Floats], tuple[Floats, Floats]]) -> Floats:
+    """What the slopes of f_0 and F by A and B take to a right side, which is made of f_0 and F; 0 where they cannot."""
+    means = of.steps.at(x[0], x[1], 1)
+    given = of.F_0, of.m, of.zeta, of.steps.load
+    f_0, F, f_A, f_B, F_A, F_B = off_centre.state(Omega, x[0], *given, *means.c, *means.s)
+    one, two = right(f_0, F)
+    with np.errstate(all="ignore"):
+        found = np.stack((F_B * one - f_B * two, f_A * two - F_A * one)) / (f_A * F_B - f_B * F_A)
+    return np.where(np.isfinite(found), found, 0.0)
+
+
+def _points(of: Slow, skeleton: _Skeleton, tours: list[tuple[list[Node], bool]], points: int) -> Curves:
+    """The nodes, and between two of them points by Newton's method, which has one state to go to there."""
+    places = [np.array([skeleton.place(node) for node in tour]).T for tour, _ in tours]
+    weights = [_weights(place) for place in places]
+    total = sum(float(weight.sum()) for weight in weights) or 1.0
+    columns, branch = [np.empty((3, 0))], [np.empty(0, dtype=np.intp)]
+    for number, ((tour, _), place, weight) in enumerate(zip(tours, places, weights, strict=True)):
+        is_fold = np.array([node.at < 0 for node in tour])
+        inner = np.ceil(points * weight / total).astype(int) - 1
+        found, order = _between(of, place, is_fold, inner)
+        whole = np.concatenate((place, found), axis=1)[
+            :, np.argsort(np.append(np.arange(len(tour)), order), kind="stable")
+        ]
+        columns.append(whole)
+        branch.append(np.full(whole.shape[1], number))
+    Omega, A, B = np.concatenate(columns, axis=1)
+    return Curves(Omega, A, B, np.concatenate(branch), tuple(closed for _, closed in tours))
+
+
+def _weights(place: Floats) -> Floats:
+    """How long each step of a tour is drawn: a frequency, an amplitude and a mean of 1 count as much."""
+    return np.asarray(np.abs(np.diff(place, axis=1)).sum(axis=0) + 1e-6)
+
+
+def _between(of: Slow, place: Floats, is_fold: Bools, inner: Ints) -> tuple[Floats, Floats]:
+    """Omega, A, B of points between neighbours, and where in the order each stands."""
+    step = np.repeat(np.arange(inner.size), np.maximum(inner, 0))
+    if not step.size:
+        return np.empty((3, 0)), np.empty(0)
+    first = np.cumsum(np.maximum(inner, 0)) - np.maximum(inner, 0)
+    share = (np.arange(step.size) - first[step] + 1) / (inner[step] + 1)
+    start, end = place[:, step], place[:, step + 1]
+    from_fold, to_fold = is_fold[step], is_fold[step + 1]
+    # next to a fold A and B go as the root of the frequency
+    along = np.where(from_fold, share**2, np.where(to_fold, 1 - (1 - share) ** 2, share))
+    Omega = start[0] + (end[0] - start[0]) * along
+    guess = start[1:] + (end[1:] - start[1:]) * share
+    smooth = ~(from_fold | to_fold)
+    if smooth.any():
+        span = (end[0] - start[0])[smooth]
+        slopes = (_tangents(of, ends[0, smooth], ends[1:, smooth]) * span for ends in (start, end))
+        guess[:, smooth] = _cubic(share[smooth], start[1:, smooth], end[1:, smooth], *slopes)
+    x = guess.copy()
+    for _ in range(8):
+        change = _steps_of_newton(of, Omega, x)
+        x = x - change
+        x[0] = np.maximum(x[0], 1e-3 * guess[0])
+    near = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
+    kept = near <= np.abs(end[1:] - start[1:]).max(axis=0)
+    kept &= np.abs(change).max(axis=0) <= 1e-9 * np.abs(x).max(axis=0)
+    return np.stack((Omega, *x))[:, kept], (step + share)[kept]
+
+
+def _cubic(share: Floats, start: Floats, end: Floats, slope: Floats, slope_at_end: Floats) -> Floats:
+    """Hermite's cubic between values with these slopes by the share."""
+    rest = 1 - share
+    return np.asarray(
+        start * rest**2 * (1 + 2 * share)
+        + end * share**2 * (1 + 2 * rest)
+        + share * rest * (rest * slope - share * slope_at_end)
+    )
