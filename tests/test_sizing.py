@@ -142,12 +142,16 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: tolerances(MOUNT, {"kh": 0.1}), "'kh' cannot be varied: it must be one of m, k_v, L, n, k_h"),
         (lambda: tolerances(MOUNT, {"k_h": 1.5}), r"within\['k_h'\] = 1.5 is not allowed"),
         (lambda: tolerances(MOUNT, {}), "name at least one number"),
+        (lambda: tolerances(MOUNT, ["k_h"]), "within must be a mapping from names to how far each number may be off"),
+        (lambda: tolerances(MOUNT.replace(friction=0), {"friction": 0.3}), "is a share of 0: give a distribution"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, F_0=0.1), "the forcing of a mount is F"),
         (lambda: tolerances(isolator(), {"r": 0.1}, F=0.1), "the forcing of an isolator is F_0"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_peak"]), "A_peak needs a forcing: give F"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["peak"]), "'peak' is no answer: it must be one of F_SN"),
         (lambda: sobol(MOUNT, {"k_h": 0.1}, samples=1000), "samples must be a power of two"),
         (lambda: meet(MOUNT, {"k_h": (1, 2)}), "at least one requirement"),
+        (lambda: meet(MOUNT, ["k_h"], at_least={"F_SN": 1}), "free must be a mapping from names to pairs"),
+        (lambda: meet(MOUNT, {"k_h": (1, 2)}, at_most=["F_SN"]), "at_most must be a mapping from names to limits"),
         (lambda: meet(MOUNT, {"k_h": (2, 1)}, at_least={"F_SN": 1}), r"k_h\[1\] = 1 is not allowed"),
         (lambda: fit(MOUNT, A=[0.1] * 3, F=5, f=[1, 2, 3]), "3 points are too few for 4 numbers"),
         (lambda: fit(MOUNT, A=[0.1] * 9), "f and F are needed"),
@@ -224,6 +228,13 @@ def test_a_design_that_meets_all_already_is_left_as_it_is():
     assert found.numbers == pytest.approx({"zeta": 0.02, "k_h": 1700}, rel=1e-3)
 
 
+@pytest.mark.parametrize("lowest", [0.02, 0.05])
+def test_the_present_design_may_be_an_end_of_what_is_allowed_or_lie_outside(lowest):
+    found = meet(MOUNT, {"zeta": (lowest, 0.1)}, at_least={"F_SN": 4.0})
+    least = brentq(lambda zeta: MOUNT.replace(zeta=zeta).saddle_node_onset().F_SN - 4.0, 0.02, 0.05)
+    assert found.feasible and found.numbers["zeta"] == pytest.approx(max(least, lowest), rel=1e-9)
+
+
 def test_several_requirements_are_met_as_single_questions_see_them():
     found = meet(
         MOUNT,
@@ -252,6 +263,12 @@ def test_what_cannot_be_met_names_the_binding_requirement():
     )
     for k_h in np.linspace(500, 2500, 50):  # none does
         assert MOUNT.replace(k_h=k_h).saddle_node_onset().F_SN < 8
+
+
+@pytest.mark.parametrize("asked", [5.0, 4e3, 1e300])
+def test_a_design_that_cannot_meet_a_requirement_comes_as_near_as_is_allowed(asked):
+    found = meet(MOUNT, {"zeta": (0.01, 0.03)}, at_least={"F_SN": asked})  # the more damping the higher
+    assert not found.feasible and found.numbers["zeta"] == pytest.approx(0.03, rel=1e-6)
 
 
 # ---- trade-offs -----------------------------------------------------------------------------------------------------
@@ -349,6 +366,12 @@ def test_a_fit_to_jumps_recovers_the_numbers_behind_those_of_the_equation_of_mot
     seen = np.where(np.arange(5) == 2, np.nan, averaged[:, 1])
     found = fit(MOUNT.replace(**START), F=forces, jump_up=averaged[:, 0], jump_down=seen)
     assert found.value.tolist() == pytest.approx(list(TRUE.values()), rel=1e-6) and found.residuals.size == 9
+
+
+def test_a_fit_to_numbers_in_other_units_says_that_it_is_none():
+    forces = [3.5, 4.0, 5.0, 6.0]
+    said = fit(MOUNT, F=forces, jump_up=[20.0, 21.0, 22.0, 23.0], jump_down=[20.1, 21.2, 22.3, 23.4]).message
+    assert "no fit: friction, zeta, k_h, preload left the range" in said and "units" in said
 
 
 def test_residuals_of_a_fit_are_drawn_at_their_frequencies():

@@ -178,6 +178,13 @@ def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
         raise ValueError(f"shapes do not broadcast: {shapes}") from None
 
 
+def mapping(name: str, value: Any, meant: str) -> Mapping[str, Any]:
+    """A mapping from names, whose values are `meant`."""
+    if not isinstance(value, Mapping):
+        raise _refuse(name, value, f"a mapping from names to {meant}")
+    return value
+
+
 def window(name: str, value: Any) -> tuple[float, float]:
     """A pair of frequencies 0 <= low < high <= `HIGHEST_OMEGA`."""
     try:

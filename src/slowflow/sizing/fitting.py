@@ -19,12 +19,19 @@ from slowflow import validate
 from slowflow.answer import Table
 from slowflow.mechanism import Floats
 from slowflow.physical import EXCITED, UNITS, Physical
+from slowflow.results import joined
 from slowflow.sizing.subject import Subject, first_jump
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
 CONFIDENCE = 0.95
 #: what a number may become, over what it was; a number that is 0 may become this share of 1
 LEAST, MOST, FROM_NOTHING = 1e-3, 1e3, 1e-3
+#: how near to an end of that range a number has run into it
+AT_AN_END = 1e-3
+RAN_OUT = (
+    "no fit: {} left the range from 1/1000 to 1000 times what the search began with. Are units and the start right?"
+)
+ABSENT = "the fitted design has no such motion, or jump, at {} of the {} points"
 
 
 class Fitted(NamedTuple):
@@ -151,7 +158,13 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     value, error, correlation = found.x * start, error * start, covariance / np.outer(error, error)
     half = float(student.ppf(0.5 * (1 + CONFIDENCE), left)) * error
     design = subject.of.replace(**dict(zip(names, value.tolist(), strict=True)))
-    message = "" if found.success else f"the search did not end: {found.message}"
+    ends = (found.x < LEAST * (1 + AT_AN_END)) | (found.x > MOST * (1 - AT_AN_END))
+    absent = np.count_nonzero(found.fun == measured.values)
+    message = joined(
+        "" if found.success else f"the search did not end: {found.message}",
+        RAN_OUT.format(", ".join(np.array(names)[ends])) if ends.any() else "",
+        ABSENT.format(absent, size) if absent else "",
+    )
     columns = (np.array(names), value, error, value - half, value + half)
     return Fit(*columns, design, np.asarray(found.fun), measured.at, measured.names, deviation, correlation, message)
 

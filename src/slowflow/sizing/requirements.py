@@ -21,8 +21,8 @@ from slowflow.mechanism import Floats
 from slowflow.sizing.slopes import slopes
 from slowflow.sizing.subject import Load, Subject
 
-#: what a violation counts, in distances from the design as it is
-PENALTY = 1e3
+#: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
+ABSENT = 2e3
 #: a requirement is met to rounding
 MET = 1e-9
 #: members of a generation for each free number, and generations
@@ -113,8 +113,13 @@ class _Search:
         self, subject: Subject, free: Mapping[str, Any], at_least: Any, at_most: Any, load: Load, seed: int
     ) -> None:
         self.subject, self.load, self.seed = subject, load, seed
-        wanted = [(name, limit, 1.0) for name, limit in (at_least or {}).items()]
-        wanted += [(name, limit, -1.0) for name, limit in (at_most or {}).items()]
+        validate.mapping("free", free, "pairs (lowest, highest)")
+        limits = (("at_least", at_least or {}, 1.0), ("at_most", at_most or {}, -1.0))
+        wanted = [
+            (name, limit, sign)
+            for which, given, sign in limits
+            for name, limit in validate.mapping(which, given, "limits").items()
+        ]
         self.names = subject.answered([name for name, _, _ in wanted], load)
         self.wanted = [(name, validate.number(name, limit, above=0.0), sign) for name, limit, sign in wanted]
         subject.check_varied(free)
@@ -128,26 +133,35 @@ class _Search:
         return self.subject.ask(dict(zip(self.free, values, strict=True)), dict.fromkeys(names), self.load)
 
     def short(self, values: Floats) -> Floats:
-        """How far each requirement is from being met, as a share of its limit: shape (requirements, designs)."""
+        """How far each requirement is from being met, by the log of a ratio: shape (requirements, designs)."""
         found = self.answers(values, self.names)
         rows = [np.zeros(values.shape[1])]
         for name, limit, sign in self.wanted:
-            share = sign * (1 - np.minimum(found[name] / limit, 1e6))
-            rows.append(np.where(np.isnan(share), 1.0, np.maximum(share, 0.0)))
+            missing = sign * np.log(limit / found[name])
+            rows.append(np.where(np.isnan(missing), ABSENT, np.clip(missing, 0.0, ABSENT)))
         return np.array(rows)[1:]
 
     def least(self, cost: Callable[[Floats], Floats], begin: Floats | None = None) -> Floats:
-        """The free numbers with the least cost, a function of (numbers, designs), among those that meet all."""
+        """The free numbers with the least cost, a function of (numbers, designs), among those that meet all.
 
-        def whole(x: Floats) -> Floats:
-            values = x.reshape(len(self.free), -1)
-            missed = self.short(values).sum(axis=0)
-            return np.asarray(np.where(missed > MET, PENALTY * (1 + missed), 0.0) + cost(values))
+        Where none meets all, those that miss least; what they cost does not count.
+        """
+        span = self.high - self.low
 
+        def at(y: Floats) -> Floats:
+            """Numbers of shares of their ranges, shape (numbers, designs)."""
+            return np.asarray(np.clip(self.low + span * y.T, self.low, self.high).T)
+
+        def whole(y: Floats) -> Floats:
+            values = at(y.reshape(len(self.free), -1))
+            missed, costs = self.short(values).sum(axis=0), cost(values)
+            return np.asarray(np.where(missed > MET, 1 + missed, costs / (1 + costs)))
+
+        begin = self.start if begin is None else begin
         found = differential_evolution(
             whole,
-            list(zip(self.low, self.high, strict=True)),
-            x0=np.clip(self.start if begin is None else begin, self.low, self.high),
+            [(0.0, 1.0)] * len(self.free),
+            x0=np.clip((begin - self.low) / span, 0.0, 1.0),
             popsize=MEMBERS,
             maxiter=GENERATIONS,
             tol=1e-8,
@@ -156,7 +170,7 @@ class _Search:
             updating="deferred",
             vectorized=True,
         )
-        return np.asarray(found.x)
+        return at(found.x[:, None])[:, 0]
 
     def nearest(self) -> Floats:
         """The free numbers nearest to the start that meet all: the search's, finished by gradients if there are any."""

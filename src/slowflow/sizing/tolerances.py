@@ -97,17 +97,27 @@ class Sobol(Table):
 
 def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[str, Floats]:
     """Numbers of the design below which that share of all values lies; shares of shape (samples, numbers)."""
-    subject.check_varied(within)
     found = {}
     for (name, off), share in zip(within.items(), shares.T, strict=True):
         if hasattr(off, "ppf"):
             found[name] = np.asarray(off.ppf(share), dtype=float)
         else:
             part = validate.number(f"within[{name!r}]", off, least=0.0, below=1.0)
+            if part and not subject.nominal[name]:
+                raise ValueError(
+                    f"within[{name!r}] = {part:g} is a share of 0: give a distribution of the value itself"
+                )
             found[name] = subject.nominal[name] * (1 + part * (2 * share - 1))
-    if not found:
-        raise ValueError("within = {} is not allowed: name at least one number and how far it may be off")
     return found
+
+
+def _within(subject: Subject, given: Any) -> Mapping[str, Any]:
+    """How far which numbers may be off, as it was given. Raises ValueError for what is not allowed."""
+    within = validate.mapping("within", given, "how far each number may be off")
+    if not within:
+        raise ValueError("within = {} is not allowed: name at least one number and how far it may be off")
+    subject.check_varied(within)
+    return within
 
 
 def _asked(
@@ -147,10 +157,10 @@ def tolerances(
     """
     subject = Subject(of)
     load = subject.load(F, F_0, shock)
+    within = _within(subject, within)
     names = subject.answered(answers, load)
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
-    shares = qmc.LatinHypercube(d=max(len(within), 1), rng=seed).random(samples)
-    drawn = _drawn(subject, within, shares[:, : len(within)])
+    drawn = _drawn(subject, within, qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
     found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
     rows = []
     for name in names:
@@ -184,6 +194,7 @@ def sobol(
     """
     subject = Subject(of)
     load = subject.load(F, F_0, shock)
+    within = _within(subject, within)
     names = subject.answered(answers, load)
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     if samples & (samples - 1):
