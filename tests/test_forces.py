@@ -314,3 +314,18 @@ def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloade
     # at high frequencies the amplitude vanishes, and friction and preload are passed on
     assert one.amplitudes(Omega=1e4, F_0=0.2).transmissibility[-1] == pytest.approx(held / 0.2, rel=1e-4)
     assert one.transmissibility_floor(0.2) == pytest.approx(held / 0.2, rel=1e-15)
+
+
+def test_within_a_play_no_mean_is_singled_out_and_that_is_said(folder):
+    """There u = B + F_0/(Omega sqrt(Omega^2 + 4 zeta^2)) cos(...) is a motion for every B that keeps it in the play."""
+    play = derive.mechanism("a_play", [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0})
+    Omega, F_0, zeta = 0.6, 0.05, 0.1
+    one = play(k=2.0, gap=1.0, zeta=zeta)
+    A = F_0 / (Omega * np.hypot(Omega, 2 * zeta))
+    with pytest.raises(ArithmeticError, match=f"amplitude {A:.6g} stays within .* no force brings its mean back"):
+        one.steady_state(Omega=Omega, F_0=F_0)
+    assert one.steady_state(Omega=Omega, F_0=F_0, A=A).A == pytest.approx(A, rel=1e-12)
+    # u' + 2 zeta u = F_0 sin(Omega tau)/Omega from rest on, and goes on so where the frequency steps: its mean is 0
+    swept = one.sweep(Omega=[Omega, 0.7], F_0=F_0)
+    assert swept.settled.all()
+    assert swept.A == pytest.approx([A, F_0 / (0.7 * np.hypot(0.7, 2 * zeta))], rel=1e-7)

@@ -38,6 +38,18 @@ GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
 
 
+#: shares of the amplitude at which it is asked whether the force has any stiffness there
+WITHIN = (0.25, 0.5, 0.9)
+#: of its amplitude, what a motion that is adrift may still change in a turn of the forcing
+CALM = 1e-10
+
+ADRIFT = (
+    "no steady state is singled out at Omega = {Omega:g}, F_0 = {F_0:g}: a motion of amplitude {A:.6g} stays within "
+    "|u| = {gap:g}, where no force brings its mean back, and each such mean is as good as another; "
+    "A = {A:.6g} gives the one about u = 0"
+)
+
+
 class NotSettled(ArithmeticError):
     """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
 
@@ -414,6 +426,7 @@ class Settled(NamedTuple):
     u, v   -- the state at the start of a turn: that of the motion found, else the last one
     phases -- the last turn followed
     change -- of (u, v), over the last turn or the last turns of a subharmonic
+    adrift -- the motion about u = 0 that is approached but for its mean, which no force brings back; else None
     """
 
     found: SteadyState | None
@@ -422,6 +435,7 @@ class Settled(NamedTuple):
     v: float
     phases: list[Phase]
     change: float
+    adrift: SteadyState | None = None
 
 
 def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, ...], most_turns: int) -> Settled:
@@ -454,6 +468,8 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
             if change >= scale:
                 continue
             found = _from_start(forced, theta, u, n, v)
+            if found is not None and _is_adrift(found):
+                return Settled(None, len(history) - 1, u, v, phases, change, found)
             if found is not None and found.stable:
                 there = _passed(found, theta, u, v)
                 if _approaches(forced, found, theta, (u, v), there):
@@ -466,6 +482,9 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
     settled = settle(forced, theta, u, 0.0, tries, MOST_TURNS)
     if settled.found is not None:
         return settled.found
+    if settled.adrift is not None:
+        A, gap = settled.adrift.A, forced.system.force.breakpoints[0]
+        raise ArithmeticError(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=A, gap=gap))
     drifts = settled.change < 1e-3 * _largest(settled.phases)
     raise NotSettled(
         f"no steady state found at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {settled.turns} turns of the "
@@ -476,6 +495,24 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
             else f"it may be on its way still, or chaotic, or a subharmonic that half_turns = {tries} do not allow"
         )
     )
+
+
+def calmed(forced: Forced, theta: float, end: Settled, most_turns: int) -> Settled:
+    """A motion that is adrift, followed on until it does not change any more from turn to turn, or for `most_turns`."""
+    turns, u, v, phases, change = end.turns, end.u, end.v, end.phases, end.change
+    while turns < most_turns and change > CALM * _largest(phases):
+        before = u, v
+        phases = follow(forced, theta, u, v, theta + TURN)
+        u, v = phases[-1].u_end, phases[-1].v_end
+        turns, change = turns + 1, max(abs(u - before[0]), abs(v - before[1]))
+    return Settled(None, turns, u, v, phases, change, end.adrift)
+
+
+def _is_adrift(found: SteadyState) -> bool:
+    """Whether a motion stays where the force is 0, as within a play: then it may as well be about any other place."""
+    inner = found.cycle.system.force.pieces[0]
+    within = all(region == 0 for _, region in found.cycle.signature)
+    return within and all(inner.slope(share * found.A) == 0 for share in WITHIN)
 
 
 def _passed(found: SteadyState, theta: float, u: float, v: float) -> tuple[float, float]:

@@ -18,7 +18,7 @@ from slowflow.answer import Table
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
-from slowflow.exact.shooting import HALF_TURNS, at_rest, check_forcing, check_numbers, settle
+from slowflow.exact.shooting import HALF_TURNS, at_rest, calmed, check_forcing, check_numbers, settle
 from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
@@ -42,7 +42,8 @@ class Sweep(Table):
 
     Omega   -- the frequencies
     A       -- largest |u| of the stable motion that is settled to; where none is, over the last turn of the forcing;
-               where friction holds the mass, as at low frequencies of an excitation by inertia, how far off it rests
+               where friction holds the mass, as at low frequencies of an excitation by inertia, how far off it rests;
+               within a play, where no force brings the mean back, it is about the place that the sweep left it at
     stops   -- rests in one period of it, or in that turn
     turns   -- turns of the forcing followed before it was shown that the motion tends there
     settled -- whether it was, within the turns that are followed at most
@@ -92,13 +93,17 @@ def sweep(
     check_forcing(system, float(frequencies.max()), F_0)
     integrator = integrator or default_integrator(system)
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
-    settled, rested = np.zeros(frequencies.size, bool), np.zeros(frequencies.size, bool)
+    settled, rested, drifts = (np.zeros(frequencies.size, bool) for _ in range(3))
     u, v = 0.0, 0.0
     for i, frequency in enumerate(frequencies):
         with limited():
-            end = settle(Forced(system, float(frequency), F_0, integrator), 0.0, u, v, HALF_TURNS, most_turns)
+            forced = Forced(system, float(frequency), F_0, integrator)
+            end = settle(forced, 0.0, u, v, HALF_TURNS, most_turns)
+            if end.adrift is not None:
+                end = calmed(forced, 0.0, end, most_turns)
+        drifts[i] = end.adrift is not None and end.turns < most_turns
         rested[i] = at_rest(end.phases)
-        u, v, spent[i], settled[i] = end.u, end.v, end.turns, end.found is not None or rested[i]
+        u, v, spent[i], settled[i] = end.u, end.v, end.turns, end.found is not None or rested[i] or drifts[i]
         if end.found is None:
             A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in end.phases)
             rests[i] = stops(end.phases)
