@@ -419,6 +419,28 @@ def test_numbers_in_words_about_a_mount_are_those_that_were_given():
     assert said == f"here at f = {numbers} Hz; steady_state(f={first:.4g}, F=5, A=0.04)"
 
 
+@pytest.mark.parametrize(
+    "ask, said",
+    [
+        (lambda mount: mount.saddle_nodes([3, 5]), "F = [3, 5] is not allowed: F must be a finite real number > 0"),
+        (lambda mount: mount.certify(5, f=[2.2, 2.3]), "f = [2.2, 2.3] is not allowed"),
+        (lambda mount: mount.steady_state(f=2.2, F=0.3), "F = 0.3 N does not exceed friction = 0.4 N"),
+        (lambda mount: mount.backbone(-0.1), "A = -100 mm is not allowed"),
+        (lambda mount: mount.saddle_nodes(1e300), "no amplitude bounds the response at F = 1e+300 N"),
+        (lambda mount: mount.transient(acceleration=20), "or t, the times of a record"),
+        (lambda mount: mount.spectrum(f=[1, 2, 3], F=[1, 2]), "shapes do not broadcast: f (3,), F (2,)"),
+        (lambda mount: mount.transient(acceleration=1e9, duration=0.01), "the motion escapes: |u| passes 1e+06"),
+        (lambda mount: mount.exact_response(5, start=9.0), "start must be what steady_state gave"),
+        (lambda mount: mount.plot([]), "F = [] is not allowed: F must be at least one number > 0"),
+        (lambda mount: mount.plot("5 N"), "F = '5 N' is not allowed"),
+    ],
+)
+def test_what_is_refused_of_a_mount_is_in_its_letters_and_units_too(ask, said):
+    with pytest.raises((ValueError, ArithmeticError)) as refused:
+        ask(Isolator.physical(**MOUNT))
+    assert said in str(refused.value)
+
+
 def test_a_curve_of_the_equation_of_motion_begins_at_a_motion_of_the_mount():
     mount = Isolator.physical(**MOUNT)
     state = mount.steady_state(f=2.2, F=5.0, A=0.040)

@@ -244,7 +244,7 @@ def test_a_question_without_an_answer_is_said_and_the_others_are_written(scene, 
     text = MOUNT.replace("friction = 0.4\nzeta = 0.02\n", "").partition("questions")[0]
     path = scene(text + 'questions = ["exact_response", "detachment"]\n')
     code, _, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
-    assert code == 1 and "exact_response at F = 3: mu = 0 and zeta = 0" in err
+    assert code == 1 and "exact_response at F = 3: friction = 0 N and zeta = 0" in err
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
     assert len(content["failed"]) == 2 and content["answers"][0]["question"] == "detachment"
 

@@ -87,6 +87,8 @@ SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
 PHRASES = (
     (r"(?<![\w/])F_0 = ", "{} = ", "amplitude"),
     (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
+    (r"\bmu = ", "friction = ", "force"),
+    (r"\btau = ", "t = ", "time"),
     (r"\bF_SN = ", "{}_SN = ", "amplitude"),
     (r"\bOmega = ", "f = ", "frequency"),
     (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
@@ -103,6 +105,7 @@ LETTERS = (
     (r"\bmu/\(F_0 Omega\^2\)", "friction over the force of inertia"),
     (r"\bF_0\b", "{}"),
     (r"\bmu\b", "friction"),
+    (r"\btau\b", "t"),
     (r"\bOmega\b", "f"),
     (r"\bu_cr\b", "x_cr"),
     (r"\bu = 0\b", "x = 0"),
@@ -407,6 +410,25 @@ class Scales:
         return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)
 
 
+class _InTheseTerms:
+    """An oscillator whose refusals are in newtons, metres and hertz, as what it was asked for is."""
+
+    def __init__(self, oscillator: Any, scales: Scales) -> None:
+        self._oscillator, self._scales = oscillator, scales
+
+    def __getattr__(self, question: str) -> Any:
+        ask = getattr(self._oscillator, question)
+
+        def asked(*arguments: Any, **named: Any) -> Any:
+            try:
+                return ask(*arguments, **named)
+            except (ValueError, ArithmeticError) as error:
+                error.args = (self._scales.worded(str(error)),)
+                raise
+
+        return asked
+
+
 @dataclass(frozen=True, repr=False)
 class Physical:
     """An oscillator whose questions take forces in N, frequencies f in Hz and lengths in m, and are answered in these.
@@ -499,61 +521,61 @@ class Physical:
 
     def rest(self) -> Quantities:
         """Every place at which the mass rests without friction: .x .stable .load, see `Oscillator.rest`."""
-        return self.scales.quantities(self.oscillator.rest())
+        return self.scales.quantities(self._asked.rest())
 
     def force(self, x: Any) -> Floats:
         """The restoring force in N at displacements in m, without the weight that k_v is preset for."""
-        return np.asarray(self.oscillator.force(self._length("x", x)) * self.scales.sizes["force"])
+        return np.asarray(self._asked.force(self._length("x", x)) * self.scales.sizes["force"])
 
     def stiffness(self, x: Any) -> Floats:
         """Its slope in N/m."""
-        return np.asarray(self.oscillator.stiffness(self._length("x", x)) * self.scales.k_v)
+        return np.asarray(self._asked.stiffness(self._length("x", x)) * self.scales.k_v)
 
     def saddle_node_onset(self) -> Quantities:
         """The lowest force amplitude that has a fold: .F_SN .f .A, see `Averaged.saddle_node_onset`."""
-        return self.scales.quantities(self.oscillator.saddle_node_onset())
+        return self.scales.quantities(self._asked.saddle_node_onset())
 
     def detachment(self) -> Quantities:
         """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
-        return self.scales.quantities(self.oscillator.detachment())
+        return self.scales.quantities(self._asked.detachment())
 
     def saddle_nodes(self, F: Any) -> Quantities:
         """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
-        return self.scales.quantities(self.oscillator.saddle_nodes(self._amplitude(F)))
+        return self.scales.quantities(self._asked.saddle_nodes(self._amplitude(F)))
 
     def peak(self, F: Any) -> Quantities:
         """The highest peak: .A .f, see `Averaged.peak`."""
-        return self.scales.quantities(self.oscillator.peak(self._amplitude(F)))
+        return self.scales.quantities(self._asked.peak(self._amplitude(F)))
 
     def amplitudes(self, *, f: Any, F: Any) -> Quantities:
         """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`."""
-        Omega, F_0 = self._frequency("f", f), self._amplitude(F)
-        return self.scales.quantities(self.oscillator.amplitudes(Omega=Omega, F_0=F_0))
+        Omega, F_0 = self._frequencies(f), self._amplitudes(F)
+        return self.scales.quantities(self._asked.amplitudes(Omega=Omega, F_0=F_0))
 
     def frequency_response(self, F: Any, *, f: Any = None, samples: int = 1000) -> Quantities:
         """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
-        found = self.oscillator.frequency_response(self._amplitude(F), samples=samples, **self._window(f))
+        found = self._asked.frequency_response(self._amplitude(F), samples=samples, **self._window(f))
         return self.scales.quantities(found)
 
     def fold_locus(self, *, samples: int = 1000, A_max: Any = None) -> Quantities:
         """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
-        return self.scales.quantities(self.oscillator.fold_locus(samples=samples, A_max=self._most(A_max)))
+        return self.scales.quantities(self._asked.fold_locus(samples=samples, A_max=self._most(A_max)))
 
     def cusps(self, *, A_max: Any = None) -> Quantities:
         """Where two folds come into being or meet: .F .f .A .minimum, see `Averaged.cusps`."""
-        return self.scales.quantities(self.oscillator.cusps(A_max=self._most(A_max)))
+        return self.scales.quantities(self._asked.cusps(A_max=self._most(A_max)))
 
     def isola_points(self, *, A_max: Any = None) -> Quantities:
         """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
-        return self.scales.quantities(self.oscillator.isola_points(A_max=self._most(A_max)))
+        return self.scales.quantities(self._asked.isola_points(A_max=self._most(A_max)))
 
     def backbone(self, A: Any) -> Floats:
         """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
-        return np.asarray(self.oscillator.backbone(self._length("A", A)) * self.scales.sizes["frequency"])
+        return np.asarray(self._asked.backbone(self._length("A", A)) * self.scales.sizes["frequency"])
 
     def limit_envelope(self, *, f: Any, F: Any) -> Floats:
         """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
-        A = self.oscillator.limit_envelope(Omega=self._frequency("f", f), F_0=self._amplitude(F))
+        A = self._asked.limit_envelope(Omega=self._frequencies(f), F_0=self._amplitudes(F))
         return np.asarray(A * self.scales.sizes["length"])
 
     def certify(self, F: Any, *, f: Any = None) -> Quantities:
@@ -562,8 +584,8 @@ class Physical:
         Of the dimensionless numbers as they are: `.answer` has the intervals that are proved, and these are the same
         times what is measured in, rounded.
         """
-        Omega = None if f is None else self._frequency("f", f)
-        return self.scales.quantities(self.oscillator.certify(self._amplitude(F), Omega=Omega))
+        Omega = None if f is None else self._frequency(f)
+        return self.scales.quantities(self._asked.certify(self._amplitude(F), Omega=Omega))
 
     def plot(self, F: Any, *, f: Any = None, of: str = "A", ax: Any = None) -> Any:
         """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
@@ -577,7 +599,7 @@ class Physical:
 
         validate.choice("of", of, DRAWN)
         letter, _, unit = EXCITED[self.scales.excitation]
-        forces = np.atleast_1d(np.asarray(si(letter, F, unit), dtype=float)).ravel().tolist()
+        forces = validate.several(letter, si(letter, F, unit))
         answers = ((self.frequency_response(force, f=f), self.saddle_nodes(force)) for force in forces)
         found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
         ax = pictures.responses(ax, found, of)
@@ -592,7 +614,7 @@ class Physical:
 
     def explain(self, question: str, F: Any = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
-        found: Plan = self.oscillator.explain(question, None if F is None else self._amplitude(F))
+        found: Plan = self._asked.explain(question, None if F is None else self._amplitude(F))
         steps = tuple(dataclasses.replace(step, why=self.scales.worded(step.why)) for step in found.steps)
         letter, kind, unit = EXCITED[self.scales.excitation]
         where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {next(iter(UNITS[kind]))}"
@@ -608,8 +630,8 @@ class Physical:
 
         See `Oscillator.steady_state`, which `.answer` is from.
         """
-        at = {"Omega": self._frequency("f", f), "F_0": self._amplitude(F), "A": self._most(A)}
-        found = self.oscillator.steady_state(**at)
+        at = {"Omega": self._frequency(f), "F_0": self._amplitude(F), "A": self._most(A)}
+        found = self._asked.steady_state(**at)
         tau, u, v = found.series(samples)
         said = {name: getattr(found, name) for name in ("Omega", "A", "stops", "stable", "period")}
         said |= {"F_0": at["F_0"]}
@@ -622,8 +644,10 @@ class Physical:
 
         start -- what `steady_state` gave
         """
+        if not (start is None or isinstance(start, Quantities)):
+            raise ValueError(f"start = {start!r} is not allowed: start must be what steady_state gave")
         begun = None if start is None else start.answer
-        found = self.oscillator.exact_response(self._amplitude(F), start=begun, step=step, **self._window(f))
+        found = self._asked.exact_response(self._amplitude(F), start=begun, step=step, **self._window(f))
         entry = ("Omega", "A", "stable", "stops")
         columns = ("Omega", "A", "kind", "corner")
         folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}
@@ -637,7 +661,7 @@ class Physical:
 
         See `Oscillator.sweep`.
         """
-        found = self.oscillator.sweep(Omega=self._frequency("f", f), F_0=self._amplitude(F))
+        found = self._asked.sweep(Omega=self._frequencies(f), F_0=self._amplitude(F))
         entry = ("Omega", "A", "stops", "settled")
         said = {name: getattr(found, name) for name in (*entry, "F_0")}
         jumps = np.array(found.jumps).reshape(-1, 2)
@@ -659,7 +683,7 @@ class Physical:
         pulse = {"acceleration": self._acceleration(acceleration)}
         times = {"duration": duration, "tau": t, "after": after}
         pulse |= {name: self._time(name, value) for name, value in times.items() if value is not None}
-        found = self.oscillator.transient(**pulse)
+        found = self._asked.transient(**pulse)
         said = {field.name: getattr(found, field.name) for field in dataclasses.fields(found) if field.repr}
         return self.scales.named({**said, **found.series(samples)._asdict()}, found)
 
@@ -669,28 +693,38 @@ class Physical:
         In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
         """
         pulses = {"acceleration": self._acceleration(acceleration), "duration": self._time("duration", duration)}
-        return self.scales.quantities(self.oscillator.shock_spectrum(**pulses))
+        return self.scales.quantities(self._asked.shock_spectrum(**pulses))
 
     def margins(self, F: Any) -> Quantities:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
-        return self.scales.quantities(self.oscillator.margins(self._amplitude(F)))
+        return self.scales.quantities(self._asked.margins(self._amplitude(F)))
 
     def hysteresis(self, F: Any) -> Quantities:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
-        return self.scales.quantities(self.oscillator.hysteresis(self._amplitude(F)))
+        return self.scales.quantities(self._asked.hysteresis(self._amplitude(F)))
 
     def isolation(self, F: Any) -> Quantities:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
-        return self.scales.quantities(self.oscillator.isolation(self._amplitude(F)))
+        return self.scales.quantities(self._asked.isolation(self._amplitude(F)))
 
     def spectrum(self, *, f: Any, F: Any) -> Quantities:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""
-        Omega, F_0 = self._frequency("f", f), self._amplitude(F)
-        return self.scales.quantities(self.oscillator.spectrum(Omega=Omega, F_0=F_0))
+        Omega, F_0 = self._frequencies(f), self._amplitudes(F)
+        return self.scales.quantities(self._asked.spectrum(Omega=Omega, F_0=F_0))
+
+    @property
+    def _asked(self) -> _InTheseTerms:
+        return _InTheseTerms(self.oscillator, self.scales)
 
     # ---- arguments
 
-    def _amplitude(self, value: Any) -> Any:
+    def _amplitude(self, value: Any) -> float:
+        """One amplitude of the excitation."""
+        name, kind, unit = EXCITED[self.scales.excitation]
+        return validate.number(name, si(name, value, unit), above=0.0) / self.scales.sizes[kind]
+
+    def _amplitudes(self, value: Any) -> Any:
+        """One, or an array of them."""
         name, kind, unit = EXCITED[self.scales.excitation]
         return self._over(name, si(name, value, unit), kind, above=0.0)
 
@@ -706,8 +740,12 @@ class Physical:
     def _most(self, A: Any) -> Any:
         return None if A is None else self._length("A", A)
 
-    def _frequency(self, name: str, value: Any) -> Any:
-        return self._over(name, turns(name, value), "frequency", above=0.0)
+    def _frequency(self, value: Any) -> float:
+        return validate.number("f", turns("f", value), above=0.0) / self.scales.sizes["frequency"]
+
+    def _frequencies(self, value: Any) -> Any:
+        """One, or an array of them."""
+        return self._over("f", turns("f", value), "frequency", above=0.0)
 
     def _window(self, f: Any) -> dict[str, Any]:
         """Of frequencies, as the oscillator takes it; nothing where it has its own."""

@@ -195,6 +195,14 @@ def window(name: str, value: Any) -> tuple[float, float]:
     return low, number(f"{name}[1]", high, above=low, most=HIGHEST_OMEGA)
 
 
+def several(name: str, value: Any) -> list[float]:
+    """A number > 0, or an array of at least one."""
+    found: list[float] = positive_array(name, value).ravel().tolist()
+    if not found:
+        raise _refuse(name, value, "at least one number > 0")
+    return found
+
+
 def frequencies(name: str, value: Any) -> npt.NDArray[np.float64]:
     """An array of frequencies 0 < Omega <= `HIGHEST_OMEGA`."""
     array = positive_array(name, value)

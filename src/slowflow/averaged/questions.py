@@ -329,7 +329,7 @@ class Averaged:
         """
         from slowflow import pictures
 
-        forcings = validate.positive_array("F_0", F_0).ravel().tolist()
+        forcings = validate.several("F_0", F_0)
         validate.choice("of", of, DRAWN)
         found = [(self.frequency_response(F, Omega=Omega), self.saddle_nodes(F)) for F in forcings]
         ax = pictures.responses(ax, found, of)

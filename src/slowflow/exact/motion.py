@@ -25,7 +25,7 @@ CHATTERS = (
     "more than {most} switches in one turn of the forcing at Omega = {Omega}: the mass chatters near u = {u:.6g}, "
     "where the restoring force jumps"
 )
-ESCAPES = "the motion escapes at Omega = {Omega}, F_0 = {F_0}: |u| passes {far:g}, the restoring force does not hold it"
+ESCAPES = "the motion escapes{where}: |u| passes {far:g}, the restoring force does not hold it"
 STALLS = (
     "the integration from theta = {theta} at u = {u:.6g} failed: its steps become too many, or the force ends there"
 )
@@ -164,7 +164,7 @@ def follow(
             continue
         edge = edge_ahead(system, slip, region)
         if slip * u >= FAR:
-            raise ArithmeticError(ESCAPES.format(Omega=forced.Omega, F_0=forced.F_0, far=FAR))
+            raise _escapes(forced)
         if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
             region += slip
             continue
@@ -197,12 +197,17 @@ def follow(
     return phases
 
 
+def _escapes(forced: Forced) -> ArithmeticError:
+    where = f" at Omega = {forced.Omega}, F_0 = {forced.F_0}" if forced.F_0 else ""
+    return ArithmeticError(ESCAPES.format(where=where, far=FAR))
+
+
 def _refuse(outcome: int, forced: Forced, last: Phase | None) -> None:
     """Says in words why C gave up."""
     if outcome == Outcome.CHATTERS and last is not None:
         raise ArithmeticError(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=last.u_end))
     if outcome == Outcome.ESCAPES:
-        raise ArithmeticError(ESCAPES.format(Omega=forced.Omega, F_0=forced.F_0, far=FAR))
+        raise _escapes(forced)
     if outcome == Outcome.NO_MEMORY:
         raise MemoryError("no memory for the phases of the motion")
     if outcome:
