@@ -26,10 +26,11 @@ import sympy as sp
 
 from .averaging import VELOCITY, Averaged, cycle_integral
 from .averaging import H as averaged_force
+from .gradients import Curve, I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
 from .motion import Motion, v
 from .motion import friction as slip_friction
 from .slow_flow import I, R, SlowFlow, m, slope
-from .symbols import F_0, A, Omega, c_2, eta, h, h_A, mu, phi, psi, sigma, zeta
+from .symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, mu, phi, psi, sigma, zeta
 
 #: the |u| up to which something is attached
 u_cr = sp.Symbol("u_cr", positive=True)
@@ -76,6 +77,8 @@ class Dissipation:
     restoring -- the largest |h| of a state, by d: |R| <= F_0, and d (A Omega)^2 <= F_0
     turn_share -- D/Omega^2 in x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D
     systems   -- by what they are
+    curve     -- the response, for how answers move
+    rest_moves, released_moves -- what m, eta and, where friction ends there, u_cr do to I_0, I_0A and I_0AA
     """
 
     quadratic: sp.Expr
@@ -99,6 +102,9 @@ class Dissipation:
     restoring: sp.Expr
     turn_share: sp.Expr
     systems: dict[str, System]
+    curve: Curve
+    rest_moves: tuple[sp.Expr, ...]
+    released_moves: tuple[sp.Expr, ...]
 
 
 def _vanishes(expression: sp.Expr, words: str) -> None:
@@ -171,10 +177,17 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
     if beside.has(h, h_A) or any(power.exp < 0 for power in beside.atoms(sp.Pow) if power.base == x):
         raise ArithmeticError(f"what F_AOmega has beside R and R_A: {beside}")
     trace = _trace(averaged, flow, value)
+    at_rest, released = (chain((one + structural).subs(of_friction)) for one in (friction, attached))
+    if sp.diff(factor, c_2) * c_2 != factor:
+        raise ArithmeticError("quadratic damping's share of I is not proportional to c_2")
+
+    def moves(share: tuple[sp.Expr, ...], *by: sp.Symbol) -> tuple[sp.Expr, ...]:
+        return tuple(sp.diff(one, symbol) for symbol in by for one in share[:3])
+
     return Dissipation(
         quadratic=factor,
-        at_rest=chain((friction + structural).subs(of_friction)),
-        released=chain((attached + structural).subs(of_friction)),
+        at_rest=at_rest,
+        released=released,
         I=value,
         F_A=F_A,
         F_AA=F_AA,
@@ -205,6 +218,24 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
                 ("stiffness", (F_A,)),
             )
         },
+        curve=Curve(
+            R=flow.R,
+            I=value,
+            F=F,
+            F_A=F_A,
+            F_AA=F_AA,
+            F_AAA=sp.factor_terms(by_amplitude(F_AA)),
+            F_Omega=sp.factor_terms(F_Omega),
+            F_AOmega=sp.factor_terms(F_AOmega),
+            F_AAOmega=sp.factor_terms(by_amplitude(F_AOmega)),
+            F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
+            phase=flow.phase,
+            transmissibility=flow.transmissibility,
+            moved={h: h_p, h_A: h_Ap, h_AA: h_AAp, I_0: I_0p, I_0A: I_0Ap, I_0AA: I_0AAp, zeta: zeta_p, d: d_p},
+            rises={I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA},
+        ),
+        rest_moves=moves(at_rest, m, eta),
+        released_moves=moves(released, m, eta, u_cr),
     )
 
 

@@ -1,8 +1,9 @@
 """Beside (23)-(34): how answers move with the parameters, by the implicit function theorem.
 
-In:  `SlowFlow`, and the force that an excitation of amplitude F_0 pushes with; the mechanism stays an open h(A).
-Out: `Gradients`: for each kind of answer its moves, in what one parameter p does to h, m, zeta, the breakpoint, the
-     forcing and the frequency that are given.
+In:  a `Curve`, the response by what dissipates, and the force that an excitation of amplitude F_0 pushes with; the
+     mechanism stays an open h(A).
+Out: `Gradients`: for each kind of answer its moves, in what one parameter p does to h, to what dissipates, the
+     breakpoint, the forcing and the frequency that are given.
 
 An answer is a point (A, Omega, F_0) where three conditions hold; what each says of the moves A_p, Omega_p, F_0_p is
 linear, and they are solved for together. F stands for R^2 + I^2 less the force's square S, and its derivatives by Omega
@@ -13,7 +14,7 @@ answer has no derivative, as it meets another.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import sympy as sp
 
@@ -28,6 +29,9 @@ h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p = sp.symbols(
     "h_p h_Ap h_AAp m_p zeta_p end_p forcing_p frequency_p", real=True
 )
 OF_PARAMETER = (h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p)
+#: and where other laws of damping make I (`dissipation`): what it does to I_0, I_0A, I_0AA at a fixed A, and to d
+I_0p, I_0Ap, I_0AAp, d_p = sp.symbols("I_0p I_0Ap I_0AAp d_p", real=True)
+OF_LAWS = (h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p)
 #: what the answer does
 A_p, Omega_p, F_0_p = sp.symbols("A_p Omega_p F_0_p", real=True)
 MOVES = (A_p, Omega_p, F_0_p)
@@ -68,6 +72,39 @@ KINDS: dict[str, tuple[tuple[str, str], str]] = {
 
 
 @dataclass(frozen=True)
+class Curve:
+    """The response (24), and by what it moves.
+
+    R, ..., transmissibility -- as in `SlowFlow`
+    moved -- what a parameter does at a fixed A to each symbol of these
+    rises -- derivatives by A of their symbols, beside those of h
+    """
+
+    R: sp.Expr
+    I: sp.Expr
+    F: sp.Expr
+    F_A: sp.Expr
+    F_AA: sp.Expr
+    F_AAA: sp.Expr
+    F_Omega: sp.Expr
+    F_AOmega: sp.Expr
+    F_AAOmega: sp.Expr
+    F_OmegaOmega: sp.Expr
+    phase: sp.Expr
+    transmissibility: sp.Expr
+    moved: dict[sp.Symbol, sp.Symbol]
+    rises: dict[sp.Symbol, sp.Symbol]
+
+    @classmethod
+    def of(cls, flow: SlowFlow) -> Curve:
+        """With viscous damping and dry friction."""
+        if sp.diff(flow.m, mu) * mu != flow.m:
+            raise ArithmeticError("friction's share of I is not proportional to mu")
+        own = {one.name: getattr(flow, one.name) for one in fields(cls) if hasattr(flow, one.name)}
+        return cls(**own, moved={h: h_p, h_A: h_Ap, h_AA: h_AAp, m: m_p, zeta: zeta_p}, rises={})
+
+
+@dataclass(frozen=True)
 class Moves:
     """Of one kind of answer.
 
@@ -99,11 +136,9 @@ class Gradients:
     of_state: tuple[sp.Expr, sp.Expr]
 
 
-def gradients(flow: SlowFlow, force: sp.Expr = F_0) -> Gradients:
+def gradients(flow: Curve, force: sp.Expr = F_0) -> Gradients:
     """All of it, for an excitation that pushes with `force`, in F_0 and Omega."""
     S = force**2
-    if sp.diff(flow.m, mu) * mu != flow.m:
-        raise ArithmeticError("friction's share of I is not proportional to mu")
     of_flow = {F_A: flow.F_A, F_AA: flow.F_AA, F_AAA: flow.F_AAA, F_AOmega: flow.F_AOmega, F_AAOmega: flow.F_AAOmega}
     of_flow |= {F_Omega: flow.F_Omega - sp.diff(S, Omega), F_OmegaOmega: flow.F_OmegaOmega - sp.diff(S, Omega, 2)}
     of_force = {S_F: sp.diff(S, F_0), S_FOmega: sp.diff(S, F_0, Omega)}
@@ -147,9 +182,9 @@ def gradients(flow: SlowFlow, force: sp.Expr = F_0) -> Gradients:
     )
 
 
-def _moved(flow: SlowFlow, expression: sp.Expr) -> sp.Expr:
-    """d/dp of an expression in R, I, h and its derivatives, m and zeta, at fixed A, Omega and F_0."""
-    direct = {h: h_p, h_A: h_Ap, h_AA: h_AAp, m: m_p, zeta: zeta_p}
+def _moved(flow: Curve, expression: sp.Expr) -> sp.Expr:
+    """d/dp of an expression in R, I and what they are made of, at fixed A, Omega and F_0."""
+    direct = flow.moved
     of_R_and_I = {
         name: sum(sp.diff(value, symbol) * move for symbol, move in direct.items())
         for name, value in ((R, flow.R), (I, flow.I))
@@ -158,12 +193,12 @@ def _moved(flow: SlowFlow, expression: sp.Expr) -> sp.Expr:
     return sp.factor_terms(sum(sp.diff(expression, symbol) * move for symbol, move in chain.items()))
 
 
-def _of_state(flow: SlowFlow, force: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, sp.Expr]]:
+def _of_state(flow: Curve, force: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, sp.Expr]]:
     """d phi/dp and d transmissibility/dp of a state, from its own moves."""
     R_moved, I_moved = sp.symbols("R_moved I_moved", real=True)
 
     def along(value: sp.Expr) -> sp.Expr:
-        return sp.expand(_moved(flow, value) + slope(value) * A_p + sp.diff(value, Omega) * Omega_p)
+        return sp.expand(_moved(flow, value) + slope(value, flow.rises) * A_p + sp.diff(value, Omega) * Omega_p)
 
     phase = sp.diff(flow.phase, R) * R_moved + sp.diff(flow.phase, I) * I_moved
     value = flow.transmissibility.subs(F_0, force)

@@ -18,7 +18,7 @@ from .by_parameter import by_parameter
 from .den_hartog import DenHartog, den_hartog
 from .dissipation import Dissipation, dissipation
 from .frequencies import Frequencies, frequencies
-from .gradients import Gradients, gradients
+from .gradients import Curve, Gradients, gradients
 from .harmonics import Harmonics, of_polynomials, of_untruncated
 from .inertia import Inertia, inertia
 from .mechanisms import Mechanism, all_mechanisms
@@ -80,7 +80,8 @@ class Results:
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
-    gradients, inertia_gradients -- how answers move with the parameters, for a force and for an excitation by inertia
+    gradients, inertia_gradients, laws_gradients -- how answers move with the parameters: for a force, for an excitation
+                  by inertia, and for a force with other laws of damping
     off_centre, climb -- motions about another place than the centre, and the means that these are made of
     steps      -- of Newton's method on the equations of each answer
     detachment -- (34), by scene
@@ -101,6 +102,7 @@ class Results:
     bounds: Bounds
     gradients: Gradients
     inertia_gradients: Gradients
+    laws_gradients: Gradients
     off_centre: OffCentre
     climb: Climb
     steps: dict[str, Step]
@@ -135,7 +137,8 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     sharp = motion()
     equations = averaged()
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
-    by_inertia = inertia(flows[""])
+    by_inertia, curve = inertia(flows[""]), Curve.of(flows[""])
+    by_laws = dissipation(sharp, equations, flows[""])
     return Results(
         sharp,
         smoothed(sharp),
@@ -143,12 +146,13 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         flows,
         frequencies(flows[""]),
         by_inertia,
-        dissipation(sharp, equations, flows[""]),
+        by_laws,
         {scene: along(flow) for scene, flow in flows.items()},
         slopes(flows[""]),
         bounds(flows[""]),
-        gradients(flows[""]),
-        gradients(flows[""], by_inertia.force),
+        gradients(curve),
+        gradients(curve, by_inertia.force),
+        gradients(by_laws.curve),
         off_centre(equations, flows[""]),
         climb(),
         steps(flows[""]),

@@ -1,9 +1,13 @@
-"""Other laws of damping against certified folds, states and onsets: none is left out, none invented, errors in u."""
+"""Other laws of damping against certified folds, states and onsets: none is left out, none invented, errors in u.
+
+Their gradients are held to the same files: a condition number is the sum of what all parameters do.
+"""
 
 import json
 import warnings
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
@@ -14,6 +18,8 @@ CASES = {law: json.loads((DATA / f"damped_{law}.json").read_text()) for law in (
 U = 2.0**-53
 #: errors in u (1 + kappa), of phi in u (1 + kappa) of A
 FOLD, STATE, ONSET, PHASE = 2.0, 2.0, 4.0, 50.0
+#: of the reference's condition numbers, which have three digits
+ROUNDED = 5.01e-3
 #: relative distance of a fold from u_cr below which counts may be said to be undecided
 NEAR = 1e-8
 #: one in so many belongs to the fast tests
@@ -70,6 +76,9 @@ def test_folds_are_the_certified_ones_and_no_others(law, number):
     for fold, known in zip(found, sure, strict=True):
         assert error(fold.Omega, known, "Omega") < FOLD
         assert error(fold.A, known, "A") < FOLD
+    moves = found.gradient()
+    for name in moves.of:
+        np.testing.assert_allclose(moves.condition(name), [known["condition"][name] for known in sure], rtol=ROUNDED)
 
 
 @pytest.mark.parametrize(("law", "number"), singles(CASES, 0))
@@ -91,6 +100,8 @@ def test_states_are_the_certified_ones_and_no_others(law, number):
             assert error(A, known, "A") < STATE
             kappa = known["condition"]["A"] + known["condition_kernel"]["A"]
             assert phi == pytest.approx(float(known["phi"]), abs=PHASE * U * (1 + kappa))
+        known = [state["condition"]["A"] for state in sure]
+        np.testing.assert_allclose(found.gradient().condition("A"), known, rtol=ROUNDED)
 
 
 @pytest.mark.parametrize(("law", "number"), singles(CASES, 2))
@@ -106,3 +117,5 @@ def test_onsets_are_the_certified_ones(law, number):
     assert (Remark.FOLDS_AT_REST in found.remarks) == (not sure["global"])
     for name in ("F_SN", "Omega", "A"):
         assert error(getattr(found, name), sure, name) < ONSET
+        known = sure["condition"]["F_0" if name == "F_SN" else name]
+        assert found.gradient().condition(name) == pytest.approx(known, rel=ROUNDED)

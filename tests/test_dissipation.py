@@ -1,5 +1,6 @@
 """Other laws of damping: closed forms, states on a grid, folds and onsets, exact motions, stability, refusals."""
 
+import dataclasses
 import math
 import pickle
 import warnings
@@ -10,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, Oscillator
 from slowflow_kernels import duffing
-from slowflow_kernels.conventions import Status
+from slowflow_kernels.conventions import MovesStatus, Status
 
 RUBBING = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.04, rubs="attached", force="untruncated")
 
@@ -299,14 +300,97 @@ def test_laws_are_columns_of_a_batch_and_of_a_map():
         Isolator.many(**{**given, "rubs": "never"})
 
 
+def slopes_by_differences(osc, ask, names, by, step=1e-5):
+    """d(number)/d(one parameter) of each number: of two answers on either side."""
+    at = getattr(osc, by)
+    ends = [ask(osc.replace(**{by: at * (1 + sign * step)})) for sign in (1, -1)]
+    one, other = (np.array([getattr(end, name) for name in names]) for end in ends)
+    return (one - other) / (2 * step * at)
+
+
+#: numbers of answers whose gradients are asked for: how they are got, and what they are called
+NUMBERS = {
+    "folds": (lambda osc: osc.saddle_nodes(0.0502), ("Omega", "A")),
+    "states": (lambda osc: osc.amplitudes(Omega=1.02, F_0=0.0502), ("A", "phi", "transmissibility")),
+    "peak": (lambda osc: osc.peak(0.0502), ("A", "Omega")),
+    "onset": (lambda osc: osc.saddle_node_onset(), ("F_SN", "Omega", "A")),
+    "detachment": (lambda osc: osc.detachment(), ("F_cr", "Omega_cr", "u_cr")),
+}
+LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
+
+
+@pytest.mark.parametrize(
+    ("osc", "questions"),
+    [
+        (LOOSE.replace(eta=0.001, c_2=0.02), ("detachment",)),
+        pytest.param(LOOSE.replace(eta=0.001, c_2=0.02), ("states", "peak"), marks=pytest.mark.slow),
+        # folds on the corner that friction makes, where it ends; an isola's birth
+        pytest.param(LOOSE.replace(eta=0.0005, c_2=0.001), ("folds", "onset", "peak"), marks=pytest.mark.slow),
+        pytest.param(RUBBING.replace(force="truncated", mu=0.02), ("folds", "onset", "states"), marks=pytest.mark.slow),
+        pytest.param(
+            Duffing(1.0, 2.0, 0.003, 0.01, eta=0.01, c_2=0.05),
+            ("states", "folds", "onset", "peak"),
+            marks=pytest.mark.slow,
+        ),
+    ],
+    ids=str,
+)
+def test_slopes_are_those_of_differences_by_every_parameter(osc, questions):
+    for question in questions:
+        ask, names = NUMBERS[question]
+        moves = ask(osc).gradient()
+        assert moves.of == names and {"eta", "c_2"} < set(moves.by)
+        for by in set(moves.by) - {"F_0", "Omega"}:
+            if getattr(osc, by) == 0:
+                continue
+            expected = slopes_by_differences(osc, ask, names, by)
+            for name, slope in zip(names, expected, strict=True):
+                size = max(1.0, np.abs(moves[name]).max())
+                assert moves[name, by] == pytest.approx(slope.tolist(), rel=1e-6, abs=1e-7 * size), (question, name, by)
+
+
+def test_a_law_that_is_not_there_has_a_slope_too():
+    """By eta and c_2 at 0, from above; and where friction ends a motion at u_cr has none."""
+    osc = LOOSE.replace(force="truncated")
+    moves = osc.amplitudes(Omega=1.02, F_0=0.0502).gradient()
+    for by in ("eta", "c_2"):
+        ahead = (
+            osc.replace(**{by: 1e-7}).amplitudes(Omega=1.02, F_0=0.0502).A - osc.amplitudes(Omega=1.02, F_0=0.0502).A
+        )
+        assert moves["A", by] == pytest.approx(ahead / 1e-7, rel=1e-5)
+    found, u_cr = LOOSE.amplitudes(Omega=1.02, F_0=0.0502), np.array(LOOSE.breakpoints)
+    on_it = dataclasses.replace(found, Omega=found.Omega[:1], A=u_cr, stable=found.stable[:1])
+    assert on_it.gradient().status.tolist() == [MovesStatus.TURNS]
+    without = LOOSE.replace(rubs="throughout", c_2=0.1).amplitudes(Omega=1.02, F_0=0.0502)
+    passes = dataclasses.replace(without, Omega=without.Omega[:1], A=u_cr, stable=without.stable[:1])
+    assert passes.gradient().status.tolist() == [MovesStatus.OK]
+
+
+def test_a_batch_and_a_mount_have_the_same_gradients():
+    given = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": 0.03, "rubs": "attached"}
+    many = Isolator.many(**given, eta=[0.0, 0.002], c_2=0.02).amplitudes(Omega=1.02, F_0=0.0502, places=3)
+    for k, eta in enumerate((0.0, 0.002)):
+        one = Isolator(**given, eta=eta, c_2=0.02).amplitudes(Omega=1.02, F_0=0.0502).gradient()
+        found = many.gradient()
+        assert found.by == one.by and found.slopes[k, : len(one.slopes)].tolist() == one.slopes.tolist()
+    mount = Isolator.physical(m=12, k_v=2500, k_h=600, n=2, L=0.08, preload=0.002, c=8.0, eta=0.01, c_2=5.0)
+    moves = mount.peak(F=5).gradient()
+    assert moves.by == ("n", "k_h", "preload", "friction", "c", "eta", "c_2", "F", "k_v", "L", "m")
+    for by in ("eta", "c_2", "k_v", "L", "m"):
+        at = mount.given[by]
+        ends = [mount.replace(**{by: at * (1 + step)}).peak(F=5) for step in (1e-5, -1e-5)]
+        for name in ("A", "f"):
+            assert moves[name, by] == pytest.approx(
+                (getattr(ends[0], name) - getattr(ends[1], name)) / (2e-5 * at), rel=1e-6
+            )
+
+
 def test_what_has_no_answer_is_refused_in_words():
     damped, rubbing = Duffing(1.0, 0.5, eta=0.02), RUBBING
     for ask in (
         lambda osc: osc.certify(0.04),
         lambda osc: osc.saddle_nodes(0.04, certify=True),
         lambda osc: osc.second_approximation,
-        lambda osc: osc.saddle_nodes(0.04).gradient(),
-        lambda osc: osc.many(**{k: v for k, v in osc.given.items()}).peak(0.04).gradient(),
     ):
         for osc, law in ((damped, "eta = 0.02"), (rubbing, "rubs = 'attached'")):
             with pytest.raises(ValueError, match=law):

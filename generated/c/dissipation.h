@@ -1,7 +1,7 @@
 /* Structural and quadratic damping, and dry friction of what is attached.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/dissipation.py
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/dissipation.py, derivations/gradients.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
@@ -71,6 +71,42 @@ static inline void dissipation_released(double A, double m, double eta, double u
     out[1] = eta - t0 / A2;
     out[2] = 2.0 * t0 / A3;
     out[3] = -6.0 * t0 / A4;
+}
+
+/* What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.
+   Equation from (19). Domain: A > 0.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+ */
+static inline void dissipation_rest_moves(double A, double *out)
+{
+    out[0] = 1.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = A;
+    out[4] = 1.0;
+    out[5] = 0.0;
+}
+
+/* What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.
+   Equation from (19). Domain: A >= u_cr > 0.
+   Operations: 14 structured, 12 common subexpressions, 11 power chains
+ */
+static inline void dissipation_released_moves(double A, double m, double u_cr, double *out)
+{
+    const double t0 = 1.0 / A;
+    const double A2 = A * A;
+    const double t1 = 1.0 / A2;
+    const double A3 = A * A2;
+    const double t2 = 2.0 / A3;
+    out[0] = t0 * u_cr;
+    out[1] = -t1 * u_cr;
+    out[2] = t2 * u_cr;
+    out[3] = A;
+    out[4] = 1.0;
+    out[5] = 0.0;
+    out[6] = m * t0;
+    out[7] = -m * t1;
+    out[8] = m * t2;
 }
 
 /* Sine balance, -F_0 sin phi at a fixed point.
@@ -441,6 +477,528 @@ static inline void dissipation_stiffness(double Omega, double A, double I_0A, do
     out[0] = 2.0 * (I_ * t5 + R * t1);
     out[1] = 2.0 * (I_ * I_0AA + I_ * d * t4 + R * h_AA + t1 * t1 + t5 * t5);
     out[2] = 4.0 * (A * t5 * (d * t6 + zeta) + I_ * (t2 * t3 + zeta) + Omega * R + t1 * t6);
+}
+
+/* A_p, Omega_p, F_0_p of a steady state; with Omega = 0 a peak at rest; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 84 structured, 56 common subexpressions, 56 power chains
+ */
+static inline void dissipation_moves_of_state(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(I_0Ap);
+    (void)(I_0AAp);
+    (void)(end_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A * t0;
+    const double t3 = 2.0 * Omega;
+    const double t4 = t3 * zeta;
+    const double t5 = A * t4 + d * t2;
+    const double I_ = I_0 + t5;
+    const double t6 = 2.0 * d * t1 + t4;
+    const double F_A = 2.0 * (I_ * (I_0A + t6) + R * (h_A + t0));
+    const double F_Omega = 4.0 * A * (I_ * (A * Omega * d + zeta) + Omega * R);
+    const double F_p = 2.0 * (I_ * (A * t3 * zeta_p + I_0p + d_p * t2) + R * h_p);
+    out[0] = (2.0 * F_0 * forcing_p - F_Omega * frequency_p - F_p) / F_A;
+    out[1] = frequency_p;
+    out[2] = forcing_p;
+    out[3] = F_A;
+    out[4] = 2.0 * (t0 + fabs(h_A)) * (t1 + fabs(h)) + 2.0 * (t5 + fabs(I_0)) * (t6 + fabs(I_0A));
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of a fold at a forcing; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 209 structured, 110 common subexpressions, 110 power chains
+ */
+static inline void dissipation_moves_of_fold(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AAA);
+    (void)(h_AAA);
+    (void)(h_AAp);
+    (void)(I_0AAp);
+    (void)(end_p);
+    (void)(frequency_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A * t0;
+    const double t3 = 2.0 * Omega;
+    const double t4 = t3 * zeta;
+    const double t5 = A * t4 + d * t2;
+    const double I_ = I_0 + t5;
+    const double t6 = 2.0 * d;
+    const double t7 = h_A + t0;
+    const double t8 = t1 * t6 + t4;
+    const double t9 = I_0A + t8;
+    const double F_AA = 2.0 * (I_ * I_0AA + I_ * t0 * t6 + R * h_AA + t7 * t7 + t9 * t9);
+    const double t10 = Omega * R;
+    const double t11 = A * Omega;
+    const double t12 = A * t3;
+    const double t13 = d * t11 + zeta;
+    const double F_AOmega = 4.0 * (A * t13 * t9 + I_ * (d * t12 + zeta) + t10 + t11 * t7);
+    const double t14 = 4.0 * A;
+    const double F_Omega = t14 * (I_ * t13 + t10);
+    const double t15 = I_0p + d_p * t2 + t12 * zeta_p;
+    const double F_p = 2.0 * (I_ * t15 + R * h_p);
+    const double F_Ap = 2.0 * (I_ * I_0Ap + 2.0 * I_ * d_p * t1 + I_ * t3 * zeta_p + R * h_Ap + h_p * t7 + t15 * t9);
+    const double t16 = 1.0 / F_Omega;
+    const double t17 = 2.0 * F_0 * forcing_p;
+    const double t18 = t1 + fabs(h);
+    const double t19 = t5 + fabs(I_0);
+    const double t20 = t0 + fabs(h_A);
+    const double t21 = t8 + fabs(I_0A);
+    out[0] = -t16 * (-F_AOmega * F_p + F_AOmega * t17 + F_Ap * F_Omega) / F_AA;
+    out[1] = t16 * (-F_p + t17);
+    out[2] = forcing_p;
+    out[3] = F_AA;
+    out[4] = 4.0 * d * t0 * t19 + 2.0 * t18 * fabs(h_AA) + 2.0 * t19 * fabs(I_0AA) + 2.0 * t20 * t20 + 2.0 * t21 *
+        t21;
+    out[5] = F_Omega;
+    out[6] = t14 * (Omega * t18 + t13 * t19);
+}
+
+/* A_p, Omega_p, F_0_p of a fold at a forcing, on a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 75 structured, 51 common subexpressions, 51 power chains
+ */
+static inline void dissipation_moves_of_corner_fold(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(I_0Ap);
+    (void)(I_0AAp);
+    (void)(frequency_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A * t0;
+    const double t3 = 2.0 * Omega;
+    const double t4 = t3 * zeta;
+    const double t5 = A * t4 + d * t2;
+    const double I_ = I_0 + t5;
+    const double F_A = 2.0 * (I_ * (I_0A + 2.0 * d * t1 + t4) + R * (h_A + t0));
+    const double t6 = A * Omega * d + zeta;
+    const double t7 = 4.0 * A;
+    const double F_Omega = t7 * (I_ * t6 + Omega * R);
+    const double F_p = 2.0 * (I_ * (A * t3 * zeta_p + I_0p + d_p * t2) + R * h_p);
+    out[0] = end_p;
+    out[1] = (2.0 * F_0 * forcing_p - F_A * end_p - F_p) / F_Omega;
+    out[2] = forcing_p;
+    out[3] = F_Omega;
+    out[4] = t7 * (Omega * (t1 + fabs(h)) + t6 * (t5 + fabs(I_0)));
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of a peak at a forcing; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 176 structured, 93 common subexpressions, 93 power chains
+ */
+static inline void dissipation_moves_of_peak(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(I_0Ap);
+    (void)(I_0AAp);
+    (void)(end_p);
+    (void)(frequency_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A * t0;
+    const double t3 = 2.0 * Omega;
+    const double t4 = t3 * zeta;
+    const double t5 = A * t4 + d * t2;
+    const double I_ = I_0 + t5;
+    const double t6 = h_A + t0;
+    const double t7 = 2.0 * t1;
+    const double t8 = d * t7 + t4;
+    const double t9 = I_0A + t8;
+    const double F_A = 2.0 * (I_ * t9 + R * t6);
+    const double t10 = A * Omega;
+    const double t11 = A * d;
+    const double t12 = d * t10 + zeta;
+    const double F_AOmega = 4.0 * (A * t12 * t9 + I_ * (t11 * t3 + zeta) + Omega * R + t10 * t6);
+    const double t13 = 2.0 * A * t12 * t12;
+    const double t14 = 4.0 * A;
+    const double F_OmegaOmega = t14 * (I_ * t11 + R + t13 + t7);
+    const double t15 = A * t3 * zeta_p + I_0p + d_p * t2;
+    const double F_p = 2.0 * (I_ * t15 + R * h_p);
+    const double F_Omegap = t14 * (I_ * d_p * t10 + I_ * zeta_p + Omega * h_p + t12 * t15);
+    const double t16 = 1.0 / F_A;
+    const double t17 = 2.0 * F_0 * forcing_p;
+    const double t18 = fabs(h);
+    const double t19 = t5 + fabs(I_0);
+    out[0] = t16 * (-F_p + t17);
+    out[1] = -t16 * (F_A * F_Omegap - F_AOmega * F_p + F_AOmega * t17) / F_OmegaOmega;
+    out[2] = forcing_p;
+    out[3] = F_A;
+    out[4] = 2.0 * t19 * (t8 + fabs(I_0A)) + 2.0 * (t0 + fabs(h_A)) * (t1 + t18);
+    out[5] = F_OmegaOmega;
+    out[6] = t14 * (3.0 * t1 + t11 * t19 + t13 + t18);
+}
+
+/* A_p, Omega_p, F_0_p of where two folds meet; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 381 structured, 161 common subexpressions, 161 power chains
+ */
+static inline void dissipation_moves_of_cusp(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(end_p);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A;
+    const double t3 = d * t0;
+    const double t4 = 2.0 * Omega;
+    const double t5 = t4 * zeta;
+    const double t6 = A * t5 + t2 * t3;
+    const double I_ = I_0 + t6;
+    const double t7 = h_A + t0;
+    const double t8 = 2.0 * t1;
+    const double t9 = d * t8;
+    const double t10 = t5 + t9;
+    const double t11 = I_0A + t10;
+    const double t12 = 2.0 * t11;
+    const double t13 = 2.0 * t3;
+    const double t14 = I_0AA + t13;
+    const double F_AAA = 2.0 * (I_ * I_0AAA + I_0AA * t12 + R * h_AAA + 3.0 * h_AA * t7 + t11 * t14 + 4.0 * t11 *
+        t3);
+    const double t15 = Omega * R;
+    const double t16 = A * Omega;
+    const double t17 = d * t4;
+    const double t18 = A * t17 + zeta;
+    const double t19 = d * t16 + zeta;
+    const double t20 = A * t19;
+    const double F_AOmega = 4.0 * (I_ * t18 + t11 * t20 + t15 + t16 * t7);
+    const double F_AAOmega = 4.0 * (I_ * t17 + I_0AA * t20 + h_AA * t16 + t12 * t18 + t19 * t9 + t4 * t7);
+    const double F_Omega = 4.0 * A * (I_ * t19 + t15);
+    const double t21 = t4 * zeta_p;
+    const double t22 = d_p * t0;
+    const double t23 = A * t21 + I_0p + t2 * t22;
+    const double F_p = 2.0 * (I_ * t23 + R * h_p);
+    const double F_Ap = 2.0 * (I_ * I_0Ap + I_ * d_p * t8 + I_ * t21 + R * h_Ap + h_p * t7 + t11 * t23);
+    const double t24 = 4.0 * Omega;
+    const double F_AAp = 2.0 * (I_ * I_0AAp + I_0Ap * t12 + R * h_AAp + h_AA * h_p + 2.0 * h_Ap * t7 + t11 * t24 *
+        zeta_p + t14 * t23 + 2.0 * t22 * (A * t12 + I_));
+    const double t25 = 1.0 / F_AOmega;
+    const double t26 = t0 + fabs(h_A);
+    const double t27 = t1 + fabs(h);
+    const double t28 = fabs(I_0AA);
+    const double t29 = t10 + fabs(I_0A);
+    const double t30 = 4.0 * t29;
+    const double t31 = t6 + fabs(I_0);
+    out[0] = t25 * (F_AAOmega * F_Ap - F_AAp * F_AOmega) / F_AAA;
+    out[1] = -F_Ap * t25;
+    out[2] = 0.5 * t25 * (F_AOmega * F_p - F_Ap * F_Omega) / F_0;
+    out[3] = F_AAA;
+    out[4] = 6.0 * t26 * fabs(h_AA) + 2.0 * t27 * fabs(h_AAA) + t28 * t30 + 8.0 * t29 * t3 + 2.0 * t29 * (t13 +
+        t28) + 2.0 * t31 * fabs(I_0AAA);
+    out[5] = F_AOmega;
+    out[6] = 4.0 * t16 * t26 + 4.0 * t18 * t31 + t20 * t30 + t24 * t27;
+}
+
+/* A_p, Omega_p, F_0_p of where an isolated curve is born; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 300 structured, 139 common subexpressions, 139 power chains
+ */
+static inline void dissipation_moves_of_isola(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AAA);
+    (void)(h_AAA);
+    (void)(h_AAp);
+    (void)(I_0AAp);
+    (void)(end_p);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A * t0;
+    const double t3 = 2.0 * Omega;
+    const double t4 = t3 * zeta;
+    const double t5 = A * t4 + d * t2;
+    const double I_ = I_0 + t5;
+    const double t6 = d * t0;
+    const double t7 = h_A + t0;
+    const double t8 = 2.0 * t1;
+    const double t9 = d * t8 + t4;
+    const double t10 = I_0A + t9;
+    const double F_AA = 2.0 * (I_ * I_0AA + 2.0 * I_ * t6 + R * h_AA + t10 * t10 + t7 * t7);
+    const double t11 = A * Omega;
+    const double t12 = A * d;
+    const double t13 = t12 * t3 + zeta;
+    const double t14 = d * t11 + zeta;
+    const double t15 = A * t14;
+    const double F_AOmega = 4.0 * (I_ * t13 + Omega * R + t10 * t15 + t11 * t7);
+    const double t16 = 2.0 * A * t14 * t14;
+    const double t17 = 4.0 * A;
+    const double F_OmegaOmega = t17 * (I_ * t12 + R + t16 + t8);
+    const double t18 = A * t3 * zeta_p + I_0p + d_p * t2;
+    const double F_p = 2.0 * (I_ * t18 + R * h_p);
+    const double t19 = I_ * zeta_p;
+    const double t20 = I_ * d_p;
+    const double F_Ap = 2.0 * (I_ * I_0Ap + R * h_Ap + h_p * t7 + t10 * t18 + t19 * t3 + t20 * t8);
+    const double F_Omegap = t17 * (Omega * h_p + t11 * t20 + t14 * t18 + t19);
+    const double t21 = F_AA * F_OmegaOmega - F_AOmega * F_AOmega;
+    const double t22 = 1.0 / t21;
+    const double t23 = t0 + fabs(h_A);
+    const double t24 = fabs(h);
+    const double t25 = t1 + t24;
+    const double t26 = t9 + fabs(I_0A);
+    const double t27 = t5 + fabs(I_0);
+    const double t28 = 4.0 * t27;
+    const double t29 = 4.0 * Omega * t25 + 4.0 * t11 * t23 + t13 * t28 + 4.0 * t15 * t26;
+    out[0] = t22 * (F_AOmega * F_Omegap - F_Ap * F_OmegaOmega);
+    out[1] = -t22 * (F_AA * F_Omegap - F_AOmega * F_Ap);
+    out[2] = 0.5 * F_p / F_0;
+    out[3] = t21;
+    out[4] = t17 * (3.0 * t1 + t12 * t27 + t16 + t24) * (2.0 * t23 * t23 + 2.0 * t25 * fabs(h_AA) + 2.0 * t26 *
+        t26 + 2.0 * t27 * fabs(I_0AA) + t28 * t6) + t29 * t29;
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of the least forcing on a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 139 structured, 78 common subexpressions, 78 power chains
+ */
+static inline void dissipation_moves_of_corner_top(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(I_0Ap);
+    (void)(I_0AAp);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A * t0;
+    const double t3 = 2.0 * Omega;
+    const double t4 = t3 * zeta;
+    const double t5 = A * t4 + d * t2;
+    const double I_ = I_0 + t5;
+    const double t6 = h_A + t0;
+    const double t7 = 2.0 * t1;
+    const double t8 = I_0A + d * t7 + t4;
+    const double F_A = 2.0 * (I_ * t8 + R * t6);
+    const double t9 = A * Omega;
+    const double t10 = A * d;
+    const double t11 = d * t9 + zeta;
+    const double F_AOmega = 4.0 * (A * t11 * t8 + I_ * (t10 * t3 + zeta) + Omega * R + t6 * t9);
+    const double t12 = 2.0 * A * t11 * t11;
+    const double t13 = 4.0 * A;
+    const double F_OmegaOmega = t13 * (I_ * t10 + R + t12 + t7);
+    const double t14 = A * t3 * zeta_p + I_0p + d_p * t2;
+    const double F_p = 2.0 * (I_ * t14 + R * h_p);
+    const double F_Omegap = t13 * (I_ * d_p * t9 + I_ * zeta_p + Omega * h_p + t11 * t14);
+    out[0] = end_p;
+    out[1] = -(F_AOmega * end_p + F_Omegap) / F_OmegaOmega;
+    out[2] = 0.5 * (F_A * end_p + F_p) / F_0;
+    out[3] = F_OmegaOmega;
+    out[4] = t13 * (3.0 * t1 + t10 * (t5 + fabs(I_0)) + t12 + fabs(h));
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of where the fold locus meets a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 178 structured, 100 common subexpressions, 100 power chains
+ */
+static inline void dissipation_moves_of_corner_end(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AAA);
+    (void)(h_AAA);
+    (void)(h_AAp);
+    (void)(I_0AAp);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = A * A * t0;
+    const double t3 = 2.0 * Omega;
+    const double t4 = t3 * zeta;
+    const double t5 = A * t4 + d * t2;
+    const double I_ = I_0 + t5;
+    const double t6 = 2.0 * d;
+    const double t7 = h_A + t0;
+    const double t8 = t1 * t6 + t4;
+    const double t9 = I_0A + t8;
+    const double F_AA = 2.0 * (I_ * I_0AA + I_ * t0 * t6 + R * h_AA + t7 * t7 + t9 * t9);
+    const double t10 = Omega * R;
+    const double t11 = A * Omega;
+    const double t12 = A * t3;
+    const double t13 = d * t12 + zeta;
+    const double t14 = d * t11 + zeta;
+    const double t15 = A * t14;
+    const double F_AOmega = 4.0 * (I_ * t13 + t10 + t11 * t7 + t15 * t9);
+    const double F_Omega = 4.0 * A * (I_ * t14 + t10);
+    const double t16 = I_0p + d_p * t2 + t12 * zeta_p;
+    const double F_p = 2.0 * (I_ * t16 + R * h_p);
+    const double F_Ap = 2.0 * (I_ * I_0Ap + 2.0 * I_ * d_p * t1 + I_ * t3 * zeta_p + R * h_Ap + h_p * t7 + t16 * t9);
+    const double t17 = 1.0 / F_AOmega;
+    const double t18 = F_AA * end_p;
+    out[0] = end_p;
+    out[1] = -t17 * (F_Ap + t18);
+    out[2] = -0.5 * t17 * (-F_AOmega * F_p + F_Ap * F_Omega + F_Omega * t18) / F_0;
+    out[3] = F_AOmega;
+    out[4] = 4.0 * Omega * (t1 + fabs(h)) + 4.0 * t11 * (t0 + fabs(h_A)) + 4.0 * t13 * (t5 + fabs(I_0)) + 4.0 *
+        t15 * (t8 + fabs(I_0A));
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of where the backbone meets a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 57 structured, 43 common subexpressions, 43 power chains
+ */
+static inline void dissipation_moves_of_corner_backbone(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(I_0Ap);
+    (void)(I_0AAp);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double t0 = 2.0 * Omega;
+    const double t1 = t0 * zeta;
+    const double t2 = Omega * Omega;
+    const double t3 = A * A * t2;
+    const double I_ = A * t1 + I_0 + d * t3;
+    const double t4 = A * d;
+    const double t5 = 2.0 * I_;
+    const double F_A = t5 * (I_0A + t1 + 2.0 * t2 * t4);
+    const double F_Omega = 4.0 * A * I_ * (Omega * t4 + zeta);
+    const double R_A = h_A + t2;
+    const double t6 = A * t0;
+    const double F_p = t5 * (I_0p + d_p * t3 + t6 * zeta_p);
+    const double t7 = 1.0 / t6;
+    const double t8 = R_A * end_p;
+    out[0] = end_p;
+    out[1] = -t7 * (h_p + t8);
+    out[2] = 0.5 * t7 * (F_A * end_p * t6 - F_Omega * h_p - F_Omega * t8 + F_p * t6) / F_0;
+    out[3] = t6;
+    out[4] = t6;
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of at Omega = 0 on a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 53 structured, 43 common subexpressions, 43 power chains
+ */
+static inline void dissipation_moves_of_corner_rest(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(I_0Ap);
+    (void)(I_0AAp);
+    (void)(forcing_p);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = 2.0 * Omega;
+    const double t3 = t2 * zeta;
+    const double t4 = A * A * t0;
+    const double I_ = A * t3 + I_0 + d * t4;
+    const double F_A = 2.0 * (I_ * (I_0A + 2.0 * d * t1 + t3) + R * (h_A + t0));
+    const double F_Omega = 4.0 * A * (I_ * (A * Omega * d + zeta) + Omega * R);
+    const double F_p = 2.0 * (I_ * (A * t2 * zeta_p + I_0p + d_p * t4) + R * h_p);
+    out[0] = end_p;
+    out[1] = frequency_p;
+    out[2] = 0.5 * (F_A * end_p + F_Omega * frequency_p + F_p) / F_0;
+    out[3] = 1.0;
+    out[4] = 1.0;
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* F_A, F_Omega and R, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 91 structured, 45 common subexpressions, 45 power chains
+ */
+static inline void dissipation_beside(double Omega, double A, double F_0, double I_0, double I_0A, double zeta, double d, double h, double h_A, double *out)
+{
+    (void)(F_0);
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = 2.0 * Omega * zeta;
+    const double t3 = A * A * d * t0 + A * t2;
+    const double I_ = I_0 + t3;
+    const double t4 = 2.0 * d * t1 + t2;
+    const double F_A = 2.0 * (I_ * (I_0A + t4) + R * (h_A + t0));
+    const double t5 = A * Omega * d + zeta;
+    const double t6 = 4.0 * A;
+    const double F_Omega = t6 * (I_ * t5 + Omega * R);
+    const double t7 = t1 + fabs(h);
+    const double t8 = t3 + fabs(I_0);
+    out[0] = F_A;
+    out[1] = 2.0 * t7 * (t0 + fabs(h_A)) + 2.0 * t8 * (t4 + fabs(I_0A));
+    out[2] = F_Omega;
+    out[3] = t6 * (Omega * t7 + t5 * t8);
+    out[4] = R;
+    out[5] = t7;
+}
+
+/* d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 82 structured, 59 common subexpressions, 59 power chains
+ */
+static inline void dissipation_moves_of_phase(double Omega, double A, double F_0, double I_0, double I_0A, double zeta, double d, double h, double h_A, double h_p, double I_0p, double zeta_p, double d_p, double A_p, double Omega_p, double F_0_p, double *out)
+{
+    const double t0 = Omega * Omega;
+    const double t1 = A * t0;
+    const double R = h + t1;
+    const double t2 = 2.0 * Omega;
+    const double t3 = A * t2;
+    const double t4 = A * A;
+    const double t5 = t0 * t4;
+    const double I_ = I_0 + d * t5 + t3 * zeta;
+    const double t6 = A_p * h_A + h_p;
+    const double R_moved = A_p * t0 + Omega_p * t3 + t6;
+    const double I_moved = 2.0 * A * Omega_p * zeta + A_p * I_0A + 2.0 * A_p * d * t1 + A_p * t2 * zeta + I_0p +
+        Omega_p * d * t2 * t4 + d_p * t5 + t3 * zeta_p;
+    const double t7 = I_ * I_;
+    const double t8 = 1.0 / F_0;
+    const double t9 = sqrt(h * h + t7);
+    const double t10 = 1.0 / t9;
+    out[0] = (-I_ * R_moved + I_moved * R) / (R * R + t7);
+    out[1] = t8 * (-F_0_p * t8 * t9 + I_ * I_moved * t10 + h * t10 * t6);
 }
 
 #endif

@@ -1,7 +1,7 @@
 """Structural and quadratic damping, and dry friction of what is attached.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/dissipation.py
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/dissipation.py, derivations/gradients.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
@@ -24,17 +24,31 @@ __all__ = [
     "I",
     "Omega_A",
     "at_rest",
+    "beside",
     "cusps",
     "fold_quartic",
     "folds",
     "isolas",
     "limit_envelope",
+    "moves_of_corner_backbone",
+    "moves_of_corner_end",
+    "moves_of_corner_fold",
+    "moves_of_corner_rest",
+    "moves_of_corner_top",
+    "moves_of_cusp",
+    "moves_of_fold",
+    "moves_of_isola",
+    "moves_of_peak",
+    "moves_of_phase",
+    "moves_of_state",
     "peaks",
     "quadratic",
     "released",
+    "released_moves",
     "resistance",
     "response_quartic",
     "rest",
+    "rest_moves",
     "restoring",
     "stability",
     "stiffness",
@@ -106,6 +120,46 @@ def released(A, m, eta, u_cr):
         eta - t0 / A2,
         2.0 * t0 / A3,
         -6.0 * t0 / A4,
+    )
+
+
+def rest_moves(A):
+    """What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.
+
+    Equation from (19). Domain: A > 0.
+    Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    """
+    return (
+        1.0,
+        0.0,
+        0.0,
+        A,
+        1.0,
+        0.0,
+    )
+
+
+def released_moves(A, m, u_cr):
+    """What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.
+
+    Equation from (19). Domain: A >= u_cr > 0.
+    Operations: 14 structured, 12 common subexpressions, 11 power chains.
+    """
+    t0 = 1.0 / A
+    A2 = A * A
+    t1 = 1.0 / A2
+    A3 = A * A2
+    t2 = 2.0 / A3
+    return (
+        t0 * u_cr,
+        -t1 * u_cr,
+        t2 * u_cr,
+        A,
+        1.0,
+        0.0,
+        m * t0,
+        -m * t1,
+        m * t2,
     )
 
 
@@ -502,5 +556,473 @@ def stiffness(Omega, A, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
         2.0 * (I * t5 + R * t1),
         2.0 * (I * I_0AA + I * d * t4 + R * h_AA + t1 * t1 + t5 * t5),
         4.0 * (A * t5 * (d * t6 + zeta) + I * (t2 * t3 + zeta) + Omega * R + t1 * t6),
+    )
+
+
+def moves_of_state(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of a steady state; with Omega = 0 a peak at rest; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 84 structured, 56 common subexpressions, 56 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A * t0
+    t3 = 2.0 * Omega
+    t4 = t3 * zeta
+    t5 = A * t4 + d * t2
+    I = I_0 + t5
+    t6 = 2.0 * d * t1 + t4
+    F_A = 2.0 * (I * (I_0A + t6) + R * (h_A + t0))
+    F_Omega = 4.0 * A * (I * (A * Omega * d + zeta) + Omega * R)
+    F_p = 2.0 * (I * (A * t3 * zeta_p + I_0p + d_p * t2) + R * h_p)
+    return (
+        (2.0 * F_0 * forcing_p - F_Omega * frequency_p - F_p) / F_A,
+        frequency_p,
+        forcing_p,
+        F_A,
+        2.0 * (t0 + np.abs(h_A)) * (t1 + np.abs(h)) + 2.0 * (t5 + np.abs(I_0)) * (t6 + np.abs(I_0A)),
+        1.0,
+        1.0,
+    )
+
+
+def moves_of_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of a fold at a forcing; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 209 structured, 110 common subexpressions, 110 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A * t0
+    t3 = 2.0 * Omega
+    t4 = t3 * zeta
+    t5 = A * t4 + d * t2
+    I = I_0 + t5
+    t6 = 2.0 * d
+    t7 = h_A + t0
+    t8 = t1 * t6 + t4
+    t9 = I_0A + t8
+    F_AA = 2.0 * (I * I_0AA + I * t0 * t6 + R * h_AA + t7 * t7 + t9 * t9)
+    t10 = Omega * R
+    t11 = A * Omega
+    t12 = A * t3
+    t13 = d * t11 + zeta
+    F_AOmega = 4.0 * (A * t13 * t9 + I * (d * t12 + zeta) + t10 + t11 * t7)
+    t14 = 4.0 * A
+    F_Omega = t14 * (I * t13 + t10)
+    t15 = I_0p + d_p * t2 + t12 * zeta_p
+    F_p = 2.0 * (I * t15 + R * h_p)
+    F_Ap = 2.0 * (I * I_0Ap + 2.0 * I * d_p * t1 + I * t3 * zeta_p + R * h_Ap + h_p * t7 + t15 * t9)
+    t16 = 1.0 / F_Omega
+    t17 = 2.0 * F_0 * forcing_p
+    t18 = t1 + np.abs(h)
+    t19 = t5 + np.abs(I_0)
+    t20 = t0 + np.abs(h_A)
+    t21 = t8 + np.abs(I_0A)
+    return (
+        -t16 * (-F_AOmega * F_p + F_AOmega * t17 + F_Ap * F_Omega) / F_AA,
+        t16 * (-F_p + t17),
+        forcing_p,
+        F_AA,
+        4.0 * d * t0 * t19 + 2.0 * t18 * np.abs(h_AA) + 2.0 * t19 * np.abs(I_0AA) + 2.0 * t20 * t20 + 2.0 * t21 *
+        t21,
+        F_Omega,
+        t14 * (Omega * t18 + t13 * t19),
+    )
+
+
+def moves_of_corner_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of a fold at a forcing, on a breakpoint; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 75 structured, 51 common subexpressions, 51 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A * t0
+    t3 = 2.0 * Omega
+    t4 = t3 * zeta
+    t5 = A * t4 + d * t2
+    I = I_0 + t5
+    F_A = 2.0 * (I * (I_0A + 2.0 * d * t1 + t4) + R * (h_A + t0))
+    t6 = A * Omega * d + zeta
+    t7 = 4.0 * A
+    F_Omega = t7 * (I * t6 + Omega * R)
+    F_p = 2.0 * (I * (A * t3 * zeta_p + I_0p + d_p * t2) + R * h_p)
+    return (
+        end_p,
+        (2.0 * F_0 * forcing_p - F_A * end_p - F_p) / F_Omega,
+        forcing_p,
+        F_Omega,
+        t7 * (Omega * (t1 + np.abs(h)) + t6 * (t5 + np.abs(I_0))),
+        1.0,
+        1.0,
+    )
+
+
+def moves_of_peak(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of a peak at a forcing; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 176 structured, 93 common subexpressions, 93 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A * t0
+    t3 = 2.0 * Omega
+    t4 = t3 * zeta
+    t5 = A * t4 + d * t2
+    I = I_0 + t5
+    t6 = h_A + t0
+    t7 = 2.0 * t1
+    t8 = d * t7 + t4
+    t9 = I_0A + t8
+    F_A = 2.0 * (I * t9 + R * t6)
+    t10 = A * Omega
+    t11 = A * d
+    t12 = d * t10 + zeta
+    F_AOmega = 4.0 * (A * t12 * t9 + I * (t11 * t3 + zeta) + Omega * R + t10 * t6)
+    t13 = 2.0 * A * t12 * t12
+    t14 = 4.0 * A
+    F_OmegaOmega = t14 * (I * t11 + R + t13 + t7)
+    t15 = A * t3 * zeta_p + I_0p + d_p * t2
+    F_p = 2.0 * (I * t15 + R * h_p)
+    F_Omegap = t14 * (I * d_p * t10 + I * zeta_p + Omega * h_p + t12 * t15)
+    t16 = 1.0 / F_A
+    t17 = 2.0 * F_0 * forcing_p
+    t18 = np.abs(h)
+    t19 = t5 + np.abs(I_0)
+    return (
+        t16 * (-F_p + t17),
+        -t16 * (F_A * F_Omegap - F_AOmega * F_p + F_AOmega * t17) / F_OmegaOmega,
+        forcing_p,
+        F_A,
+        2.0 * t19 * (t8 + np.abs(I_0A)) + 2.0 * (t0 + np.abs(h_A)) * (t1 + t18),
+        F_OmegaOmega,
+        t14 * (3.0 * t1 + t11 * t19 + t13 + t18),
+    )
+
+
+def moves_of_cusp(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of where two folds meet; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 381 structured, 161 common subexpressions, 161 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A
+    t3 = d * t0
+    t4 = 2.0 * Omega
+    t5 = t4 * zeta
+    t6 = A * t5 + t2 * t3
+    I = I_0 + t6
+    t7 = h_A + t0
+    t8 = 2.0 * t1
+    t9 = d * t8
+    t10 = t5 + t9
+    t11 = I_0A + t10
+    t12 = 2.0 * t11
+    t13 = 2.0 * t3
+    t14 = I_0AA + t13
+    F_AAA = 2.0 * (I * I_0AAA + I_0AA * t12 + R * h_AAA + 3.0 * h_AA * t7 + t11 * t14 + 4.0 * t11 * t3)
+    t15 = Omega * R
+    t16 = A * Omega
+    t17 = d * t4
+    t18 = A * t17 + zeta
+    t19 = d * t16 + zeta
+    t20 = A * t19
+    F_AOmega = 4.0 * (I * t18 + t11 * t20 + t15 + t16 * t7)
+    F_AAOmega = 4.0 * (I * t17 + I_0AA * t20 + h_AA * t16 + t12 * t18 + t19 * t9 + t4 * t7)
+    F_Omega = 4.0 * A * (I * t19 + t15)
+    t21 = t4 * zeta_p
+    t22 = d_p * t0
+    t23 = A * t21 + I_0p + t2 * t22
+    F_p = 2.0 * (I * t23 + R * h_p)
+    F_Ap = 2.0 * (I * I_0Ap + I * d_p * t8 + I * t21 + R * h_Ap + h_p * t7 + t11 * t23)
+    t24 = 4.0 * Omega
+    F_AAp = (
+        2.0 * (I * I_0AAp + I_0Ap * t12 + R * h_AAp + h_AA * h_p + 2.0 * h_Ap * t7 + t11 * t24 * zeta_p + t14 * t23
+        + 2.0 * t22 * (A * t12 + I))
+    )
+    t25 = 1.0 / F_AOmega
+    t26 = t0 + np.abs(h_A)
+    t27 = t1 + np.abs(h)
+    t28 = np.abs(I_0AA)
+    t29 = t10 + np.abs(I_0A)
+    t30 = 4.0 * t29
+    t31 = t6 + np.abs(I_0)
+    return (
+        t25 * (F_AAOmega * F_Ap - F_AAp * F_AOmega) / F_AAA,
+        -F_Ap * t25,
+        0.5 * t25 * (F_AOmega * F_p - F_Ap * F_Omega) / F_0,
+        F_AAA,
+        6.0 * t26 * np.abs(h_AA) + 2.0 * t27 * np.abs(h_AAA) + t28 * t30 + 8.0 * t29 * t3 + 2.0 * t29 * (t13 + t28)
+        + 2.0 * t31 * np.abs(I_0AAA),
+        F_AOmega,
+        4.0 * t16 * t26 + 4.0 * t18 * t31 + t20 * t30 + t24 * t27,
+    )
+
+
+def moves_of_isola(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of where an isolated curve is born; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 300 structured, 139 common subexpressions, 139 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A * t0
+    t3 = 2.0 * Omega
+    t4 = t3 * zeta
+    t5 = A * t4 + d * t2
+    I = I_0 + t5
+    t6 = d * t0
+    t7 = h_A + t0
+    t8 = 2.0 * t1
+    t9 = d * t8 + t4
+    t10 = I_0A + t9
+    F_AA = 2.0 * (I * I_0AA + 2.0 * I * t6 + R * h_AA + t10 * t10 + t7 * t7)
+    t11 = A * Omega
+    t12 = A * d
+    t13 = t12 * t3 + zeta
+    t14 = d * t11 + zeta
+    t15 = A * t14
+    F_AOmega = 4.0 * (I * t13 + Omega * R + t10 * t15 + t11 * t7)
+    t16 = 2.0 * A * t14 * t14
+    t17 = 4.0 * A
+    F_OmegaOmega = t17 * (I * t12 + R + t16 + t8)
+    t18 = A * t3 * zeta_p + I_0p + d_p * t2
+    F_p = 2.0 * (I * t18 + R * h_p)
+    t19 = I * zeta_p
+    t20 = I * d_p
+    F_Ap = 2.0 * (I * I_0Ap + R * h_Ap + h_p * t7 + t10 * t18 + t19 * t3 + t20 * t8)
+    F_Omegap = t17 * (Omega * h_p + t11 * t20 + t14 * t18 + t19)
+    t21 = F_AA * F_OmegaOmega - F_AOmega * F_AOmega
+    t22 = 1.0 / t21
+    t23 = t0 + np.abs(h_A)
+    t24 = np.abs(h)
+    t25 = t1 + t24
+    t26 = t9 + np.abs(I_0A)
+    t27 = t5 + np.abs(I_0)
+    t28 = 4.0 * t27
+    t29 = 4.0 * Omega * t25 + 4.0 * t11 * t23 + t13 * t28 + 4.0 * t15 * t26
+    return (
+        t22 * (F_AOmega * F_Omegap - F_Ap * F_OmegaOmega),
+        -t22 * (F_AA * F_Omegap - F_AOmega * F_Ap),
+        0.5 * F_p / F_0,
+        t21,
+        t17 * (3.0 * t1 + t12 * t27 + t16 + t24) * (2.0 * t23 * t23 + 2.0 * t25 * np.abs(h_AA) + 2.0 * t26 * t26 +
+        2.0 * t27 * np.abs(I_0AA) + t28 * t6) + t29 * t29,
+        1.0,
+        1.0,
+    )
+
+
+def moves_of_corner_top(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of the least forcing on a breakpoint; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 139 structured, 78 common subexpressions, 78 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A * t0
+    t3 = 2.0 * Omega
+    t4 = t3 * zeta
+    t5 = A * t4 + d * t2
+    I = I_0 + t5
+    t6 = h_A + t0
+    t7 = 2.0 * t1
+    t8 = I_0A + d * t7 + t4
+    F_A = 2.0 * (I * t8 + R * t6)
+    t9 = A * Omega
+    t10 = A * d
+    t11 = d * t9 + zeta
+    F_AOmega = 4.0 * (A * t11 * t8 + I * (t10 * t3 + zeta) + Omega * R + t6 * t9)
+    t12 = 2.0 * A * t11 * t11
+    t13 = 4.0 * A
+    F_OmegaOmega = t13 * (I * t10 + R + t12 + t7)
+    t14 = A * t3 * zeta_p + I_0p + d_p * t2
+    F_p = 2.0 * (I * t14 + R * h_p)
+    F_Omegap = t13 * (I * d_p * t9 + I * zeta_p + Omega * h_p + t11 * t14)
+    return (
+        end_p,
+        -(F_AOmega * end_p + F_Omegap) / F_OmegaOmega,
+        0.5 * (F_A * end_p + F_p) / F_0,
+        F_OmegaOmega,
+        t13 * (3.0 * t1 + t10 * (t5 + np.abs(I_0)) + t12 + np.abs(h)),
+        1.0,
+        1.0,
+    )
+
+
+def moves_of_corner_end(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of where the fold locus meets a breakpoint; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 178 structured, 100 common subexpressions, 100 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = A * A * t0
+    t3 = 2.0 * Omega
+    t4 = t3 * zeta
+    t5 = A * t4 + d * t2
+    I = I_0 + t5
+    t6 = 2.0 * d
+    t7 = h_A + t0
+    t8 = t1 * t6 + t4
+    t9 = I_0A + t8
+    F_AA = 2.0 * (I * I_0AA + I * t0 * t6 + R * h_AA + t7 * t7 + t9 * t9)
+    t10 = Omega * R
+    t11 = A * Omega
+    t12 = A * t3
+    t13 = d * t12 + zeta
+    t14 = d * t11 + zeta
+    t15 = A * t14
+    F_AOmega = 4.0 * (I * t13 + t10 + t11 * t7 + t15 * t9)
+    F_Omega = 4.0 * A * (I * t14 + t10)
+    t16 = I_0p + d_p * t2 + t12 * zeta_p
+    F_p = 2.0 * (I * t16 + R * h_p)
+    F_Ap = 2.0 * (I * I_0Ap + 2.0 * I * d_p * t1 + I * t3 * zeta_p + R * h_Ap + h_p * t7 + t16 * t9)
+    t17 = 1.0 / F_AOmega
+    t18 = F_AA * end_p
+    return (
+        end_p,
+        -t17 * (F_Ap + t18),
+        -0.5 * t17 * (-F_AOmega * F_p + F_Ap * F_Omega + F_Omega * t18) / F_0,
+        F_AOmega,
+        4.0 * Omega * (t1 + np.abs(h)) + 4.0 * t11 * (t0 + np.abs(h_A)) + 4.0 * t13 * (t5 + np.abs(I_0)) + 4.0 * t15
+        * (t8 + np.abs(I_0A)),
+        1.0,
+        1.0,
+    )
+
+
+def moves_of_corner_backbone(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of where the backbone meets a breakpoint; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 57 structured, 43 common subexpressions, 43 power chains.
+    """
+    t0 = 2.0 * Omega
+    t1 = t0 * zeta
+    t2 = Omega * Omega
+    t3 = A * A * t2
+    I = A * t1 + I_0 + d * t3
+    t4 = A * d
+    t5 = 2.0 * I
+    F_A = t5 * (I_0A + t1 + 2.0 * t2 * t4)
+    F_Omega = 4.0 * A * I * (Omega * t4 + zeta)
+    R_A = h_A + t2
+    t6 = A * t0
+    F_p = t5 * (I_0p + d_p * t3 + t6 * zeta_p)
+    t7 = 1.0 / t6
+    t8 = R_A * end_p
+    return (
+        end_p,
+        -t7 * (h_p + t8),
+        0.5 * t7 * (F_A * end_p * t6 - F_Omega * h_p - F_Omega * t8 + F_p * t6) / F_0,
+        t6,
+        t6,
+        1.0,
+        1.0,
+    )
+
+
+def moves_of_corner_rest(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
+    """A_p, Omega_p, F_0_p of at Omega = 0 on a breakpoint; then what must not vanish, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 53 structured, 43 common subexpressions, 43 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = 2.0 * Omega
+    t3 = t2 * zeta
+    t4 = A * A * t0
+    I = A * t3 + I_0 + d * t4
+    F_A = 2.0 * (I * (I_0A + 2.0 * d * t1 + t3) + R * (h_A + t0))
+    F_Omega = 4.0 * A * (I * (A * Omega * d + zeta) + Omega * R)
+    F_p = 2.0 * (I * (A * t2 * zeta_p + I_0p + d_p * t4) + R * h_p)
+    return (
+        end_p,
+        frequency_p,
+        0.5 * (F_A * end_p + F_Omega * frequency_p + F_p) / F_0,
+        1.0,
+        1.0,
+        1.0,
+        1.0,
+    )
+
+
+def beside(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A):
+    """F_A, F_Omega and R, each with its size.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 91 structured, 45 common subexpressions, 45 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = 2.0 * Omega * zeta
+    t3 = A * A * d * t0 + A * t2
+    I = I_0 + t3
+    t4 = 2.0 * d * t1 + t2
+    F_A = 2.0 * (I * (I_0A + t4) + R * (h_A + t0))
+    t5 = A * Omega * d + zeta
+    t6 = 4.0 * A
+    F_Omega = t6 * (I * t5 + Omega * R)
+    t7 = t1 + np.abs(h)
+    t8 = t3 + np.abs(I_0)
+    return (
+        F_A,
+        2.0 * t7 * (t0 + np.abs(h_A)) + 2.0 * t8 * (t4 + np.abs(I_0A)),
+        F_Omega,
+        t6 * (Omega * t7 + t5 * t8),
+        R,
+        t7,
+    )
+
+
+def moves_of_phase(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
+    """d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
+
+    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Operations: 82 structured, 59 common subexpressions, 59 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = 2.0 * Omega
+    t3 = A * t2
+    t4 = A * A
+    t5 = t0 * t4
+    I = I_0 + d * t5 + t3 * zeta
+    t6 = A_p * h_A + h_p
+    R_moved = A_p * t0 + Omega_p * t3 + t6
+    I_moved = (
+        2.0 * A * Omega_p * zeta + A_p * I_0A + 2.0 * A_p * d * t1 + A_p * t2 * zeta + I_0p + Omega_p * d * t2 * t4
+        + d_p * t5 + t3 * zeta_p
+    )
+    t7 = I * I
+    t8 = 1.0 / F_0
+    t9 = np.sqrt(h * h + t7)
+    t10 = 1.0 / t9
+    return (
+        (-I * R_moved + I_moved * R) / (R * R + t7),
+        t8 * (-F_0_p * t8 * t9 + I * I_moved * t10 + h * t10 * t6),
     )
 

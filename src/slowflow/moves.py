@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import cache
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,9 +17,10 @@ import numpy.typing as npt
 from slowflow import backend
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Mechanism
-from slowflow_kernels import inertia, slow_flow
+from slowflow.model import THROUGHOUT, at_rest
+from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import CLOSE, COINCIDE, MEETING, SAME, MovesStatus, OnsetKind, Pinned
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 Codes = npt.NDArray[np.int8]
 
@@ -35,11 +35,15 @@ ON_BREAK = (
 
 
 class Given(NamedTuple):
-    """Whose answers these are: mechanism, the numbers of the design, mu and zeta, or arrays of them, and excitation."""
+    """Whose answers these are: mechanism, numbers of the design and the damping, or arrays of them, and excitation.
+
+    rubs -- where dry friction acts, if there are other laws of damping: the numbers then end with eta and c_2
+    """
 
     mechanism: Mechanism
     numbers: tuple[Any, ...]
     excitation: str
+    rubs: str | None = None
 
     def with_places(self) -> Given:
         """The same with one more axis behind those of the designs."""
@@ -62,7 +66,7 @@ def gradient(
     asked -- what was asked at beside the design: "F_0" and "Omega", or less
     """
     A, Omega, F_0 = at = tuple(math.nan if one is None else one for one in point)
-    by = (*_names(given.mechanism), *asked)
+    by = (*_names(given.mechanism, given.rubs is not None), *asked)
     slopes, status = _moves(given, kind, (A, Omega, F_0), SIMPLE, len(by))
     rows = tuple(of.values())
     wanted = slopes[..., rows[0] :: -1, :][..., : len(rows), :] if rows[0] else slopes[..., : len(rows), :]
@@ -82,9 +86,9 @@ SIMPLE, OF_STATES = 3, 5
 
 
 @cache
-def _names(mechanism: Mechanism) -> tuple[str, ...]:
-    """What a user gives."""
-    return tuple(one.name for one in (*mechanism.design, *DAMPING))
+def _names(mechanism: Mechanism, laws: bool) -> tuple[str, ...]:
+    """What a user gives, with other laws of damping or without."""
+    return tuple(one.name for one in (*mechanism.design, *DAMPING, *(DISSIPATION if laws else ())))
 
 
 def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns: int) -> tuple[Floats, Codes]:
@@ -95,43 +99,93 @@ def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
     if given.mechanism.by_parameter is None:
         raise ValueError(f"{given.mechanism.name} does not say how its average changes: there are no gradients")
-    record = backend.record_of(given.mechanism) if given.excitation == "force" else None
+    plain = given.excitation == "force" and given.rubs is None
+    record = backend.record_of(given.mechanism) if plain else None
     if backend.SOLVER is not None and record is not None:
         # an array without axes would come back as a number
         backend.SOLVER.many_gradients(record)(*arrays, out=(slopes, status))
     else:
         with np.errstate(all="ignore"):
             broadcast = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in arrays))
-            kernels = slow_flow if given.excitation == "force" else inertia
-            _on_numpy(given.mechanism, kernels, broadcast, slopes, status)
+            _on_numpy(given, broadcast, slopes, status)
     return slopes, status
 
 
-def _on_numpy(
-    mechanism: Mechanism, kernels: ModuleType, arrays: Sequence[Floats], slopes: Floats, status: Codes
-) -> None:
+def _on_numpy(given: Given, arrays: Sequence[Floats], slopes: Floats, status: Codes) -> None:
     """`sf_gradient` of gradient.h, kind by kind."""
     kinds = arrays[-1]
     for kind in np.unique(kinds):
         here = kinds == kind
         chosen = [array[here] for array in arrays]
-        slopes[here], status[here] = _of_kind(mechanism, kernels, Pinned(int(kind)), chosen, slopes.shape[-2:])
+        slopes[here], status[here] = _of_kind(given, Pinned(int(kind)), chosen, slopes.shape[-2:])
 
 
-def _of_kind(
-    mechanism: Mechanism, kernels: ModuleType, kind: Pinned, arrays: list[Floats], inner: tuple[int, ...]
-) -> tuple[Floats, Codes]:
+class _Dissipates(NamedTuple):
+    """What dissipates, as kernels take it between F_0 and h.
+
+    most, slower -- with all derivatives by A, and with the first
+    causes -- what each number that answers move with does to it, shape (parts, numbers, n)
+    of_phase -- which of these parts the phase asks for
+    """
+
+    most: tuple[Floats, ...]
+    slower: tuple[Floats, ...]
+    causes: Floats
+    of_phase: tuple[int, ...]
+
+
+def _plainly(place: int, damping: Sequence[Floats], columns: int) -> _Dissipates:
+    """By mu and zeta, from number `place` on."""
+    mu, zeta = damping
+    causes = np.zeros((2, columns, zeta.size))
+    causes[0, place], causes[1, place + 1] = slow_flow.friction(1.0), 1.0
+    own = np.asarray(slow_flow.friction(mu)), zeta
+    return _Dissipates(own, own, causes, (0, 1))
+
+
+def _by_laws(
+    place: int, damping: Sequence[Floats], columns: int, A: Floats, ends: tuple[Floats, Floats] | None, beyond: Any
+) -> _Dissipates:
+    """By mu, zeta, eta and c_2, from number `place` on.
+
+    ends   -- where friction ends, and how that moves with the design; None where it acts throughout
+    beyond -- as in `model.at_rest`
+    """
+    mu, zeta, eta, c_2 = damping
+    m, u_cr = np.asarray(slow_flow.friction(mu)), None if ends is None else ends[0]
+    rest, d = at_rest(A, m, eta, u_cr, beyond), np.asarray(dissipation.quadratic(c_2))
+    of_m, of_eta = _stacked(dissipation.rest_moves(A), A).reshape(2, 3, A.size)
+    causes = np.zeros((5, columns, A.size))
+    if ends is not None:
+        u_cr, by_design = ends
+        released = _stacked(dissipation.released_moves(np.maximum(A, u_cr), m, u_cr), A).reshape(3, 3, A.size)
+        passed = A > u_cr if beyond is None else beyond
+        of_m, of_eta = np.where(passed, released[0], of_m), np.where(passed, released[1], of_eta)
+        causes[:3, :place] = np.where(passed, released[2], 0.0)[:, np.newaxis] * by_design
+    causes[:3, place] = slow_flow.friction(1.0) * of_m
+    causes[3, place + 1] = 1.0
+    causes[:3, place + 2] = of_eta
+    causes[4, place + 3] = dissipation.quadratic(1.0)
+    return _Dissipates((*rest, zeta, d), (*rest[:2], zeta, d), causes, (0, 3, 4))
+
+
+def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int, ...]) -> tuple[Floats, Codes]:
     """Slopes of shape (n, rows, parameters), and their status; for flat arrays."""
-    *given, F_0, Omega, A, _ = arrays
-    *design, mu, zeta = given
+    mechanism, laws = given.mechanism, given.rubs is not None
+    kernels: Any = dissipation if laws else slow_flow if given.excitation == "force" else inertia
+    *numbers, F_0, Omega, A, _ = arrays
+    n = len(mechanism.design)
+    design, damping = numbers[:n], numbers[n:]
     rows, columns = inner
-    m = np.asarray(slow_flow.friction(mu))
     status = np.full(A.shape, MovesStatus.OK, np.int8)
     parameters = [np.broadcast_to(value, A.shape) for value in mechanism.coefficients(*design)]
     ends, jumps = (
         np.array([np.broadcast_to(value, A.shape) for value in function(*parameters)]).reshape(-1, A.size)
         for function in (mechanism.breakpoints, mechanism.jumps)
     )
+    leaves = given.rubs not in (None, THROUGHOUT)
+    # of the breakpoints that are there, the first
+    ends_friction = leaves & (ends > 0) & (np.cumsum(ends > 0, axis=0) == 1)
     there = (A > 0) & (A < np.inf) & (Omega >= 0) & (Omega < np.inf) & (F_0 >= 0) & (F_0 < np.inf)
     piece = np.zeros(A.shape, int)
     if kind in ON_BREAK:
@@ -143,45 +197,60 @@ def _of_kind(
         first = kind in (Pinned.STATE, Pinned.PEAK)
         comes = (ends > 0) & (np.abs(A - ends) <= (SAME if first else COINCIDE) * ends)
         if first:
-            comes &= jumps != 0
+            comes &= (jumps != 0) | (ends_friction & (damping[0] > 0))
         status[comes.any(axis=0)] = MovesStatus.TURNS
     h, h_A, h_AA, h_AAA = mechanism.averaged(A, *parameters)
-    beside = [np.asarray(value) for value in kernels.beside(Omega, A, F_0, m, zeta, h, h_A)]
-    if kind >= Pinned.CUSP:  # those before are at a forcing
-        force = F_0 if kernels is slow_flow else inertia.force(Omega, F_0)
-        status[_vanishes(force, beside[5], MEETING)] = MovesStatus.BOUNDLESS
-    if kind is Pinned.CORNER_FOLD:
-        turns = _vanishes(beside[0], beside[1], CLOSE) | _vanishes(beside[4], beside[5], CLOSE)
-        status[turns] = MovesStatus.TURNS
-    kinds = np.full(A.shape, kind)
-    if kind is Pinned.CORNER_END:
-        nearness = [np.abs(value) / size for value, size in zip(beside[::2], beside[1::2], strict=True)]
-        which = np.array([Pinned.CORNER_END, Pinned.CORNER_TOP, Pinned.CORNER_BACKBONE])
-        kinds = which[np.argmin(nearness, axis=0)]
     assert mechanism.by_parameter is not None
     assert mechanism.by_design is not None
     by_parameter = _stacked(mechanism.by_parameter(A, h, h_A, h_AA, *parameters), A).reshape(len(parameters), 3, A.size)
-    by_design = _stacked(mechanism.by_design(*design), A).reshape(-1, len(design), A.size)
+    by_design = _stacked(mechanism.by_design(*design), A).reshape(-1, n, A.size)
+    of_ends = by_design[len(parameters) :]
+
+    def dissipates(beyond: Any = None) -> _Dissipates:
+        if not laws:
+            return _plainly(n, damping, columns)
+        if not (leaves and len(ends)):
+            return _by_laws(n, damping, columns, A, None, beyond)
+        first, each = np.argmax(ends_friction, axis=0), np.arange(A.size)
+        return _by_laws(n, damping, columns, A, (ends[first, each], of_ends[first, :, each].T), beyond)
+
+    own, past = dissipates(), np.zeros(A.shape, bool)
+    beside = [np.asarray(value) for value in kernels.beside(Omega, A, F_0, *own.slower, h, h_A)]
+    if kind >= Pinned.CUSP:  # those before are at a forcing
+        force = inertia.force(Omega, F_0) if kernels is inertia else F_0
+        status[_vanishes(force, beside[5], MEETING)] = MovesStatus.BOUNDLESS
+    kinds, beyond = np.full(A.shape, kind), None
+    if kind in (Pinned.CORNER_FOLD, Pinned.CORNER_END) and leaves:
+        # the force makes a corner that ends with R; what rubs no more one that ends with F_A beyond it, too
+        beyond, bends = dissipates(True), (jumps == 0)[piece, np.arange(A.size)]
+        beside += [np.asarray(value) for value in kernels.beside(Omega, A, F_0, *beyond.slower, h, h_A)[:2]]
+        beside[4], beside[6] = np.where(bends, np.inf, beside[4]), np.where(bends, beside[6], np.inf)
+    if kind is Pinned.CORNER_FOLD:
+        ending = zip(beside[::2], beside[1::2], strict=True)
+        turns = [_vanishes(*pair, CLOSE) for number, pair in enumerate(ending) if number != 1]
+        status[np.any(turns, axis=0)] = MovesStatus.TURNS
+    if kind is Pinned.CORNER_END:
+        nearness = [np.abs(value) / size for value, size in zip(beside[::2], beside[1::2], strict=True)]
+        which = np.array([Pinned.CORNER_END, Pinned.CORNER_TOP, Pinned.CORNER_BACKBONE, Pinned.CORNER_END])
+        nearest = np.argmin(nearness, axis=0)
+        kinds, past = which[nearest], nearest == 3
     # along the parameters, then the answers
-    cause = np.zeros((8, columns, A.size))
-    n = len(design)
-    cause[:3, :n] = np.einsum("pin,pdn->idn", by_parameter, by_design[: len(parameters)])
+    of_h, of_rest = np.zeros((3, columns, A.size)), np.zeros((3, columns, A.size))
+    of_h[:, :n] = np.einsum("pin,pdn->idn", by_parameter, by_design[: len(parameters)])
     if len(ends):
-        cause[5, :n] = by_design[len(parameters) :][piece, :, np.arange(A.size)].T
-    cause[3, n] = slow_flow.friction(1.0)
-    cause[4, n + 1] = 1.0
-    for k in range(n + 2, columns):
-        cause[k + 4 - n, k] = 1.0
+        of_rest[0, :n] = of_ends[piece, :, np.arange(A.size)].T
+    for number, k in enumerate(range(n + len(damping), columns)):
+        of_rest[1 + number, k] = 1.0
     out = np.full((A.size, rows, columns), np.nan)
-    for one in np.unique(kinds):
-        function = getattr(kernels, f"moves_of_{Pinned(one).name.lower()}")
-        at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
-        found = [np.broadcast_to(value, (columns, A.size)) for value in function(*at, *cause)]
+    for pinned, side in [(one, side) for one in np.unique(kinds) for side in np.unique(past[kinds == one])]:
+        function = getattr(kernels, f"moves_of_{Pinned(pinned).name.lower()}")
+        damps = beyond if side and beyond else own
+        at = (Omega, A, F_0, *damps.most, h, h_A, h_AA, h_AAA)
+        found = [np.broadcast_to(value, (columns, A.size)) for value in function(*at, *of_h, *damps.causes, *of_rest)]
         if rows > 3:
-            found[3:3] = kernels.moves_of_phase(
-                Omega, A, F_0, m, zeta, h, h_A, cause[0], cause[3], cause[4], *found[:3]
-            )
-        here = kinds == one
+            of_phase = (damps.causes[part] for part in damps.of_phase)
+            found[3:3] = kernels.moves_of_phase(Omega, A, F_0, *damps.slower, h, h_A, of_h[0], *of_phase, *found[:3])
+        here = (kinds == pinned) & (past == side)
         out[here] = np.moveaxis(np.array(found[:rows]), -1, 0)[here]
         meets = _vanishes(found[-4][0], found[-3][0], MEETING) | _vanishes(found[-2][0], found[-1][0], MEETING)
         status[here & meets & (status == MovesStatus.OK)] = MovesStatus.MEETS
@@ -205,7 +274,7 @@ def _stacked(values: Sequence[Any], like: Floats) -> Floats:
 
 def of_states(given: Given, Omega: Any, A: Any, F_0: Any, phi: Any, transmissibility: Any) -> Gradient:
     """Of steady states at a forcing and a frequency."""
-    by = (*_names(given.mechanism), "F_0", "Omega")
+    by = (*_names(given.mechanism, given.rubs is not None), "F_0", "Omega")
     slopes, status = _moves(given, float(Pinned.STATE), (A, Omega, F_0), OF_STATES, len(by))
     values, at = (A, phi, transmissibility), (*given.numbers, F_0, Omega)
     return Gradient(("A", "phi", "transmissibility"), by, slopes[..., (0, 3, 4), :], status, values, at)

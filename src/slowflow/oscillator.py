@@ -66,7 +66,7 @@ class Oscillator(Averaged):
         off the centre: what has no answer there, see `off_centre`, raises ValueError
 
     With eta, c_2 or rubs="attached" the averaged questions are answered on NumPy, in some tenths of a second each; the
-    excitation is a force then. There are no proofs, no gradients, no second approximation, and with eta > 0 no exact
+    excitation is a force then. There are no proofs, no second approximation, and with eta > 0 no exact
     response curves, sweeps or shocks.
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from slowflow.gradient import Gradient
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
 from slowflow_support.record import Scale
@@ -42,7 +42,7 @@ class Scales(Protocol):
 def in_units(found: Gradient, scales: Scales) -> Gradient:
     """The same in SI units, by the numbers of a mount. Raises ValueError where these are not its design's."""
     design = {one.name: scale for one, scale in zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True)}
-    damping = {one.name: SCALES[one.name] for one in DAMPING}
+    damping = {one.name: SCALES[one.name] for one in (*DAMPING, *DISSIPATION)}
     if found.by[: len(design)] != tuple(design):
         raise ValueError(WITHOUT_PRELOAD)
     if scales.damping == "zeta":

@@ -227,8 +227,10 @@ def _given(model: Model | None) -> moves.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.design:
         raise ValueError(NOT_AVERAGED)
-    validate.is_plain("gradient", model.laws.told())
-    return moves.Given(model.mechanism, (*model.design, model.mu, model.zeta), model.excitation)
+    laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
+    if not laws.any:
+        return moves.Given(model.mechanism, numbers, model.excitation)
+    return moves.Given(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
 
 
 @dataclass(frozen=True, eq=False)

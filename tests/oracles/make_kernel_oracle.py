@@ -1382,59 +1382,72 @@ def shaken_moves(kind):
 
     What vanishes at an answer is taken away from F and R, as points drawn are no answers.
     """
-    conditions, pivots = SHAKEN_ANSWERS[kind]
 
-    def of(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
-        at = A, Omega, F_0, mpf(0)
+    def of(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, *others):
         values = h, h_A, h_AA, h_AAA
         of_A, of_p = near(A, values), near(A, (h_p, h_Ap, h_AAp))
-        off = balances(Omega, A, 0, 0, h)[0] if "R" in conditions else 0
 
         def both(a, w, p):
-            R, I = balances(w, a, m + m_p * p, zeta + zeta_p * p, of_A(a) + of_p(a) * p)
-            return R - off, I
+            return balances(w, a, m + m_p * p, zeta + zeta_p * p, of_A(a) + of_p(a) * p)
 
-        def whole(a, w, f, p):
-            R, I = both(a, w, p)
-            return R**2 + I**2 - shaken(w, f) ** 2
-
-        gone = {by: mp.diff(whole, at, (*by, 0, 0)) for name, by in DERIVATIVES.items() if name in conditions}
-
-        def F(a, w, f, p):
-            taken = sum(
-                value * (a - A) ** i * (w - Omega) ** k / (mp.factorial(i) * mp.factorial(k))
-                for (i, k), value in gone.items()
-            )
-            return whole(a, w, f, p) - taken
-
-        known = {
-            "R": lambda a, w, f, p: both(a, w, p)[0],
-            "forcing": lambda a, w, f, p: f - forcing_p * p,
-            "frequency": lambda a, w, f, p: w - frequency_p * p,
-            "breakpoint": lambda a, w, f, p: a - end_p * p,
-        }
-        rows = []
-        for name in ("F", *conditions):
-            order, f = (*DERIVATIVES.get(name, (0, 0)), 0, 0), known.get(name, F)
-            rows.append([mp.diff(f, at, [n + (k == j) for j, n in enumerate(order)]) for k in range(4)])
-        system = mp.matrix([row[:3] for row in rows])
-        with mp.extradps(20):
-            moved = list(mp.lu_solve(system, mp.matrix([-row[3] for row in rows])))
         size = shaken_sizes(Omega, A, F_0, m, zeta, *values)
-        factors = [size(order) for order in pivots]
-        if kind == "isola":
-            second_derivatives = (size(order) for order in ((2, 0), (1, 1), (0, 2)))
-            (by_A, A_size), (mixed, mixed_size), (by_Omega, Omega_size) = second_derivatives
-            factors = [(by_A * by_Omega - mixed**2, A_size * Omega_size + mixed_size**2)]
-        if kind == "corner_backbone":
-            factors = [(rows[2][1], abs(rows[2][1]))]
-        determinant = mp.fprod(factor for factor, _ in factors)
-        if "forcing" not in conditions:
-            determinant *= rows[0][2]
-        assert mp.almosteq(abs(mp.det(system)), abs(determinant), rel_eps=mpf(10) ** -40)
-        return [*moved, *(part for pair in (*factors, *[(mpf(1), mpf(1))] * (2 - len(factors))) for part in pair)]
+        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, shaken, size, *others)
 
     return of
+
+
+def solved_moves(kind, at, balanced, force, size, end_p, forcing_p, frequency_p):
+    """The moves of one kind of answer at (A, Omega, F_0, 0).
+
+    balanced -- R and I as functions of A, Omega and the parameter; force -- of Omega and F_0
+    size     -- what gives F's derivative of an order, and the sum of its terms without their signs
+    """
+    conditions, pivots = SHAKEN_ANSWERS[kind]
+    A, Omega, _, zero = at
+    off = balanced(A, Omega, zero)[0] if "R" in conditions else 0
+
+    def both(a, w, p):
+        R, I = balanced(a, w, p)
+        return R - off, I
+
+    def whole(a, w, f, p):
+        R, I = both(a, w, p)
+        return R**2 + I**2 - force(w, f) ** 2
+
+    gone = {by: mp.diff(whole, at, (*by, 0, 0)) for name, by in DERIVATIVES.items() if name in conditions}
+
+    def F(a, w, f, p):
+        taken = sum(
+            value * (a - A) ** i * (w - Omega) ** k / (mp.factorial(i) * mp.factorial(k))
+            for (i, k), value in gone.items()
+        )
+        return whole(a, w, f, p) - taken
+
+    known = {
+        "R": lambda a, w, f, p: both(a, w, p)[0],
+        "forcing": lambda a, w, f, p: f - forcing_p * p,
+        "frequency": lambda a, w, f, p: w - frequency_p * p,
+        "breakpoint": lambda a, w, f, p: a - end_p * p,
+    }
+    rows = []
+    for name in ("F", *conditions):
+        order, f = (*DERIVATIVES.get(name, (0, 0)), 0, 0), known.get(name, F)
+        rows.append([mp.diff(f, at, [n + (k == j) for j, n in enumerate(order)]) for k in range(4)])
+    system = mp.matrix([row[:3] for row in rows])
+    with mp.extradps(20):
+        moved = list(mp.lu_solve(system, mp.matrix([-row[3] for row in rows])))
+    factors = [size(order) for order in pivots]
+    if kind == "isola":
+        second_derivatives = (size(order) for order in ((2, 0), (1, 1), (0, 2)))
+        (by_A, A_size), (mixed, mixed_size), (by_Omega, Omega_size) = second_derivatives
+        factors = [(by_A * by_Omega - mixed**2, A_size * Omega_size + mixed_size**2)]
+    if kind == "corner_backbone":
+        factors = [(rows[2][1], abs(rows[2][1]))]
+    determinant = mp.fprod(factor for factor, _ in factors)
+    if "forcing" not in conditions:
+        determinant *= rows[0][2]
+    assert mp.almosteq(abs(mp.det(system)), abs(determinant), rel_eps=mpf(10) ** -40)
+    return [*moved, *(part for pair in (*factors, *[(mpf(1), mpf(1))] * (2 - len(factors))) for part in pair)]
 
 
 def shaken_beside(Omega, A, F_0, m, zeta, h, h_A):
@@ -1778,6 +1791,89 @@ def resisting(v, zeta, friction, quadratic):
     return [whole - 2 * zeta * v, slope / 2]
 
 
+def law_balances(w, a, rest, zeta, d, h):
+    """R and I of any laws, from I_0."""
+    R, I = balances(w, a, rest, zeta, h)
+    return R, I + d * (a * w) ** 2
+
+
+def law_moves(kind):
+    """As `shaken_moves`, under a force."""
+
+    def of(Omega, A, F_0, *x):
+        rest, (zeta, d), h = x[:4], x[4:6], x[6:10]
+        h_p, rest_p, (zeta_p, d_p), others = x[10:13], x[13:16], x[16:18], x[18:]
+        of_A, of_p, of_rest, of_rest_p = (near(A, values) for values in (h, h_p, rest, rest_p))
+
+        def both(a, w, p):
+            return law_balances(
+                w, a, of_rest(a) + of_rest_p(a) * p, zeta + zeta_p * p, d + d_p * p, of_A(a) + of_p(a) * p
+            )
+
+        size = law_sizes(Omega, A, rest, zeta, d, h)
+        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, lambda w, f: f, size, *others)
+
+    return of
+
+
+def law_sizes(Omega, A, rest, zeta, d, h):
+    """As `shaken_sizes`: with h and I_0 without their signs no term of F's derivatives is negative."""
+
+    def by(order):
+        def derivative(sign):
+            local, lag = (near(A, [sign(value) for value in values]) for values in (h, rest))
+            return mp.diff(
+                lambda a, w: sum(part**2 for part in law_balances(w, a, lag(a), zeta, d, local(a))), (A, Omega), order
+            )
+
+        return derivative(mpf), derivative(abs)
+
+    return by
+
+
+def law_beside(Omega, A, F_0, I_0, I_0A, zeta, d, *h):
+    """F_A, F_Omega and R, each with its size."""
+    size = law_sizes(Omega, A, (I_0, I_0A), zeta, d, h)
+    return [*size((1, 0)), *size((0, 1)), *(balances(Omega, A, 0, 0, value)[0] for value in (h[0], abs(h[0])))]
+
+
+def law_moves_of_phase(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
+    """Phase and transmissibility along the moves, from R, I and h."""
+
+    def along(p):
+        w, a, force = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
+        rest = I_0 + (I_0p + I_0A * A_p) * p
+        return *law_balances(w, a, rest, zeta + zeta_p * p, d + d_p * p, force), force
+
+    def turned(p):
+        R, I, _ = along(p)
+        return mp.arg(mp.mpc(-R, -I))
+
+    def passed_on(p):
+        _, I, force = along(p)
+        return mp.hypot(force, I) / (F_0 + F_0_p * p)
+
+    return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
+
+
+def rest_moves(passed):
+    """What m, eta, and where friction ends u_cr do to I_0 and its first derivatives, from the work of each."""
+    share = rest_share(passed)
+
+    def of(A, m=1, u_cr=None):
+        at = (mpf(m), mpf(1), *([] if u_cr is None else [u_cr]))
+        slopes = []
+        with mp.workdps(150):
+            for k in range(len(at)):
+                order = tuple(int(k == j) for j in range(len(at)))
+                slopes += [mp.diff(lambda *x, i=i: share(A, *x)[i], at, order) for i in range(3)]
+        return [mp.chop(value, tol=mpf(10) ** -45) for value in slopes]
+
+    return of
+
+
+LAW_AT, LAW_SLOWER = "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", "Omega A F_0 I_0 I_0A zeta d h h_A"
+LAW_CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p end_p forcing_p frequency_p"
 DISSIPATION: dict[str, tuple[str, Function]] = {
     "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
     # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
@@ -1815,6 +1911,11 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
             ("stiffness", "F_A", "", "Omega A I_0A I_0AA zeta d h_A h_AA R I"),
         )
     },
+    "rest_moves": ("A", rest_moves(passed=False)),
+    "released_moves": ("A m u_cr", rest_moves(passed=True)),
+    **{f"moves_of_{kind}": (f"{LAW_AT} {LAW_CAUSES}", law_moves(kind)) for kind in SHAKEN_ANSWERS},
+    "beside": (LAW_SLOWER, law_beside),
+    "moves_of_phase": (f"{LAW_SLOWER} h_p I_0p zeta_p d_p A_p Omega_p F_0_p", law_moves_of_phase),
 }
 
 
@@ -1823,7 +1924,7 @@ def dissipation_table(rng: random.Random) -> dict:
     table = {}
     for kernel, (names, f) in DISSIPATION.items():
         chosen = points(rng, names, 6)
-        if kernel == "released":
+        if kernel.startswith("released"):
             for x in chosen:
                 x[0] += x[-1]
         table[kernel] = [entry(f, x) for x in chosen]
@@ -1894,7 +1995,8 @@ RANGES = {
     "k": (0.04, 4.0),
     # what a parameter does, and what an answer does then
     **dict.fromkeys(("h_p", "h_Ap", "m_p", "zeta_p", "end_p", "forcing_p", "frequency_p"), (-1.0, 1.0)),
-    **dict.fromkeys(("A_p", "Omega_p", "F_0_p"), (-1.0, 1.0)),
+    **dict.fromkeys(("I_0p", "I_0Ap", "d_p", "A_p", "Omega_p", "F_0_p"), (-1.0, 1.0)),
+    "I_0AAp": (-5.0, 5.0),
     "h_AAp": (-5.0, 5.0),
 }
 

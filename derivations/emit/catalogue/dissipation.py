@@ -12,11 +12,13 @@ from dataclasses import replace
 import sympy as sp
 
 from ...dissipation import REST, d, quadratic, u_cr, x
+from ...gradients import OF_LAWS, I_0p, d_p, h_p, zeta_p
 from ...motion import friction, v
 from ...results import Results
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, zeta
 from ..form import Kernel, Module, plain
+from .flow import gradient_kernels
 
 #: arguments, in their order
 KNOWN = (Omega, A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
@@ -51,7 +53,7 @@ def dissipation_module(results: Results) -> Module:
     found = Module(
         name="dissipation",
         title="Structural and quadratic damping, and dry friction of what is attached",
-        inputs=("averaging.py", "slow_flow.py", "dissipation.py"),
+        inputs=("averaging.py", "slow_flow.py", "dissipation.py", "gradients.py"),
         kernels=(
             plain(
                 "quadratic", (c_2,), of.quadratic, "Quadratic damping's factor of A^2 Omega^2 in I.", "from (19)", "any"
@@ -88,6 +90,22 @@ def dissipation_module(results: Results) -> Module:
                 "from (19)",
                 "A >= u_cr > 0",
                 searched=True,
+            ),
+            plain(
+                "rest_moves",
+                (A,),
+                of.rest_moves,
+                "What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.",
+                "from (19)",
+                amplitude,
+            ),
+            plain(
+                "released_moves",
+                (A, m, u_cr),
+                of.released_moves,
+                "What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.",
+                "from (19)",
+                "A >= u_cr > 0",
             ),
             at_point("I", of.I, "Sine balance, -F_0 sin phi at a fixed point.", "(23)"),
             at_point("F_A", of.F_A, "dF/dA; positive where stable.", "(24), (30)"),
@@ -132,6 +150,9 @@ def dissipation_module(results: Results) -> Module:
                 searched=True,
             ),
             *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
+            *gradient_kernels(
+                results.laws_gradients, (*REST, zeta, d), (*REST[:2], zeta, d), OF_LAWS, (h_p, I_0p, zeta_p, d_p)
+            ),
         ),
     )
     # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster

@@ -358,9 +358,19 @@ def bound_kernels(results: Results) -> list[Kernel]:
     ]
 
 
-def gradient_kernels(gradients: Gradients) -> list[Kernel]:
-    """How each kind of answer moves with a parameter; asked once an answer, they have no compiled loops in Python."""
-    at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
+def gradient_kernels(
+    gradients: Gradients,
+    damping: Sequence[sp.Symbol] = (m, zeta),
+    slower: Sequence[sp.Symbol] = (m, zeta),
+    causes: Sequence[sp.Symbol] = OF_PARAMETER,
+    of_phase: Sequence[sp.Symbol] = (h_p, m_p, zeta_p),
+) -> list[Kernel]:
+    """How each kind of answer moves with a parameter; asked once an answer, they have no compiled loops in Python.
+
+    damping, slower -- what dissipates, with all its derivatives by A and with the first
+    causes, of_phase -- what a parameter does, and what of that the phase asks for
+    """
+    at = (Omega, A, F_0, *damping, h, h_A, h_AA, h_AAA)
     equation = "from (23)-(34)"
 
     def flat(pivots: Sequence[tuple[sp.Expr, sp.Expr]], count: int) -> list[sp.Expr]:
@@ -371,7 +381,7 @@ def gradient_kernels(gradients: Gradients) -> list[Kernel]:
     kinds = [
         plain(
             f"moves_of_{name}",
-            (*at, *OF_PARAMETER),
+            (*at, *causes),
             [*moves.values, *flat(moves.pivots, most)],
             f"A_p, Omega_p, F_0_p of {moves.doc}; then what must not vanish, each with its size.",
             equation,
@@ -384,7 +394,7 @@ def gradient_kernels(gradients: Gradients) -> list[Kernel]:
         *kinds,
         plain(
             "beside",
-            (Omega, A, F_0, m, zeta, h, h_A),
+            (Omega, A, F_0, *slower, h, h_A),
             flat(gradients.beside, len(gradients.beside)),
             "F_A, F_Omega and R, each with its size.",
             equation,
@@ -393,7 +403,7 @@ def gradient_kernels(gradients: Gradients) -> list[Kernel]:
         ),
         plain(
             "moves_of_phase",
-            (Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, *MOVES),
+            (Omega, A, F_0, *slower, h, h_A, *of_phase, *MOVES),
             gradients.of_state,
             "d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.",
             equation,

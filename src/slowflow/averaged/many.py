@@ -29,7 +29,7 @@ from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak, of
 from slowflow.results import NOT_AVERAGED, Remark
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
-from slowflow_kernels.domains import DISSIPATION
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 Codes = npt.NDArray[np.int8]
 One = Callable[..., tuple[Any, ...]]
@@ -66,14 +66,15 @@ class Batch(Answer):
     def _whose(self) -> Given:
         """Whose answers these are."""
         designs = self._designs
-        damping = (np.asarray(designs.values[name], dtype=float) for name in ("mu", "zeta"))
-        return Given(designs.mechanism, (*designs.design, *damping), designs.excitation)
+        names = [one.name for one in (*DAMPING, *(DISSIPATION if designs.laws else ()))]
+        damping = (np.asarray(designs.values.get(name, 0.0), dtype=float) for name in names)
+        rubs = designs.rubs if designs.laws else None
+        return Given(designs.mechanism, (*designs.design, *damping), designs.excitation, rubs)
 
     def _given(self) -> Given:
-        """The same for gradients. Raises ValueError for another approximation, and for other laws of damping."""
+        """The same for gradients. Raises ValueError for answers of another approximation."""
         if not self._averaged:
             raise ValueError(NOT_AVERAGED)
-        self._designs.only_for_plain_damping("gradient")
         return self._whose()
 
     def _asked_at(self) -> dict[str, Any]:
@@ -282,15 +283,17 @@ class States(Counted):
     @cached_property
     def _of_designs(self) -> tuple[Floats, Floats, Floats]:
         """m, zeta and h at each place; for other laws of damping the m that alone has the same I, as `Model.alike`."""
-        mechanism, (*design, mu, zeta), _ = self._whose().with_places()
+        mechanism, numbers, _, rubs = self._whose().with_places()
+        n = len(mechanism.design)
+        design, (mu, zeta, *laws) = numbers[:n], numbers[n:]
         with np.errstate(all="ignore"):
             m, parameters = slow_flow.friction(mu), mechanism.coefficients(*design)
             h = mechanism.averaged(self.A, *parameters)[0]
-            if not self._designs.laws:
+            if not laws:
                 return m, zeta, h
-            eta, c_2 = (np.asarray(self._designs.values.get(one.name, 0.0))[..., np.newaxis] for one in DISSIPATION)
+            eta, c_2 = laws
             u_cr = None
-            if self._designs.rubs != THROUGHOUT:
+            if rubs != THROUGHOUT:
                 ends = np.array(np.broadcast_arrays(*mechanism.breakpoints(*parameters)))
                 u_cr = np.take_along_axis(ends, np.argmax(ends > 0, axis=0)[np.newaxis], axis=0)[0]
             I_0 = at_rest(self.A, m, eta, u_cr)[0]
