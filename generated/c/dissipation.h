@@ -76,6 +76,7 @@ static inline void dissipation_released(double A, double m, double eta, double u
 /* What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.
    Equation from (19). Domain: A > 0.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
  */
 static inline void dissipation_rest_moves(double A, double *out)
 {
@@ -90,6 +91,7 @@ static inline void dissipation_rest_moves(double A, double *out)
 /* What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.
    Equation from (19). Domain: A >= u_cr > 0.
    Operations: 14 structured, 12 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 0.67, 0.76, 0.81, 0.0, 0.0, 0.0, 0.67, 0.76, 0.81
  */
 static inline void dissipation_released_moves(double A, double m, double u_cr, double *out)
 {
@@ -482,6 +484,7 @@ static inline void dissipation_stiffness(double Omega, double A, double I_0A, do
 /* A_p, Omega_p, F_0_p of a steady state; with Omega = 0 a peak at rest; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 84 structured, 56 common subexpressions, 56 power chains
+   Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
  */
 static inline void dissipation_moves_of_state(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -569,6 +572,7 @@ static inline void dissipation_moves_of_fold(double Omega, double A, double F_0,
 /* A_p, Omega_p, F_0_p of a fold at a forcing, on a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 75 structured, 51 common subexpressions, 51 power chains
+   Proved, error / u (1 + kappa): 0.0, -, 0.0, -, -, 0.0, 0.0
  */
 static inline void dissipation_moves_of_corner_fold(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -781,6 +785,7 @@ static inline void dissipation_moves_of_isola(double Omega, double A, double F_0
 /* A_p, Omega_p, F_0_p of the least forcing on a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 139 structured, 78 common subexpressions, 78 power chains
+   Proved, error / u (1 + kappa): 0.0, -, -, -, -, 0.0, 0.0
  */
 static inline void dissipation_moves_of_corner_top(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -876,6 +881,7 @@ static inline void dissipation_moves_of_corner_end(double Omega, double A, doubl
 /* A_p, Omega_p, F_0_p of where the backbone meets a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 57 structured, 43 common subexpressions, 43 power chains
+   Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
  */
 static inline void dissipation_moves_of_corner_backbone(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
@@ -916,6 +922,7 @@ static inline void dissipation_moves_of_corner_backbone(double Omega, double A, 
 /* A_p, Omega_p, F_0_p of at Omega = 0 on a breakpoint; then what must not vanish, each with its size.
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 53 structured, 43 common subexpressions, 43 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
  */
 static inline void dissipation_moves_of_corner_rest(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double I_0p, double I_0Ap, double I_0AAp, double zeta_p, double d_p, double end_p, double forcing_p, double frequency_p, double *out)
 {

@@ -128,6 +128,7 @@ def rest_moves(A):
 
     Equation from (19). Domain: A > 0.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     """
     return (
         1.0,
@@ -144,6 +145,7 @@ def released_moves(A, m, u_cr):
 
     Equation from (19). Domain: A >= u_cr > 0.
     Operations: 14 structured, 12 common subexpressions, 11 power chains.
+    Proved, error / u (1 + kappa): 0.67, 0.76, 0.81, 0.0, 0.0, 0.0, 0.67, 0.76, 0.81
     """
     t0 = 1.0 / A
     A2 = A * A
@@ -564,6 +566,7 @@ def moves_of_state(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 84 structured, 56 common subexpressions, 56 power chains.
+    Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -640,6 +643,7 @@ def moves_of_corner_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 75 structured, 51 common subexpressions, 51 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, 0.0, -, -, 0.0, 0.0
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -832,6 +836,7 @@ def moves_of_corner_top(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 139 structured, 78 common subexpressions, 78 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, -, -, -, 0.0, 0.0
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -915,6 +920,7 @@ def moves_of_corner_backbone(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 57 structured, 43 common subexpressions, 43 power chains.
+    Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
     """
     t0 = 2.0 * Omega
     t1 = t0 * zeta
@@ -946,6 +952,7 @@ def moves_of_corner_rest(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
 
     Equation from (23)-(34). Domain: Omega > 0, A > 0.
     Operations: 53 structured, 43 common subexpressions, 43 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
     """
     t0 = Omega * Omega
     t1 = A * t0
