@@ -102,11 +102,13 @@ def piece_end(mechanism: Mechanism, until: sp.Expr) -> sp.Expr:
     condition = until.subs(mechanism.x, mechanism.length * u).subs(mechanism.dimensional) / mechanism.length
     # check=False: SymPy would have to know delta_h < 1 to confirm the root, and drops it otherwise
     roots = sp.solve(_without_length(condition, mechanism), u, check=False)
-    positive = [root for root in roots if not root.could_extract_minus_sign()]
+    positive = roots if len(roots) == 1 else [root for root in roots if not root.could_extract_minus_sign()]
     if len(positive) != 1:
         raise ArithmeticError(f"{mechanism.name}: a piece must end at one |u|; {condition} vanishes at {roots}")
-    # as a product under the root: sqrt(1 - (1 - delta_h)^2) loses every digit for a small preload
-    return sp.sqrt(sp.factor(sp.expand(positive[0] ** 2)))
+    # as a product under the root: sqrt(1 - (1 - delta_h)^2) loses every digit for a small preload; a difference of
+    # parameters keeps its sign, which tells whether the piece is there
+    rooted = sp.sqrt(sp.factor(sp.expand(positive[0] ** 2)))
+    return positive[0] if rooted.has(sp.Abs) else rooted
 
 
 def without_cancellation(force: sp.Expr) -> sp.Expr:

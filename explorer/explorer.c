@@ -38,15 +38,15 @@ int EXPORT(is_undecided)(void) { return undecided; }
 int EXPORT(mechanisms)(void) { return sizeof records / sizeof records[0]; }
 const char *EXPORT(name_of)(int i) { return records[i]->name; }
 
-/* in: the design, then mu and zeta. out[0]: breakpoints; returns their number, or -1 for a number outside its domain. */
+/* in: the design, then mu and zeta. out[0]: breakpoints; returns their number, or -1 for what is not allowed. */
 int EXPORT(choose)(int i)
 {
     const sf_mechanism *record = records[i];
     const double *of_damping = in + record->design_size;
     known = NULL, model.mechanism = NULL;
-    if (!record->parameters_of(in, model.p) || !record->damping_of(of_damping, model.damping))
+    if (!record->parameters_of(in, model.p) || !record->damping_of(of_damping, model.damping) ||
+        !sf_prepare(record, in, &model))
         return -1;
-    sf_prepare(record, in, &model);
     if (sf_give(record, in, of_damping[0], of_damping[1], &given))
         known = &given;
     memcpy(out[0], model.b, sizeof model.b);

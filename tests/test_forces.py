@@ -16,6 +16,7 @@ from slowflow import backend, derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.results import Remark
+from slowflow_kernels.conventions import Status
 
 u, k, c, p, gap = sp.symbols("u k c p gap")
 ABOVE_0 = {"above": 0}
@@ -309,6 +310,9 @@ def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloade
         assert one.margins(F_0).sticks == rests == bool(many.margins(F_0).sticks)
         assert (Remark.HELD_AT_REST in states.remarks) == rests == ("a mass at rest stays there" in states.message)
         assert many.amplitudes(Omega=0.6, F_0=F_0).remarks == states.remarks
+        band = one.hysteresis(F_0)
+        assert len(band) == rests == int(many.hysteresis(F_0).count)
+        assert not rests or (band[0].Omega_low, *band[0][1:]) == (one.saddle_nodes(F_0).Omega[0], np.inf, 2)
         row = one.spectrum(Omega=[0.6, 1.1], F_0=F_0)
         assert row.sticks.tolist() == [rests, False]
     # at high frequencies the amplitude vanishes, and friction and preload are passed on
@@ -329,3 +333,27 @@ def test_within_a_play_no_mean_is_singled_out_and_that_is_said(folder):
     swept = one.sweep(Omega=[Omega, 0.7], F_0=F_0)
     assert swept.settled.all()
     assert swept.A == pytest.approx([A, F_0 / (0.7 * np.hypot(0.7, 2 * zeta))], rel=1e-7)
+
+
+@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(folder, compiled):
+    """The second stop inside the first, both at one place, and a gap below 0: no piece lies there."""
+    if compiled and backend.SOLVER is None:
+        pytest.skip("the compiled solvers are not there")
+    stops = derive.mechanism(
+        f"two_stops_{compiled}", [(u, gap - k), (2 * u, c), (3 * u, None)], dict.fromkeys(("gap", "k", "c"), ABOVE_0),
+        compile=compiled,
+    )  # fmt: skip
+    for numbers in (
+        {"gap": 2.5, "k": 0.5, "c": 1.0},
+        {"gap": 2.5, "k": 1.5, "c": 1.0},
+        {"gap": 1.0, "k": 2.0, "c": 3.0},
+    ):
+        end = numbers["gap"] - numbers["k"]
+        with pytest.raises(
+            ValueError, match=rf"gap = .*: not allowed together, .* end at \|u\| = {end:g}, .* must rise"
+        ):
+            stops(**numbers, zeta=0.02)
+        assert stops.many(**numbers, mu=0.0, zeta=0.02).saddle_node_onset().status == Status.INVALID
+    assert stops(gap=1.0, k=0.5, c=1.0, zeta=0.02).breakpoints == (0.5, 1.0)
+    assert stops(gap=1.0, k=1.0, c=1.0, zeta=0.02).breakpoints == (1.0,)

@@ -59,7 +59,7 @@ def compiled_model(
     design: tuple[float, ...],
     inertial: bool,
 ) -> Any:
-    """One oscillator as the compiled solvers take it, None where they have no record of its mechanism."""
+    """One oscillator as the compiled solvers take it, None where they have no record of its mechanism, or refuse it."""
     record = record_of(mechanism, inertial)
     return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)
 

@@ -74,8 +74,8 @@ class Band(NamedTuple):
 class Hysteresis(Table):
     """Bands of frequencies in which more than one motion is stable: which of them is seen depends on what was before.
 
-    Omega_low, Omega_high -- ends of the band: folds, 0, or inf where without viscous damping a motion has no end
-    motions -- number of stable ones in it
+    Omega_low, Omega_high -- ends of the band: folds, 0, or inf where a motion has no end, as without viscous damping
+    motions -- number of stable ones in it, the rest among them at which a preload holds the mass
     """
 
     entry: ClassVar[Any] = Band
@@ -185,10 +185,10 @@ def hysteresis(oscillator: Averaged, F_0: float) -> Hysteresis:
     folds = oscillator.saddle_nodes(F_0)
     # beyond the last fold the number of motions does not change any more
     ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
-    bands = []
+    bands, rests = [], oscillator.model.holds(folds.F_0)
     for low, high in pairwise(ends) if len(folds) else ():
         middle = oscillator.amplitudes(Omega=0.5 * (low + high) if high < math.inf else 2 * low, F_0=F_0)
-        if (stable := int(middle.stable.sum())) > 1:
+        if (stable := int(middle.stable.sum()) + rests) > 1:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
     message = joined(folds.message, "" if bands else "at each frequency at most one motion is stable")

@@ -127,7 +127,8 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     motions, count = np.zeros((*shape, places), np.int8), np.zeros(shape, np.int8)
     status = np.where(folds.status == Status.TOO_MANY, Status.OK, folds.status).astype(np.int8)
     zeta = np.broadcast_to(designs.values["zeta"], shape)
-    said = (folds.remarks & (Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS | Remark.UNDECIDED)) != 0
+    own = Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS | Remark.HELD_AT_REST | Remark.UNDECIDED
+    said = (folds.remarks & own) != 0
     # below two folds and above them there is one motion, so there are three between them, the middle one unstable
     plain = (folds.count == 2) & (zeta > 0) & ~said & (folds.Omega[..., 0] < folds.Omega[..., 1])
     if designs.excitation != "force":  # a response that does not close has more

@@ -10,6 +10,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
+from itertools import pairwise
 from types import ModuleType
 from typing import Any
 
@@ -173,11 +174,18 @@ class Model:
             raise ValueError(f"{told} is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
 
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
-        """m, breakpoints and jumps, where the compiled solvers do not tell."""
-        ends = map(float, self.mechanism.breakpoints(*self.parameters))
+        """m, breakpoints and jumps, where the compiled solvers do not tell.
+
+        Raises ValueError for pieces whose ends do not rise.
+        """
+        ends = tuple(map(float, self.mechanism.breakpoints(*self.parameters)))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
-        kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end > 0]
+        kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end != 0]
+        if not all(above > below for (below, _), (above, _) in pairwise([(0.0, 0.0), *kept])):
+            given = ", ".join(f"{name} = {value!r}" for name, value in self._numbers().items())
+            where = ", ".join(f"{end:g}" for end in ends)
+            raise ValueError(f"{given}: not allowed together, the force's pieces end at |u| = {where}, which must rise")
         m = float(general_flow.friction(self.mu))
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
@@ -332,12 +340,15 @@ class Model:
 
     def given(self) -> dict[str, Any]:
         """Names of mechanism and excitation, and the numbers that make the oscillator, its design if that is known."""
-        of_force = zip((one.name for one in self.mechanism.parameters), self.parameters, strict=True)
-        of_design = zip((one.name for one in self.mechanism.design), self.design, strict=False)
-        numbers = dict(of_design) or dict(of_force)
         damping = {"mu": self.mu, "zeta": self.zeta}
         said = {"excitation": self.excitation, **self.laws.said}
-        return {"mechanism": self.mechanism.name, **numbers, **damping, **said}
+        return {"mechanism": self.mechanism.name, **self._numbers(), **damping, **said}
+
+    def _numbers(self) -> dict[str, float]:
+        """The numbers of the force by name: its design if that is known, else its parameters."""
+        of_force = zip((one.name for one in self.mechanism.parameters), self.parameters, strict=True)
+        of_design = zip((one.name for one in self.mechanism.design), self.design, strict=False)
+        return dict(of_design) or dict(of_force)
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""

@@ -37,7 +37,7 @@ static void sf_read_numbers_at(const sf_mechanism *mechanism, char **args, const
         out->damping[i] = sf_input(args, steps, mechanism->design_size + i, k);
 }
 
-/* Design k as the solvers take it; 0 if a number lies outside its domain.
+/* Design k as the solvers take it; 0 if a number lies outside its domain, or the pieces' ends do not rise.
  * jumps: whether it is asked what the force loses at its breakpoints, which takes longer than some answers. */
 static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, int jumps,
                         sf_model *model) {
@@ -45,8 +45,7 @@ static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdif
     sf_read_numbers_at(mechanism, args, steps, k, &at);
     if (!mechanism->parameters_of(at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
         return 0;
-    sf_prepare(mechanism, jumps ? at.design : NULL, model);
-    return 1;
+    return sf_prepare(mechanism, jumps ? at.design : NULL, model);
 }
 
 /* Design k as it was given; 0 where no proof is possible. */

@@ -64,21 +64,26 @@ static inline void sf_jumps_of(const sf_mechanism *mechanism, const double *desi
     }
 }
 
-/* The rest of a model whose parameters and damping are set. design: NULL where it is not known */
-static inline void sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
+/* The rest of a model whose parameters and damping are set; 0 where the ends of its pieces do not rise. design: NULL where
+ * it is not known */
+static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
     int i;
     model->mechanism = mechanism;
     model->breaks = 0;
     if (mechanism->breakpoints == 0)
-        return;
+        return 1;
     mechanism->ends(model->p, b);
     sf_jumps_of(mechanism, design, model->p, jump);
-    for (i = 0; i < mechanism->breakpoints; i++)
+    for (i = 0; i < mechanism->breakpoints; i++) {
+        if (!(b[i] >= 0 && (model->breaks == 0 || b[i] > model->b[model->breaks - 1])))
+            return 0;
         if (b[i] > 0) { /* a piece of no width is no piece */
             model->b[model->breaks] = b[i];
             model->jump[model->breaks++] = jump[i];
         }
+    }
+    return 1;
 }
 
 /* F's derivatives at a sample: the generated slow flow, scaled by powers of two. */

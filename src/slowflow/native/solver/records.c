@@ -149,7 +149,10 @@ static PyObject *new_model(PyObject *self, PyObject *args)
         sf_read_numbers(of_damping, record->damping_size, record->name, "numbers of damping", damping) == 0 &&
         (!known || sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) == 0)) {
         if (record->damping_of(damping, made->model.damping)) {
-            sf_prepare(record, known ? design : NULL, &made->model);
+            if (!sf_prepare(record, known ? design : NULL, &made->model)) {
+                free(made);
+                Py_RETURN_NONE;
+            }
             made->is_given = known && sf_give(record, design, damping[0], damping[1], &made->given);
             PyObject *result = PyCapsule_New(made, SF_MODEL, free_model);
             if (result != NULL)
