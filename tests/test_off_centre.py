@@ -402,3 +402,19 @@ def test_a_force_that_only_bends_has_no_fold_where_it_does():
     stop = derive.library("elastic_stop")(kappa=8, delta=0.2, mu=0.005, zeta=0.03, load=0.05)
     assert not stop.off_centre._steps.gains[:, 0].any()
     assert len(stop.saddle_nodes(F_0=0.0155)) == 0
+
+
+def test_a_mount_under_a_load_says_which_amplitude_its_answers_mean():
+    """The first harmonic about the mean, by averaging; the largest |x|, of the equation of motion."""
+    data = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+    mount = Isolator.physical(**data, load=12.36)
+    (state,) = mount.amplitudes(f=2.1, F=2)
+    assert state.x_max == pytest.approx(abs(state.B) + state.A, rel=1e-15)
+    exact = mount.steady_state(f=2.1, F=2)
+    assert exact.A == pytest.approx(np.abs(exact.x).max(), rel=1e-4) and exact.A == pytest.approx(state.x_max, rel=5e-3)
+    mean, first = exact.answer.harmonics(1)
+    assert state.A == pytest.approx(0.08 * abs(first), rel=5e-3) and state.B == pytest.approx(
+        0.08 * mean.real, rel=5e-3
+    )
+    assert "the mean displacement included" in str(exact) and "x_max/mm" in str(mount.amplitudes(f=2.1, F=2))
+    assert "included" not in str(Isolator.physical(**data).steady_state(f=2.1, F=2))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import itertools
 import re
 import shutil
@@ -170,9 +171,48 @@ def test_other_scenes_have_a_report_too(name, tmp_path, capsys):
     assert capsys.readouterr().err.endswith(f"{out} is written\n") and not Page(out.read_text()).open
 
 
+def lines_of(path):
+    """What is read on the page of a scene, line by line, but for its drawings."""
+    text = re.sub(r"<(style|svg).*?</\1>", "", report.html(scenes.read(path)), flags=re.DOTALL)
+    return [html.unescape(line) for line in re.sub(r"<[^>]+>", "\n", text).splitlines() if line]
+
+
+@pytest.mark.slow
+def test_under_a_load_the_report_leaves_out_what_is_about_the_centre_and_says_so(tmp_path):
+    path = tmp_path / "scene.toml"
+    text = (ROOT / "scenes" / "off_centre.toml").read_text().replace("[3.0, 5.0]", "[3.0]").replace("[2.2, 5.0]", "2.2")
+    files.write(path, text)
+    mount, lines = scenes.read(path).oscillator, lines_of(path)
+    up, down = mount.saddle_nodes(3.0)
+    stays = f"stay up to {mount.detachment().F_cr:.4g} N."
+    assert f"At 3 N it jumps up at {up.f:.4g} Hz, jumps down at {down.f:.4g} Hz; its springs {stays}" in lines
+    assert f"{1e3 * mount.rest().x[0]:.4g}" in lines and f"{mount.saddle_node_onset().F_SN:.4g}" in lines
+    left_out = [line for line in lines if line.startswith("Left out: ")]
+    load = f"load = {(12.36 - 12.0) * 9.80665:.5g} N"
+    for question in ("margins", "isolation", "hysteresis", "sizing"):
+        assert f"Left out: {question} is not available with {load}, only about the centre." in left_out
+    # the largest displacement of both is compared, the mean included
+    (state,) = mount.amplitudes(f=2.2, F=3.0)
+    largest = (1e3 * (state.A + abs(state.B)), 1e3 * mount.steady_state(f=2.2, F=3.0).A)
+    at = lines.index(f"{largest[0]:.5g}")
+    assert lines[at + 1] == f"{largest[1]:.5g}" and "error of averaging" in lines
+
+
+@pytest.mark.slow
+def test_with_other_laws_of_damping_the_report_leaves_out_what_needs_plain_ones(tmp_path):
+    lines = lines_of(ROOT / "scenes" / "rubber.toml")
+    laws = "eta = 0.01, c_2 = 5 N s^2/m^2, rubs = 'attached'"
+    assert f"Left out: sizing is not available with {laws}, only with friction and zeta." in lines
+    assert any(
+        line.startswith(f"No second approximation here: second_approximation is not available with {laws}")
+        for line in lines
+    )
+    assert any(line.startswith("At 5 N it jumps up at 2.183 Hz") for line in lines)
+
+
 def test_what_has_no_report_is_said(tmp_path, capsys):
     path = tmp_path / "scene.toml"
     files.write(path, '[duffing]\nalpha = 1.0\nbeta = 0.1\nzeta = 0.1\n[ask]\nF_0 = 0.1\nquestions = "peak"\n')
-    assert cli.main(["report", str(path)]) == 2 and "must be an Isolator" in capsys.readouterr().err
+    assert cli.main(["report", str(path)]) == 2 and "must hold [mount] or [isolator]" in capsys.readouterr().err
     files.write(path, MOUNT.read_text().partition("questions")[0] + 'questions = ["detachment"]\n')
     assert cli.main(["report", str(path)]) == 2 and "needs forcings" in capsys.readouterr().err

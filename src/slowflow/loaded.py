@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from slowflow.model import Model
+from slowflow.validate import NotAvailable
 
 #: what a load leaves as it is
 KNOWN = (
@@ -53,4 +54,4 @@ class Loaded:
         # what copying and pickling ask for is asked before there are any numbers
         if name.startswith("_") or "load" not in self.__dict__:
             raise AttributeError(name)
-        raise ValueError(AT_CENTRE.format(self.load))
+        raise NotAvailable(AT_CENTRE.format(self.load))

@@ -135,7 +135,7 @@ class Oscillator(Averaged):
     def at_centre(self, question: str) -> None:
         """Raises ValueError where the question is asked of an oscillator under a load, for which it has no answer."""
         if self.load != 0:
-            raise ValueError(CENTRED.format(question, self.load))
+            raise validate.NotAvailable(CENTRED.format(question, self.load))
 
     def rest(self) -> RestPositions:
         """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
@@ -274,7 +274,9 @@ class Oscillator(Averaged):
                 f"motions of {self.model.mechanism.name} are not followed: its force jumps at u = 0, where a mass rests"
             )
         if laws.eta > 0 and Omega is None:
-            raise ValueError(f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency")
+            raise validate.NotAvailable(
+                f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency"
+            )
         structural = 0.0 if laws.eta == 0 or Omega is None else laws.eta / (2 * Omega)
         beside = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT
         return EquationOfMotion(force, self.mu, self.zeta + structural, *beside)

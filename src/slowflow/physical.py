@@ -23,7 +23,7 @@ from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
 from slowflow.averaged.plan import Plan
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
-from slowflow.results import SecondStates, SteadyStates
+from slowflow.results import SteadyStates
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.record import Parameter, Scale
@@ -49,6 +49,7 @@ USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg", "kg m", "N s^2/m^2
 KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         **{name: (name, "length") for name in ("A", "A_1", "A_max", "B", "doubt")},
+        "u_max": ("x_max", "length"),
         "load": ("load", "force"),
         "u_cr": ("x_cr", "length"),
         "u": ("x", "length"),
@@ -92,6 +93,7 @@ PHRASES = (
     (r"\bF_SN = ", "{}_SN = ", "amplitude"),
     (r"\bOmega = ", "f = ", "frequency"),
     (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
+    (r"\bload = ", "load = ", "force"),
     (r"\bfor Omega in \[", "for f in [", "frequency"),
     (r"\bA = ", "A = ", "length"),
     (r"\bamplitude up to ", "amplitude up to ", "length"),
@@ -113,6 +115,8 @@ LETTERS = (
 NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
 #: what can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
+#: what A is of a motion that is not about the centre
+LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
 #: standard gravity, m/s^2
 g = UNITS["acceleration"]["g"]
 
@@ -366,11 +370,9 @@ class Scales:
         """An answer to a dimensionless question in SI units, and those that it holds."""
         fields = dataclasses.fields(answer)  # type: ignore[arg-type]
         found = {field.name: getattr(answer, field.name) for field in fields if field.repr}
-        entry = tuple(answer.entry._fields) if isinstance(answer, Table) else ()
-        if isinstance(answer, SteadyStates):
-            entry += ("transmissibility_dB", "F_0") if np.ndim(answer.F_0) else ("transmissibility_dB",)
-        elif isinstance(answer, SecondStates):
-            entry += ("transmissibility_dB",)
+        entry = (*answer.entry._fields, *answer.beside) if isinstance(answer, Table) else ()
+        if isinstance(answer, SteadyStates) and np.ndim(answer.F_0):
+            entry += ("F_0",)
         return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
 
     def worded(self, text: str) -> str:
@@ -548,7 +550,10 @@ class Physical:
         return self.scales.quantities(self._asked.peak(self._amplitude(F)))
 
     def amplitudes(self, *, f: Any, F: Any) -> Quantities:
-        """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`."""
+        """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`.
+
+        Under a load .A is the amplitude about the mean displacement .B, and .x_max the largest |x|, |B| + A.
+        """
         Omega, F_0 = self._frequencies(f), self._amplitudes(F)
         return self.scales.quantities(self._asked.amplitudes(Omega=Omega, F_0=F_0))
 
@@ -628,13 +633,14 @@ class Physical:
     def steady_state(self, *, f: Any, F: Any, A: Any = None, samples: int = 400) -> Quantities:
         """One periodic motion of the equation of motion: .A .stops .stable .period, and .t .x .v over one period.
 
-        See `Oscillator.steady_state`, which `.answer` is from.
+        .A is the largest |x|; under a load that is what `amplitudes` calls .x_max, and .message says so. See
+        `Oscillator.steady_state`, which `.answer` is from.
         """
         at = {"Omega": self._frequency(f), "F_0": self._amplitude(F), "A": self._most(A)}
         found = self._asked.steady_state(**at)
         tau, u, v = found.series(samples)
         said = {name: getattr(found, name) for name in ("Omega", "A", "stops", "stable", "period")}
-        said |= {"F_0": at["F_0"]}
+        said |= {"F_0": at["F_0"], "message": "" if self.oscillator.load == 0 else LARGEST}
         return self.scales.named({**said, "tau": tau, "u": u, "v": v}, found)
 
     def exact_response(

@@ -1,7 +1,8 @@
 """The report of a scene: in goes a scene with forcings, out comes one HTML page that needs no network.
 
 The answers with their margins, curves, transmissibility, a map of designs with the one at hand, how far to trust each
-jump, the equations with their verdicts, and the data. Pictures are drawn by Matplotlib into the page.
+jump, the equations with their verdicts, and the data. Pictures are drawn by Matplotlib into the page. What an
+oscillator has no answer to, as one under a load or with another law of damping, is left out, and that is said.
 """
 
 from __future__ import annotations
@@ -21,10 +22,12 @@ import numpy as np
 import slowflow
 from slowflow import files, pictures
 from slowflow.answer import Answer, head
+from slowflow.isolator import Isolator
 from slowflow.paper.report import read_ledger
 from slowflow.physical import EXCITED, SHOWN, UNITS, Physical, Quantities
 from slowflow.scenes import Scene
 from slowflow.sizing.subject import Load, Subject
+from slowflow.validate import NotAvailable
 
 #: equations of the paper that the answers rest on
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")
@@ -87,7 +90,8 @@ def html(scene: Scene) -> str:
     if not forcings and not shocks:
         raise ValueError(f"{scene.path}: a report needs forcings in [ask], or a shock")
     of = scene.oscillator
-    subject = Subject(of)
+    if not isinstance(_plain(of), Isolator):
+        raise ValueError(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
     title = f"Vibration isolator: {scene.path.stem}"
     sections = {
         "In short": _summary(of, forcings),
@@ -97,12 +101,12 @@ def html(scene: Scene) -> str:
         "Load spectrum": _spectrum(scene),
         "Shocks": _shocks(scene),
         "Tolerances": _tolerances(scene),
-        "Designs beside it": _map(subject),
+        "Designs beside it": _map(of),
         "How far to trust it": _trust(of, forcings, scene),
         "Equations": _equations(),
         "Data": _data(of, forcings, scene),
     }
-    told = {name: parts for name, section in sections.items() if (parts := list(section))}
+    told = {name: parts for name, section in sections.items() if (parts := list(_available(of, section)))}
     links = "".join(f'<li><a href="#{_anchor(name)}">{escape(name)}</a></li>' for name in told)
     body = "\n".join(
         line
@@ -116,6 +120,38 @@ def html(scene: Scene) -> str:
         f'<nav aria-label="Contents"><ul>{links}</ul></nav></header>\n'
         f"<main>\n{body}\n</main>\n</body>\n</html>\n"
     )
+
+
+def _plain(of: Any) -> Any:
+    """The oscillator without dimensions."""
+    return of.oscillator if isinstance(of, Physical) else of
+
+
+def _available(of: Any, section: Iterator[str]) -> Iterator[str]:
+    """The parts of a section, and what it cannot have."""
+    try:
+        yield from section
+    except NotAvailable as error:
+        yield _left_out(of, [str(error)])
+
+
+def _left_out(of: Any, reasons: Sequence[str]) -> str:
+    """Why parts are missing, in the terms of the scene; nothing where none is."""
+    return "".join(f"<p>Left out: {_worded(of, reason)}.</p>" for reason in reasons)
+
+
+def _worded(of: Any, text: str) -> str:
+    return escape(of.scales.worded(text) if isinstance(of, Physical) else text, quote=False)
+
+
+def _at_each(of: Any, question: str, forcings: Sequence[float], left_out: list[str]) -> list[Any]:
+    """The answers at each forcing; none where such an oscillator has none, and why is added to `left_out`."""
+    try:
+        return [_shown(getattr(of, question)(F)) for F in forcings]
+    except NotAvailable as error:
+        said = str(error)
+        left_out.append(said if question in said else f"{question}: {said}")
+        return []
 
 
 def _letter(of: Any) -> tuple[str, str]:
@@ -145,27 +181,35 @@ def _summary(of: Any, forcings: Sequence[float]) -> Iterator[str]:
 
 
 def _in_short(of: Any, F: float) -> Iterator[str]:
-    margins, folds = _shown(of.margins(F)), _shown(of.saddle_nodes(F))
-    peak, isolation = _shown(of.peak(F)), _shown(of.isolation(F))
-    yield f"At {_one(margins, *pictures.AMPLITUDES)}"
-    if margins.sticks:
+    folds, onset, leaving = _shown(of.saddle_nodes(F)), _shown(of.saddle_node_onset()), _shown(of.detachment())
+    # without these the sentence is shorter; what is left out is said further down
+    margins, peak, isolation = (_at_each(of, question, [F], []) for question in ("margins", "peak", "isolation"))
+    yield f"At {_one(folds, *pictures.AMPLITUDES)}"
+    if _plain(of).model.sticks(folds.answer.F_0 if isinstance(folds, Quantities) else folds.F_0):
         yield "friction holds the mass: it does not move."
         return
     if len(folds):
         at = ", ".join(f"{kind.replace('-', 's ')} at {_number(folds, x, 'f', 'Omega')}" for kind, x in _jumps(folds))
         yield f"it {at};"
-    elif (onset := _one(margins, *(f"{letter[0]}_SN" for letter in pictures.AMPLITUDES))) is None:
+    elif (lowest := _one(onset, *(f"{letter[0]}_SN" for letter in pictures.AMPLITUDES))) is None:
         yield "it does not jump, nor at any other amplitude of the excitation;"
     else:
-        yield f"it does not jump: it would from {onset} on;"
-    if margins.detaches:
+        yield f"it does not jump: it would from {lowest} on;"
+    least = [f"{letter[0]}_cr" for letter in pictures.AMPLITUDES]
+    if not margins:
+        name = next(name for name in least if hasattr(leaving, name))
+        if (most := _one(leaving, name)) is None:
+            yield f"{leaving.message}."
+        else:
+            yield f"its springs {f'leave from {most} on' if F >= getattr(leaving, name) else f'stay up to {most}'}."
+    elif margins[0].detaches:
         yield "its springs leave."
     else:
-        most = _one(margins, *(f"{letter[0]}_cr" for letter in pictures.AMPLITUDES))
+        most = _one(margins[0], *least)
         yield "its springs stay" + (f" up to {most}." if most is not None else ".")
-    if peak.A is not None:
-        yield f"Its highest motion is {_one(peak, 'A')}, at {_one(peak, 'f', 'Omega')}."
-    if (begin := _one(isolation, "f", "Omega")) is not None:
+    if peak and peak[0].A is not None:
+        yield f"Its highest motion is {_one(peak[0], 'A')}, at {_one(peak[0], 'f', 'Omega')}."
+    if isolation and (begin := _one(isolation[0], "f", "Omega")) is not None:
         yield f"From {begin} on it transmits less than what drives it."
 
 
@@ -195,7 +239,7 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
     yield _rows("As it was given", ("number", "value", "unit"), rows)
     for text in scene.warnings:
         yield f"<p>Note: {escape(text)}</p>"
-    if mount:
+    if mount and _plain(of).load == 0:
         shown = of.at_rest().in_units()
         units = shown.units_of_columns()
         found = {name: column[0] for name, column in shown.columns().items()}
@@ -205,10 +249,13 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
             if not np.isnan(value)
         ]
         yield _rows("At rest", ("number", "value", "unit", "what it is"), at_rest)
+    elif _plain(of).load != 0:
+        yield _table("Where it stands under its load", _shown(of.rest()))
 
 
 def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
-    what = EXCITATION[of.oscillator.excitation if isinstance(of, Physical) else of.excitation]
+    what = EXCITATION[_plain(of).excitation]
+    left_out: list[str] = []
     yield _table(f"It jumps from this {what} on", _shown(of.saddle_node_onset()))
     yield _table(f"Its springs leave from this {what} on", _shown(of.detachment()))
     for caption, question in (
@@ -218,8 +265,9 @@ def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         ("Where a sweep jumps", "saddle_nodes"),
         ("Bands with several stable motions", "hysteresis"),
     ):
-        if forcings:
-            yield _table(caption, *(_shown(getattr(of, question)(F)) for F in forcings))
+        if found := _at_each(of, question, forcings, left_out):
+            yield _table(caption, *found)
+    yield _left_out(of, left_out)
 
 
 def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
@@ -228,11 +276,11 @@ def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     curves = [_shown(of.frequency_response(F)) for F in forcings]
     folds = [_shown(of.saddle_nodes(F)) for F in forcings]
     force, _ = _letter(of)
-    oscillator = of.oscillator if isinstance(of, Physical) else of
+    oscillator = _plain(of)
     letter, length = ("x", 1e3 * of.scales.sizes["length"]) if isinstance(of, Physical) else ("u", 1.0)
     for y, said in (("A", "Amplitude"), ("transmissibility_dB", "Transmissibility in decibels")):
         ax = pictures.responses(_axes(), list(zip(curves, folds, strict=True)), y)
-        if y == "A":
+        if y == "A" and oscillator.load == 0:  # else springs leave on one side first, at |B| + A = u_cr
             pictures.breakpoints(ax, [length * end for end in oscillator.breakpoints], letter)
         pictures.legend(ax, pictures.axis(curves[0], force), place="below")
         yield _figure(
@@ -280,7 +328,8 @@ def _tolerances(scene: Scene) -> Iterator[str]:
         yield _figure(ax, f"Where 95 of 100 designs lie, over the nominal value: {one}.")
 
 
-def _map(subject: Subject) -> Iterator[str]:
+def _map(of: Any) -> Iterator[str]:
+    subject = Subject(of)
     x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
     if not subject.nominal[y]:
         return
@@ -307,6 +356,16 @@ def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
     if not forcings:
         return
+    yield from _available(of, _jumps_by_depths(of, forcings))
+    plain = _plain(of)
+    # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
+    is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.told()
+    yield from _expected(of, forcings) if is_measured else _checked(of, forcings, scene)
+    yield from _depths(of, max(forcings))
+
+
+def _jumps_by_depths(of: Any, forcings: Sequence[float]) -> Iterator[str]:
+    """Each jump by averaging, with higher harmonics, and by the equation of motion."""
     name = "f" if isinstance(of, Physical) else "Omega"
     rows = []
     for F in forcings:
@@ -322,27 +381,24 @@ def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
             Omega, error, reason = exact[k]
             last = (f"{Omega:.5g}", f"{100 * error:+.2g} %") if not reason else (escape(reason), "")
             rows.append((f"{F:.4g}", fold.kind, f"{getattr(fold, name):.5g}", second, *last))
-    if rows:
-        of_f = f"{name}/Hz" if isinstance(of, Physical) else name
-        letter, measured = _letter(of)
-        heads = (
-            head(letter, {letter: measured}),
-            "kind",
-            f"{of_f}, averaged",
-            "second approximation",
-            "equation of motion",
-            "error of averaging",
-        )
-        yield _rows("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
-    else:
+    if not rows:
         yield "<p>There is no jump at these amplitudes of the excitation.</p>"
-    by_force = (of.oscillator if isinstance(of, Physical) else of).excitation == "force"
-    yield from _expected(of, forcings) if by_force else _checked(of, forcings, scene)
-    yield from _depths(of, max(forcings))
+        return
+    of_f = f"{name}/Hz" if isinstance(of, Physical) else name
+    letter, measured = _letter(of)
+    heads = (
+        head(letter, {letter: measured}),
+        "kind",
+        f"{of_f}, averaged",
+        "second approximation",
+        "equation of motion",
+        "error of averaging",
+    )
+    yield _rows("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
 
 
 def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    """The largest stable amplitude by averaging and by the equation of motion, at the frequencies asked for."""
+    """The largest displacement by averaging and by the equation of motion, at the frequencies asked for."""
     name, letter = ("f", "F") if isinstance(of, Physical) else ("Omega", "F_0")
     force, unit = _letter(of)
     rows = []
@@ -350,15 +406,21 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
         for at in next((one.arguments[name] for one in scene.asked if one.question == "amplitudes"), ()):
             states = of.amplitudes(**{name: at, letter: F})
             if states.stable.any():
-                A = float(states.A[states.stable].max())
-                found = of.steady_state(**{name: at, letter: F, "A": A})
+                # off the centre A is about the mean
+                largest = getattr(states, next(one for one in ("x_max", "u_max", "A") if hasattr(states, one)))
+                A = float(largest[states.stable].max())
                 scale = 1e3 if isinstance(of, Physical) else 1.0
-                numbers = (f"{F:.4g}", f"{at:.4g}", f"{scale * A:.5g}", f"{scale * found.A:.5g}")
-                rows.append((*numbers, f"{100 * (A / found.A - 1):+.2g} %"))
-    of_f, of_A = ("f/Hz", "A/mm") if isinstance(of, Physical) else ("Omega", "A")
-    heads = (head(force, {force: unit}), of_f, f"{of_A}, averaged", "equation of motion", "error of averaging")
+                try:
+                    exact = of.steady_state(**{name: at, letter: F, "A": A}).A
+                    compared = (f"{scale * exact:.5g}", f"{100 * (A / exact - 1):+.2g} %")
+                except ArithmeticError as error:
+                    compared = (escape(str(error)), "")
+                rows.append((f"{F:.4g}", f"{at:.4g}", f"{scale * A:.5g}", *compared))
+    of_f, of_A = ("f/Hz", "mm") if isinstance(of, Physical) else ("Omega", "")
+    averaged = f"averaged/{of_A}" if of_A else "averaged"
+    heads = (head(force, {force: unit}), of_f, averaged, "equation of motion", "error of averaging")
     if rows:
-        yield _rows("The largest amplitude by averaging and by the equation of motion itself", heads, rows)
+        yield _rows("The largest displacement by averaging and by the equation of motion itself", heads, rows)
     else:
         yield "<p>Not compared with the equation of motion: the scene asks for amplitudes at no frequency.</p>"
 
@@ -386,7 +448,10 @@ def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
 def _depths(of: Any, F: float) -> Iterator[str]:
     """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
     name = "f" if isinstance(of, Physical) else "Omega"
-    at = getattr(of.peak(F), name)
+    left_out: list[str] = []
+    peaks = _at_each(of, "peak", [F], left_out)
+    yield _left_out(of, left_out)
+    at = getattr(peaks[0], name) if peaks else None
     if not at:
         return
     window = {name: (BESIDE[0] * at, BESIDE[1] * at)}
@@ -398,7 +463,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
         try:
             found[depth] = _shown(ask())
         except (ValueError, ArithmeticError) as error:
-            missing.append(f"<p>No {depth} here: {escape(str(error))}</p>")
+            missing.append(f"<p>No {depth} here: {_worded(of, str(error))}.</p>")
     ax = pictures.depths(_axes(), found)
     force, unit = _letter(of)
     at_F = f"{F:g} {unit}" if unit else f"{force} = {F:g}"
@@ -429,7 +494,10 @@ def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
         text = files.in_csv([({force: F}, _shown(getattr(of, question)(F))) for F in forcings])
         yield f"<li>{_download(f'{question}.csv', 'text/csv', text)}</li>"
     for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
-        alike = [(one.numbers(), scene.answer(one)) for one in scene.asked if one.question == question]
+        try:
+            alike = [(one.numbers(), scene.answer(one)) for one in scene.asked if one.question == question]
+        except NotAvailable:  # its own section says so
+            continue
         if alike:
             yield f"<li>{_download(f'{question}.csv', 'text/csv', files.in_csv(alike))}</li>"
     yield f"<li>{_download(scene.path.name, 'application/toml', scene.text)}</li>"

@@ -24,6 +24,10 @@ WINDOW = (0.0, 2.0)
 MOST_SAMPLES = 10**6
 
 
+class NotAvailable(ValueError):
+    """A question that an oscillator has no answer to yet, though another might: said in words."""
+
+
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:
     return ValueError(f"{name} = {value!r} is not allowed: {name} must be {allowed}")
 
@@ -107,15 +111,15 @@ def workers(value: Any) -> int:
 
 
 def is_force(question: str, excitation: str) -> None:
-    """ValueError where a question is asked of another excitation than a force, and has no answer to that."""
+    """NotAvailable where a question is asked of another excitation than a force, and has no answer to that."""
     if excitation != "force":
-        raise ValueError(f"{question} is not available with excitation = {excitation!r}, only with 'force'")
+        raise NotAvailable(f"{question} is not available with excitation = {excitation!r}, only with 'force'")
 
 
 def is_plain(question: str, laws: str) -> None:
-    """ValueError where a question is asked of an oscillator with other laws of damping, told in words."""
+    """NotAvailable where a question is asked of an oscillator with other laws of damping, told in words."""
     if laws:
-        raise ValueError(f"{question} is not available with {laws}, only with mu and zeta")
+        raise NotAvailable(f"{question} is not available with {laws}, only with mu and zeta")
 
 
 def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:

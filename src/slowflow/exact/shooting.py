@@ -76,7 +76,7 @@ class SteadyState(Answer):
     """A periodic motion. All quantities dimensionless; arrays over one period have `samples` entries, tau from 0.
 
     F_0          -- amplitude of the excitation; `force` is that of the force
-    A            -- largest |u|, good to about 1e-13 whatever its size
+    A            -- largest |u|, the mean included, good to about 1e-13 whatever its size
     stops        -- rests in one period
     multipliers  -- Floquet multipliers over `period`, shape (2,)
     half_multipliers -- of the map over half a period with u -> -u, where the motion is half-wave symmetric, else None;

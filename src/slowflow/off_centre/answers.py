@@ -15,6 +15,7 @@ from slowflow.model import Floats
 from slowflow.results import DRAWN
 from slowflow_kernels import slow_flow
 
+NOT_MEASURED = "errors of averaging are measured about the centre only: off it steady_state has the motions themselves"
 NO_GRADIENT = "gradients are derived of motions about the centre only: off it there is none"
 
 
@@ -24,6 +25,10 @@ class Balanced:
     def gradient(self) -> NoReturn:
         """Raises ValueError: off the centre no gradient is derived."""
         raise ValueError(NO_GRADIENT)
+
+    def measure(self) -> NoReturn:
+        """Raises NotAvailable: off the centre averaging is not held against the equation of motion at the answer."""
+        raise validate.NotAvailable(NOT_MEASURED)
 
 
 class Rest(NamedTuple):
@@ -85,7 +90,7 @@ class RestPositions(Balanced, Table):
 class OffCentreStates(Balanced, Table):
     """Steady states u = B + A cos(Omega tau + phi), one entry each, by the order of the frequencies, then by rising A.
 
-    Omega, A, B -- frequency, amplitude and mean displacement, dimensionless
+    Omega, A, B -- frequency, amplitude and mean displacement, dimensionless; `u_max` is the largest |u|, |B| + A
     stable      -- where F_A (30) along the balance of the mean is positive, and the mean stiffness too
     F_0, load   -- forcing and static load over k_v L
     message     -- remarks in words; empty if there is nothing to say
@@ -93,6 +98,7 @@ class OffCentreStates(Balanced, Table):
     """
 
     entry: ClassVar[Any] = OffCentreState
+    beside: ClassVar[tuple[str, ...]] = ("u_max", "transmissibility_dB")
 
     Omega: Floats
     A: Floats
@@ -109,6 +115,11 @@ class OffCentreStates(Balanced, Table):
     def phi(self) -> Floats:
         """Phase in radians, in [-pi, 0] (25); computed when first asked for."""
         return frozen(np.asarray(slow_flow.phase(self.Omega, self.A, *self._damping, self._h)) + 0 * self.A)
+
+    @property
+    def u_max(self) -> Floats:
+        """The largest |u| of each motion: |B| + A."""
+        return np.asarray(np.abs(self.B) + self.A)
 
     @cached_property
     def transmissibility(self) -> Floats:
