@@ -7,6 +7,7 @@ m, s; frequencies in Hz), or quantities of pint. Answers are `Quantities`: plain
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import math
 import re
@@ -390,6 +391,15 @@ class Scales:
             text = re.sub(pattern, name.format(letter), text)
         return text
 
+    @contextlib.contextmanager
+    def in_these_terms(self) -> Iterator[None]:
+        """What the dimensionless oscillator refuses is said by `worded`."""
+        try:
+            yield
+        except (ValueError, ArithmeticError) as error:
+            error.args = (self.worded(str(error)),)
+            raise
+
     def kind(self, name: str) -> tuple[str, str]:
         """What a dimensionless number is called with a unit, and of which kind it is; "" for none."""
         if name not in AMPLITUDES:
@@ -422,11 +432,8 @@ class _InTheseTerms:
         ask = getattr(self._oscillator, question)
 
         def asked(*arguments: Any, **named: Any) -> Any:
-            try:
+            with self._scales.in_these_terms():
                 return ask(*arguments, **named)
-            except (ValueError, ArithmeticError) as error:
-                error.args = (self._scales.worded(str(error)),)
-                raise
 
         return asked
 
@@ -628,7 +635,8 @@ class Physical:
     @property
     def second_approximation(self) -> Physical:
         """The same questions, those that it answers, with the higher harmonics of force and friction."""
-        return Physical(self.oscillator.second_approximation, self.scales, self.given)
+        with self.scales.in_these_terms():
+            return Physical(self.oscillator.second_approximation, self.scales, self.given)
 
     def steady_state(self, *, f: Any, F: Any, A: Any = None, samples: int = 400) -> Quantities:
         """One periodic motion of the equation of motion: .A .stops .stable .period, and .t .x .v over one period.

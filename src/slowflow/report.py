@@ -106,7 +106,7 @@ def html(scene: Scene) -> str:
         "Equations": _equations(),
         "Data": _data(of, forcings, scene),
     }
-    told = {name: parts for name, section in sections.items() if (parts := list(_available(of, section)))}
+    told = {name: parts for name, section in sections.items() if (parts := list(_available(section)))}
     links = "".join(f'<li><a href="#{_anchor(name)}">{escape(name)}</a></li>' for name in told)
     body = "\n".join(
         line
@@ -127,21 +127,17 @@ def _plain(of: Any) -> Any:
     return of.oscillator if isinstance(of, Physical) else of
 
 
-def _available(of: Any, section: Iterator[str]) -> Iterator[str]:
+def _available(section: Iterator[str]) -> Iterator[str]:
     """The parts of a section, and what it cannot have."""
     try:
         yield from section
     except NotAvailable as error:
-        yield _left_out(of, [str(error)])
+        yield _left_out([str(error)])
 
 
-def _left_out(of: Any, reasons: Sequence[str]) -> str:
-    """Why parts are missing, in the terms of the scene; nothing where none is."""
-    return "".join(f"<p>Left out: {_worded(of, reason)}.</p>" for reason in reasons)
-
-
-def _worded(of: Any, text: str) -> str:
-    return escape(of.scales.worded(text) if isinstance(of, Physical) else text, quote=False)
+def _left_out(reasons: Sequence[str]) -> str:
+    """Why parts are missing; nothing where none is."""
+    return "".join(f"<p>Left out: {escape(reason, quote=False)}.</p>" for reason in reasons)
 
 
 def _at_each(of: Any, question: str, forcings: Sequence[float], left_out: list[str]) -> list[Any]:
@@ -267,7 +263,7 @@ def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     ):
         if found := _at_each(of, question, forcings, left_out):
             yield _table(caption, *found)
-    yield _left_out(of, left_out)
+    yield _left_out(left_out)
 
 
 def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
@@ -356,7 +352,7 @@ def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
     if not forcings:
         return
-    yield from _available(of, _jumps_by_depths(of, forcings))
+    yield from _available(_jumps_by_depths(of, forcings))
     plain = _plain(of)
     # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
     is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.told()
@@ -450,7 +446,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
     name = "f" if isinstance(of, Physical) else "Omega"
     left_out: list[str] = []
     peaks = _at_each(of, "peak", [F], left_out)
-    yield _left_out(of, left_out)
+    yield _left_out(left_out)
     at = getattr(peaks[0], name) if peaks else None
     if not at:
         return
@@ -463,7 +459,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
         try:
             found[depth] = _shown(ask())
         except (ValueError, ArithmeticError) as error:
-            missing.append(f"<p>No {depth} here: {_worded(of, str(error))}.</p>")
+            missing.append(f"<p>No {depth} here: {escape(str(error), quote=False)}.</p>")
     ax = pictures.depths(_axes(), found)
     force, unit = _letter(of)
     at_F = f"{F:g} {unit}" if unit else f"{force} = {F:g}"

@@ -5,6 +5,7 @@ A number of a mount is varied in its own terms, and may change what the answers 
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -62,8 +63,9 @@ class Subject:
         isolator = of.oscillator if isinstance(of, Physical) else of
         if not isinstance(isolator, Isolator):
             raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
-        isolator.only_for_plain_damping("sizing")
-        isolator.at_centre("sizing")
+        with contextlib.nullcontext() if self.mount is None else self.mount.scales.in_these_terms():
+            isolator.only_for_plain_damping("sizing")
+            isolator.at_centre("sizing")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"
