@@ -1,5 +1,6 @@
 """The compiled equation of motion: its series against 30 digits, its motions against heyoka's, its refusals."""
 
+import importlib
 import math
 
 import mpmath as mp
@@ -143,7 +144,8 @@ def test_a_graze_is_told_from_a_stop():
 
 def test_200_random_motions_by_heyoka():
     """Amplitude, multipliers and switches of independent integrators: to 1e-10 times the motion's condition."""
-    heyoka = pytest.importorskip("tests.oracles.exact_heyoka").HeyokaIntegrator()
+    pytest.importorskip("heyoka")
+    heyoka = importlib.import_module("tests.oracles.exact_heyoka").HeyokaIntegrator()
     for case in random_cases(200, seed=11):
         found = steady_state(case.system, case.Omega, case.F_0)
         other = steady_state(case.system, case.Omega, case.F_0, found, integrator=heyoka)

@@ -118,6 +118,16 @@ def test_explain_tells_what_runs_what_is_skipped_and_its_time(scene, capsys):
     assert out.endswith(f"not asked for, and not computed: {left}\n")
 
 
+def test_scenes_are_checked_one_after_the_other_and_nothing_is_computed(scene, monkeypatch, capsys):
+    monkeypatch.setattr(scenes.Scene, "answer", lambda *_: pytest.fail("it was answered"))
+    right = sorted((ROOT / "scenes").glob("*.toml"))
+    code, out, err = run("check", *right, capsys=capsys)
+    assert (code, err) == (0, "") and [line.partition(":")[0] for line in out.splitlines()] == list(map(str, right))
+    assert "to answer: rest, detachment, saddle_node_onset, saddle_nodes at F = 3, saddle_nodes at F = 5" in out
+    code, out, err = run("check", scene(MOUNT.replace("L = 0.080", "L = 0")), right[0], capsys=capsys)
+    assert code == 2 and ":8: L = 0 is not allowed" in err and out.startswith(str(right[0]))
+
+
 def test_the_starter_runs_and_is_not_written_over(tmp_path, capsys):
     path = tmp_path / "mine.toml"
     assert run("new", path, capsys=capsys)[0] == 0 and path.read_text() == scenes.STARTER
@@ -220,7 +230,7 @@ def test_a_wrong_scene_is_refused_with_file_line_key_value_and_what_is_allowed(w
     right, wrong, said = WRONG[what]
     assert right in MOUNT
     path = scene(MOUNT.replace(right, wrong))
-    for command in ("run", "explain"):
+    for command in ("run", "check", "explain"):
         code, out, err = run(command, path, capsys=capsys)
         assert (code, out) == (2, "") and err.startswith(f"{path}:{said}")
 

@@ -75,12 +75,14 @@ def certify(given: argparse.Namespace) -> int:
 
 
 def add_scenes(commands: Any) -> None:
-    """`slowflow run`, `explain` and `new`."""
+    """`slowflow run`, `check`, `explain`, `report` and `new`."""
     run = commands.add_parser("run", help="the answers that a scene asks for", description=run_scene.__doc__)
     run.add_argument("scene", type=Path, help="TOML file; `slowflow new` writes one to begin with")
     run.add_argument("-o", "--out", type=Path, metavar="DIR", help="write CSV and JSON there instead of printing")
     run.add_argument("--json", action="store_true", help="print JSON")
     run.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
+    check = commands.add_parser("check", help="whether a scene is allowed; computes nothing")
+    check.add_argument("scene", type=Path, nargs="+")
     explain = commands.add_parser("explain", help="what runs for a scene, what is skipped, and how long it takes")
     explain.add_argument("scene", type=Path)
     report = commands.add_parser("report", help="a scene's answers, curves and errors on one HTML page")
@@ -138,6 +140,20 @@ def provenance(scene: Scene) -> dict[str, Any]:
         "oscillator": repr(scene.oscillator),
         "warnings": list(scene.warnings),
     }
+
+
+def check_scenes(given: argparse.Namespace) -> int:
+    """Say what scenes ask for, or what is wrong in them; 2 where something is."""
+    wrong = False
+    for path in given.scene:
+        try:
+            scene = _read(path)
+        except (OSError, UnicodeDecodeError, SceneError) as error:
+            print(error, file=sys.stderr)
+            wrong = True
+        else:
+            print(f"{path}: {scene.oscillator}; to answer: {', '.join(map(str, scene.asked))}")
+    return 2 if wrong else 0
 
 
 def explain_scene(given: argparse.Namespace) -> int:
@@ -300,6 +316,7 @@ COMMANDS = {
     "paper": print_paper,
     "figures": draw_figures,
     "certify": certify,
+    "check": check_scenes,
     "run": run_scene,
     "explain": explain_scene,
     "new": new_scene,
