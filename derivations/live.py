@@ -41,8 +41,9 @@ from .results import of_mechanism
 from .slow_flow import slow_flow
 from .symbols import u
 
-_x = sp.Symbol("x", real=True)
-_k_v, _L = sp.symbols("k_v L", positive=True)
+#: a user's parameter may have their names
+_x = sp.Dummy("x", real=True)
+_k_v, _L = sp.Dummy("k_v", positive=True), sp.Dummy("L", positive=True)
 _above = sp.Symbol("above", positive=True)
 #: what a parameter may not be called: it has that meaning already
 TAKEN = {"u", "A", "Omega", "out", "rubs", "load", "excitation"}
@@ -168,8 +169,6 @@ def sources(mechanism: Mechanism) -> Sources:
     """All that is printed of it, under `name_of`. Raises ArithmeticError where the derivation refuses it, and why."""
     module = _module(mechanism)
     code = {module.name: programs(module)}
-    if module.sums:
-        return Sources(module.name, numpy.text(module, code[module.name]), {}, "")
     files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
     return Sources(
         module.name,

@@ -16,7 +16,7 @@ import pytest
 from slowflow import Duffing, Isolator, backend, cli
 from slowflow.averaged import proofs, solvers
 from slowflow.paper import example
-from tests.native.intervals import OPERATIONS, Intervals
+from tests.native.intervals import ELEMENTARY, OPERATIONS, Intervals
 from tests.oracles import averaged
 
 DATA = Path(__file__).parent / "data"
@@ -398,3 +398,37 @@ def test_averages_on_intervals_hold_their_balls(intervals):
                 intervals.known("rod_spring", design, 1, share * u_cr), (*h, h[0] - A * h[1], A), strict=True
             ):
                 assert flint.arb(low) <= value <= flint.arb(high)
+
+
+@pytest.mark.parametrize("name", ELEMENTARY)
+def test_an_elementary_function_of_an_interval_holds_its_values(intervals, name):
+    """At both ends and inside, against 30 digits; arguments of all sizes, which leave domains and pass poles."""
+    rng, count = np.random.default_rng(7), 300
+    low = rng.choice([-1, 1, 1], count) * 10.0 ** rng.uniform(-4, 2.5, count)
+    low[::9] = 0
+    args = np.stack([low, low + np.abs(low) * rng.choice([0, 1e-14, 0.1, 3], count)], axis=1)
+    least = rng.choice([-1.5, -1, 0.5, 2.5], count)
+    exponents = np.stack([least, least + rng.choice([0, 0.25], count)], axis=1)
+    found = intervals.operate(name, np.hstack([args, exponents]))
+    known = 0
+    with mpmath.workdps(30):
+        for (a, b), (p, q), (low_end, high_end) in zip(args.tolist(), exponents.tolist(), found.tolist(), strict=True):
+            for share in (0, 1, 0.37):
+                x, y = (mpmath.mpf(one) + share * (mpmath.mpf(other) - one) for one, other in ((a, b), (p, q)))
+                if x == 0 and (name == "log" or y < 0):
+                    continue  # infinite
+                value = exact_elementary(name, x, y)
+                if value is None:
+                    assert math.isnan(low_end)
+                elif not math.isnan(low_end):
+                    known += 1
+                    assert low_end <= value <= high_end, (name, a, b, p, q)
+    assert known > count // 6
+
+
+def exact_elementary(name, x, y):
+    """The value, or None outside of the domain."""
+    if name in ("root", "cbrt", "power"):
+        return x ** {"root": mpmath.mpf(1) / 2, "cbrt": mpmath.mpf(1) / 3, "power": y}[name] if x >= 0 else None
+    value = getattr(mpmath, name)(x)
+    return value if isinstance(value, mpmath.mpf) else None

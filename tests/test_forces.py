@@ -228,9 +228,28 @@ def test_what_it_is_and_how_it_is_derived_is_said(derived):
     assert r"\int_0^{\pi/2} f''(A \sin t) \sin^3 t" in text and "For $u_{1} < A$:" in text
 
 
-def test_averages_by_quadrature_are_not_compiled(folder):
-    with pytest.raises(ValueError, match="compile=True is not allowed for wave"):
-        derive.mechanism("wave", FORCES["wave"][0], {"k": ABOVE_0, "c": ABOVE_0}, compile=True)
+def test_a_parameter_may_be_called_as_something_in_the_derivation_or_in_printed_code(folder):
+    """Each name stands for the same number: what else is called so is kept apart."""
+    as_k = derive.mechanism("named", [(k * sp.sin(u), None)], {"k": ABOVE_0}).record.averaged(0.7, 1.3)
+    for name in ("L", "k_v", "sine", "np", "sum_0", "t0"):
+        other = derive.mechanism("named", [(sp.Symbol(name) * sp.sin(u), None)], {name: ABOVE_0})
+        assert other.record.averaged(0.7, 1.3) == as_k, name
+    polynomial = derive.mechanism("named", [(sp.Symbol("L") * u + u**3, None)], {"L": ABOVE_0})
+    assert polynomial(L=2.0, **DAMPING).force(0.5) == 2.0 * 0.5 + 0.5**3
+
+
+@pytest.mark.both_backends
+def test_the_fold_locus_of_a_preload_passes_through_its_folds(oscillator):
+    """It begins at A = 0, where no frequency is known."""
+    one = oscillator("preload")
+    locus = one.fold_locus(A_max=2.5)
+    folds = one.saddle_nodes(0.3)
+    assert len(folds) == 2
+    for Omega, A in zip(folds.Omega, folds.A, strict=True):
+        near = np.argmin(np.hypot(locus.Omega - Omega, locus.A - A))
+        assert locus.Omega[near] == pytest.approx(Omega, rel=5e-3)
+        assert locus.A[near] == pytest.approx(A, rel=5e-3)
+        assert locus.F_0[near] == pytest.approx(0.3, rel=1e-2)
 
 
 @pytest.mark.slow

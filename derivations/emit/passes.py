@@ -192,9 +192,9 @@ def _numbered(lets: Sequence[Let], outputs: Sequence[sp.Expr], named: set[str]) 
         # F_0_2, because F_02 would read as another symbol
         name = base + ("_" if base[-1].isdigit() else "") + exponent
         if base not in named or name in taken:
+            while f"t{number}" in taken:
+                number += 1
             name, number = f"t{number}", number + 1
-        if name in taken:
-            raise ValueError(f"the name {name} is taken by an argument")
         taken.add(name)
         rename[symbol] = sp.Symbol(name)
     return (

@@ -21,9 +21,12 @@ import shlex
 import subprocess
 import sysconfig
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+
+import numpy as np
 
 import slowflow_kernels
 from slowflow import backend, files
@@ -32,6 +35,7 @@ from slowflow.grid.designs import Grid
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
+from slowflow_support.quadrature import COMPILED
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
 #: IEEE arithmetic, as the package itself is compiled
@@ -89,7 +93,9 @@ class Derived:
 
     def __repr__(self) -> str:
         names = ", ".join(parameter.name for parameter in self.record.design)
-        how = "compiled" if self.compiled else "on NumPy" if self.record.enclosed is None else "on NumPy, by quadrature"
+        how = "compiled" if self.compiled else "on NumPy"
+        if self.record.enclosed is not None:
+            how += ", by quadrature"
         return f"{self.record.title}: {names}, mu, zeta; {how}"
 
 
@@ -115,10 +121,9 @@ def mechanism(
     compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
                   the compiled solvers answer
 
-    Raises ValueError and TypeError for what is not allowed, with what is, as compile=True where averages are summed by
-    quadrature; ArithmeticError for a force that cannot be derived, with the reason; ImportError without the extra;
-    RuntimeError where the compiler fails, with its words, or where slowflow itself is not compiled. Exact motions are
-    SciPy's, compiled or not.
+    Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
+    derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
+    where slowflow itself is not compiled. Exact motions are SciPy's, compiled or not.
     """
     stated = _derivation().stated(name, pieces, parameters, title, *(() if reach is None else (reach, reach_reason)))
     return _derived(stated, compile)
@@ -151,10 +156,8 @@ def _derived(stated: Any, compile: bool) -> Derived:
         _write(folder, live.sources(stated))
     importlib.invalidate_caches()
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
-    if compile and record.enclosed is not None:
-        raise ValueError(f"compile=True is not allowed for {stated.name}: averages by quadrature are NumPy's")
     if compile and backend.record_of(record) is None:
-        _attach(record.name, _compiled(folder, module))
+        _attach(record, _compiled(folder, module))
     return Derived(record, folder, stated)
 
 
@@ -207,14 +210,26 @@ def _compiled(folder: Path, module: str) -> Path:
     return library
 
 
-def _attach(name: str, library: Path) -> None:
-    """Hands the record in a library to the compiled solvers; neither is ever let go."""
+def _attach(record: Mechanism, library: Path) -> None:
+    """Hands the record in a library to the compiled solvers, and its averages to NumPy's; neither is ever let go."""
     loaded = ctypes.CDLL(str(library))
     new = ctypes.pythonapi.PyCapsule_New
     new.restype, new.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
     address = ctypes.c_void_p.in_dll(loaded, "slowflow_record").value
     assert backend.SOLVER is not None
-    backend.SOLVER.RECORDS[name] = new(address, CAPSULE, None)
+    backend.SOLVER.RECORDS[record.name] = new(address, CAPSULE, None)
+    if record.enclosed is not None:
+        closing = importlib.import_module(f"slowflow_derived.{record.name}").averaged_of
+        COMPILED[closing] = partial(_averaged, loaded.slowflow_averaged)
+
+
+def _averaged(loop: Any, numbers: list[Any]) -> Any:
+    """h and its derivatives (4, n) by a library's loop, from A (n,) and each parameter (n,)."""
+    n = numbers[0].size
+    A, parameters, found = np.ascontiguousarray(numbers[0]), np.stack(numbers[1:], axis=-1), np.empty((4, n))
+    places = (one.ctypes.data_as(ctypes.c_void_p) for one in (A, parameters, found))
+    loop(ctypes.c_ssize_t(n), *places)
+    return found
 
 
 #: what a capsule with a record is called, in mechanism.h; the name has to outlive the capsules

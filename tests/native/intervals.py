@@ -12,6 +12,10 @@ import numpy as np
 
 from tests.native.roots import FLAGS, HERE, INCLUDES, ROOT
 
+ELEMENTARY = (
+    *("exp", "log", "root", "cbrt", "sin", "cos", "tan", "sinh", "cosh", "tanh"),
+    *("asin", "acos", "atan", "asinh", "acosh", "atanh", "power"),
+)
 OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
 
 
@@ -31,7 +35,9 @@ class Intervals:
     def operate(self, name: str, pairs: np.ndarray) -> np.ndarray:
         pairs = np.ascontiguousarray(pairs, dtype=np.float64)
         out = np.empty((len(pairs), 2))
-        self.loaded.operate(OPERATIONS.index(name), ctypes.c_long(len(pairs)), _pointer(pairs), _pointer(out))
+        self.loaded.operate(
+            (*OPERATIONS, *ELEMENTARY).index(name), ctypes.c_long(len(pairs)), _pointer(pairs), _pointer(out)
+        )
         return out
 
     def known(self, mechanism: str, design: Sequence[float], piece: int, beyond: float) -> np.ndarray:

@@ -18,6 +18,15 @@ Averages = ctypes.CFUNCTYPE(None, ctypes.c_ssize_t, Doubles, Doubles, Doubles)
 NAME = b"slowflow.mechanism"
 
 
+class Interval(ctypes.Structure):
+    """sf_interval"""
+
+    _fields_ = (("lo", ctypes.c_double), ("hi", ctypes.c_double))
+
+
+Bent = ctypes.CFUNCTYPE(None, Interval, Doubles, ctypes.POINTER(Interval))
+
+
 class Mechanism(ctypes.Structure):
     """sf_mechanism of src/slowflow/native/mechanism.h"""
 
@@ -31,9 +40,11 @@ class Mechanism(ctypes.Structure):
         ("is_forcing", ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double)),
         ("ends", Fill),
         ("jumps", Fill),
+        ("kinks", Fill),
         ("averaged", Averages),
         ("averaged_2", Averages),
         ("intercept", ctypes.c_void_p),
+        ("bent", Bent),
         ("harmonics", ctypes.c_void_p),
         ("harmonics_up_to", ctypes.c_double),
         *((name, ctypes.c_void_p) for name in ("by_parameter", "by_design")),

@@ -3,10 +3,13 @@
 In:  a `Mechanism` and its `Quadrature`.
 Out: `quadrature_module`.
 
-The parameters are the design's numbers, and nothing is named between: a force of any kind has no coefficients.
+The parameters are the design's numbers, and nothing is named between: a force of any kind has no coefficients. Their
+names are users', so kernels have them with a line behind them, which nothing else in printed code has.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import sympy as sp
 
@@ -25,22 +28,33 @@ ANY = "any parameters"
 
 def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> Module:
     """The module of one mechanism that is stated in a program."""
+    stated = mechanism
+    mechanism, average = renamed(mechanism, average)
     pieces, laws = piece_kernels(mechanism, average)
     averages = (*average_sums(mechanism, average), parameter_sums(mechanism, average))
     return Module(
         name=name,
-        title=mechanism.title[0].upper() + mechanism.title[1:],
+        title=stated.title[0].upper() + stated.title[1:],
         inputs=("live.py", "quadrature.py"),
         kernels=(
             *data_kernels(mechanism, average),
             *pieces,
             *(kernel for one in averages for kernel in (*one.terms, one.closing)),
         ),
-        record=Record(mechanism, mechanism.design, laws, sp.oo, False, "", ()),
+        record=Record(stated, stated.design, laws, sp.oo, False, "", ()),
         native=False,
         sums=averages,
         enclosed=enclosed(mechanism, average),
     )
+
+
+def renamed(mechanism: Mechanism, average: Quadrature) -> tuple[Mechanism, Quadrature]:
+    """The same with the parameters as kernels call them."""
+    names = {given: sp.Symbol(f"{given.name}_", **given.assumptions0) for given in mechanism.parameters}
+    design = tuple(replace(parameter, symbol=names[parameter.symbol]) for parameter in mechanism.design)
+    pieces = tuple(piece.xreplace(names) for piece in average.pieces)
+    ends = {name: end.xreplace(names) for name, end in average.breakpoints.items()}
+    return replace(mechanism, design=design, instead=tuple(names.values())), Quadrature(pieces, ends)
 
 
 def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
@@ -220,6 +234,7 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
             average.bent(piece),
             f"Under the integrals of h and h_AAAA on piece {k} of the force, which u = A sine is beyond the begin of.",
             *about,
+            parameters=len(parameters),
             generic=True,
         )
         for k, piece in enumerate(average.from_begin, start=1)
@@ -237,6 +252,7 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
                 f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
                 *about,
                 lets=[let for let in known.items() if let[0] not in numbers],
+                parameters=len(parameters),
                 generic=True,
             )
         )

@@ -42,10 +42,14 @@ def _check(status: int, model: Model, F_0: float | None = None) -> None:
 
 
 def _remark(model: Model, F_0: float) -> str:
-    if model.inertial:
-        status, A_max = backend.solver().amplitude_bound(model.native, F_0)
-        return words.does_not_close(A_max)[1] if status == Status.UNBOUNDED else ""
-    return words.cut(model, F_0)[1] if model.zeta == 0 else ""
+    if model.zeta == 0:
+        return words.cut(model, F_0)[1]
+    if not model.inertial and model.mechanism.enclosed is None:
+        return ""
+    status, A_max = backend.solver().amplitude_bound(model.native, F_0)
+    if status != Status.UNBOUNDED:
+        return ""
+    return words.does_not_close(A_max)[1] if model.inertial else words.cut_at_reach(model)[1]
 
 
 def closes(model: Model, F_0: float) -> bool:
@@ -72,7 +76,7 @@ def onset(model: Model) -> SaddleNodeOnset:
         raise ArithmeticError(words.unresolved_onset(model))
     _check(status, model)
     if status == Status.UNBOUNDED:
-        said = words.OPEN if model.inertial else words.NO_LOWEST.format(model.m)
+        said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
         return SaddleNodeOnset(None, None, None, "", said)
     return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
 
@@ -91,7 +95,7 @@ def peak(model: Model, F_0: float) -> Peak:
     status, A, Omega = backend.solver().peak(model.native, F_0)
     _check(status, model, F_0)
     if status == Status.UNBOUNDED:
-        return Peak(None, None, F_0, _remark(model, F_0) if model.inertial else words.NO_PEAK)
+        return Peak(None, None, F_0, _remark(model, F_0) if model.zeta > 0 else words.NO_PEAK)
     if status == Status.NONE:
         return Peak(None, None, F_0, words.NO_TOP.format(F_0))
     return Peak(A, Omega, F_0, "")

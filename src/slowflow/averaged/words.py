@@ -60,15 +60,21 @@ def unresolved(model: Model, F_0: float) -> str:
     said = f"the response is unresolved at F_0 = {F_0:.17g}: branches coincide within rounding"
     if not model.inertial and F_0 <= model.m * (1 + CLOSE):
         said += f", as F_0 exceeds 4 mu/pi = {model.m:.17g} by no more than rounding may make of it"
-    return said
+    return said + _or_not_known(model)
+
+
+def _or_not_known(model: Model) -> str:
+    """What else may leave an answer unresolved where averages are quadratures."""
+    return ", or the average does not settle at some amplitude" if model.mechanism.enclosed is not None else ""
 
 
 def unresolved_onset(model: Model) -> str:
     """That rounding may decide where folds are born, and next to which amplitudes."""
+    other = _or_not_known(model)
     if not model.breakpoints:
-        return "the onset is unresolved: folds are born within rounding of each other"
+        return "the onset is unresolved: folds are born within rounding of each other" + other
     ends = ", ".join(f"{b:g}" for b in model.breakpoints)
-    return f"the onset is unresolved: doubles do not tell which folds are born next to the breakpoint A = {ends}"
+    return f"the onset is unresolved: doubles do not tell which folds are born next to the breakpoint A = {ends}{other}"
 
 
 def no_locus(model: Model, A_max: float) -> str:

@@ -2,7 +2,8 @@
  * all of the interval between.
  *
  * On each piece h_AAA is monotone: the derivation proves it (derivations/monotone.py). So its values at the ends bound it,
- * and what is known of a slope bounds the function between two of its values. Where the force or its slope jumps, the
+ * and what is known of a slope bounds the function between two of its values. Of a force of which that is not proved it is
+ * h_AAAA that is known. Where the force or its slope jumps, the
  * derivatives of h tend to infinity as A falls to the breakpoint: that is the sample at the beginning of a piece.
  *
  * k = h - A h_A is where the tangent of h meets A = 0.
@@ -38,7 +39,7 @@ typedef struct {
 static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
     at->A = A;
     model->mechanism->averaged(1, &at->A, model->p, at->averages);
-    at->k = at->h - A * at->h_A;
+    at->k = A > 0 ? at->h - A * at->h_A : at->h; /* a slope that is infinite at rest takes nothing off h */
     if (fabs(at->k) < SF_CANCELLED * fabs(at->h))
         at->k = model->mechanism->intercept(A, model->p);
 }
@@ -53,6 +54,13 @@ static inline void sf_sample_above(const sf_model *model, int i, sf_sample *at) 
     } else {
         sf_sample next;
         sf_sample_at(model, nextafter(model->b[i], HUGE_VAL), &next);
+        if (model->kink[i][0] == 0) {
+            next.A = at->A;
+            if (model->kink[i][1] != 0)
+                next.h_AAA = copysign(HUGE_VAL, next.h_AAA - at->h_AAA);
+            *at = next;
+            return;
+        }
         at->h_AA = copysign(HUGE_VAL, next.h_AA - at->h_AA);
         at->h_AAA = -at->h_AA;
     }
@@ -149,10 +157,25 @@ static inline void sf_make_cell_on(sf_interval A, const sf_known *a, const sf_kn
     sf_add_values(a, b, cell);
 }
 
+/* The same where h_AAA is not monotone, between what h_AAAA lets it be. */
+static inline void sf_make_slopes_bent(const sf_model *model, const sf_known *a, const sf_known *b, sf_cell *cell) {
+    const double width = sfi_up(b->A - a->A);
+    sf_interval bent[2], low, high;
+    cell->A = sfi_of(a->A, b->A);
+    model->mechanism->bent(cell->A, model->p, bent);
+    low = sf_doubtful(a->h_AAA.lo, a->A, bent[1].lo), high = sf_doubtful(b->h_AAA.lo, b->A, bent[1].hi);
+    cell->h_AAA = sf_along(low, high, bent[1], width);
+    cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);
+    cell->h_A = sf_along(a->h_A, b->h_A, cell->h_AA, width);
+}
+
 /* Between two samples, and what is known at these. */
-static inline void sf_make_slopes(const sf_sample *first, const sf_sample *last, const sf_known *a, const sf_known *b,
-                                  sf_cell *cell) {
-    sf_make_slopes_on(sfi_of(a->A, b->A), a, b, cell);
+static inline void sf_make_slopes(const sf_model *model, const sf_sample *first, const sf_sample *last, const sf_known *a,
+                                  const sf_known *b, sf_cell *cell) {
+    if (model->mechanism->bent != NULL)
+        sf_make_slopes_bent(model, a, b, cell);
+    else
+        sf_make_slopes_on(sfi_of(a->A, b->A), a, b, cell);
     cell->first = first, cell->last = last;
 }
 

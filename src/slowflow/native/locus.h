@@ -43,8 +43,29 @@ static int sf_bounds(const sf_model *model, double F_0, double A) {
     sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
     sf_know(&at, &here);
     sf_know(&far, &there);
-    sf_make_slopes(&at, &far, &here, &there, &cell);
+    sf_make_slopes(model, &at, &far, &here, &there, &cell);
     return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
+}
+
+/* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude. */
+static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
+    const double most = slow_flow_most_restoring(A, F_0, model->m, model->zeta);
+    const double end = fmin(model->mechanism->reach, SF_ENDLESS * fmax(A, 1));
+    double next;
+    int i;
+    if (!(A < end))
+        return 0;
+    for (; A < end; A = next) {
+        sf_interval bent[2];
+        next = fmin(2 * A, end);
+        for (i = model->breaks - 1; i >= 0; i--)
+            if (A < model->b[i] && model->b[i] < next)
+                next = model->b[i];
+        model->mechanism->bent(sfi_of(A, next), model->p, bent);
+        if (!(bent[0].lo > most || bent[0].hi < -most))
+            return 0;
+    }
+    return 1;
 }
 
 /* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive on all
@@ -77,15 +98,28 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
            sf_inertial_count(model, &less, F_0) == 2;
 }
 
+/* The reach of a mechanism, where nothing bounds the response below it: SF_UNBOUNDED if it goes beyond. */
+static sf_status sf_cut_at_reach(const sf_model *model, double F_0, double *A_max) {
+    sf_isolated q;
+    sf_sample at;
+    *A_max = model->mechanism->reach;
+    sf_sample_at(model, *A_max, &at);
+    sf_isolate_response(&q, at.A, at.h, model->m, model->zeta, F_0);
+    return sf_count(&q) > 0 ? SF_UNBOUNDED : SF_OK;
+}
+
 /* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow; SF_UNBOUNDED where a
  * response does not close, with an amplitude at which to cut it. */
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
+    const int bent = model->mechanism->bent != NULL;
+    int (*const bounds)(const sf_model *, double, double) =
+        sf_inertial(model) ? sf_inertial_bounds : bent ? sf_bounds_bent : sf_bounds;
     double A = F_0, step = 2, cut = model->mechanism->reach;
     int i;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (i = 0; i < SF_RUNGS; i++) {
-        if ((sf_inertial(model) ? sf_inertial_bounds : sf_bounds)(model, F_0, A)) {
+        if (bounds(model, F_0, A)) {
             *A_max = A;
             return SF_OK;
         }
@@ -95,6 +129,8 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
         if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
             step *= 2;
     }
+    if (bent && !sf_inertial(model) && cut < HUGE_VAL)
+        return sf_cut_at_reach(model, F_0, A_max);
     *A_max = cut;
     return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
@@ -538,7 +574,8 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
 }
 
 static double sf_locus_weight(const sf_arc *arc, double A_max) {
-    return fabs(arc->Omega[1] / (1 + arc->Omega[1]) - arc->Omega[0] / (1 + arc->Omega[0])) +
+    const double way = fabs(arc->Omega[1] / (1 + arc->Omega[1]) - arc->Omega[0] / (1 + arc->Omega[0]));
+    return (isnan(way) ? 0 : way) +
            (arc->A[1] - arc->A[0]) / A_max + 1e-3;
 }
 
@@ -558,11 +595,13 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
             const int upward = work->tour.step[i] % 2, last = i + 1 == work->tour.start[c + 1];
             const sf_arc *arc = &locus->arc[work->tour.step[i] / 2];
             const int steps = (int)ceil((double)samples * sf_locus_weight(arc, work->A_max) / total);
+            /* of a force that jumps at u = 0 no Omega is known at A = 0, where the locus begins */
+            const int from = isnan(arc->Omega[1 - upward]), to = steps + last - (last && isnan(arc->Omega[upward]));
             if (Omega == NULL) {
-                n += steps + last;
+                n += to - from;
                 continue;
             }
-            for (k = 0; k < steps + last; k++, n++) {
+            for (k = from; k < to; k++, n++) {
                 const double share = 0.5 - 0.5 * cos(3.14159265358979312 * (upward ? k : steps - k) / steps);
                 const int end = k == 0 ? 1 - upward : upward;
                 sf_sample at;

@@ -14,7 +14,7 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 6, /* of the record below; one of another form is refused */
+    SF_FORM = 7, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -36,6 +36,9 @@ typedef struct sf_mechanism {
     /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just above. */
     void (*ends)(const double *p, double *b);
     void (*jumps)(const double *p, double *jump);
+    /* What the slope and the curvature of the force lose at each breakpoint in turn; NULL where the force or its slope jumps
+     * at all of them. */
+    void (*kinks)(const double *p, double *kink);
 
     /* Spring: h and its derivatives along A at n amplitudes; derivative k at amplitude i goes to out[k*n + i].
      * averaged gives h, h_A, h_AA, h_AAA, averaged_2 the first two. */
@@ -43,6 +46,9 @@ typedef struct sf_mechanism {
     void (*averaged_2)(ptrdiff_t n, const double *A, const double *p, double *out);
     /* h - A h_A without what cancels in it. */
     double (*intercept)(double A, const double *p);
+    /* What holds h and h_AAAA on amplitudes of one piece of the force; NULL where h_AAA is monotone on each. An average may be
+     * NaN then, where its sums do not settle. */
+    void (*bent)(sf_interval A, const double *p, sf_interval *out);
 
     /* The spring's higher harmonics, as averaged gives h: h_3 with three derivatives, then h_5, for breakpoints up to
      * harmonics_up_to; NULL where they are not known. */

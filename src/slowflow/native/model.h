@@ -19,7 +19,7 @@
 #include "slow_flow_zeta0.h"
 
 /* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; breaks: number of breakpoints b > 0,
- * by rising size; jump: force just below less force just above */
+ * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature */
 typedef struct {
     const sf_mechanism *mechanism;
     double p[SF_MOST_PARAMETERS];
@@ -29,7 +29,7 @@ typedef struct {
             double m, zeta;
         };
     };
-    double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
+    double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
     int breaks;
 } sf_model;
 
@@ -67,7 +67,7 @@ static inline void sf_jumps_of(const sf_mechanism *mechanism, const double *desi
 /* The rest of a model whose parameters and damping are set; 0 where the ends of its pieces do not rise. design: NULL where
  * it is not known */
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
-    double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
+    double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
     int i;
     model->mechanism = mechanism;
     model->breaks = 0;
@@ -75,11 +75,15 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
         return 1;
     mechanism->ends(model->p, b);
     sf_jumps_of(mechanism, design, model->p, jump);
+    if (mechanism->kinks != NULL)
+        mechanism->kinks(model->p, kink);
     for (i = 0; i < mechanism->breakpoints; i++) {
         if (!(b[i] >= 0 && (model->breaks == 0 || b[i] > model->b[model->breaks - 1])))
             return 0;
         if (b[i] > 0) { /* a piece of no width is no piece */
             model->b[model->breaks] = b[i];
+            model->kink[model->breaks][0] = mechanism->kinks != NULL ? kink[2 * i] : 1;
+            model->kink[model->breaks][1] = mechanism->kinks != NULL ? kink[2 * i + 1] : 0;
             model->jump[model->breaks++] = jump[i];
         }
     }

@@ -36,12 +36,12 @@ static void sf_consider_end(const sf_model *model, const sf_sample *at, double l
 
 /* Whether h_A is negative on all of a piece, and so h behind its beginning: then nothing ends at Omega = 0 and there are no
  * isola points. */
-static int sf_only_falls(const sf_stretch *piece) {
+static int sf_only_falls(const sf_model *model, const sf_stretch *piece) {
     sf_known first, last;
     sf_cell cell;
     sf_know(&piece->first, &first);
     sf_know(&piece->last, &last);
-    sf_make_slopes(&piece->first, &piece->last, &first, &last, &cell);
+    sf_make_slopes(model, &piece->first, &piece->last, &first, &last, &cell);
     return first.h.hi <= 0 && cell.h_A.hi < 0;
 }
 
@@ -54,7 +54,7 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
         return;
     if (sf_inertial(model)) { /* at Omega = 0 the level is infinite */
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
-    } else if (!sf_only_falls(piece)) {
+    } else if (!sf_only_falls(model, piece)) {
         sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     }

@@ -204,12 +204,12 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     sf_range range[2];
     sf_cell cell;
     int c;
-    if (search->found->cells++ == SF_MOST_CELLS)
+    if (search->found->cells++ == SF_MOST_CELLS || isnan(a->at.h) || isnan(b->at.h)) /* an average that is not known */
         search->found->status = SF_UNRESOLVED;
     if (search->found->status != SF_OK)
         return;
     if (last || !sf_is_too_wide(search, a->at.A, b->at.A, passing)) {
-        sf_make_slopes(&a->at, &b->at, &a->known, &b->known, &cell);
+        sf_make_slopes(search->asked.model, &a->at, &b->at, &a->known, &b->known, &cell);
         sf_find_range(&search->asked, &a->known, &b->known, &cell, open, range);
         for (c = 0; c < 2; c++)
             if ((open & 1 << c) && sf_settle(search, a, b, c, &range[c], last))

@@ -12,6 +12,7 @@ from pathlib import Path
 import sympy as sp
 
 from ....conventions import CONVENTIONS
+from ....quadrature import rule
 from ...arctangent import estrin, series
 from ...form import Module
 from ...provenance import tools
@@ -64,6 +65,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             includes=includes(module, views),
             regimes=regimes(module),
             numbers=numbers(module),
+            rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             tools=tools(),
             **sources(module),
         )
@@ -79,7 +81,8 @@ def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
     """Headers of ours that a C header needs."""
     angles = "angles" if any(view.uses_angles for view in views) else ""
     twofold = "twofold" if module.twofolds else ""
-    return [name for name in (angles, twofold, module.flow) if name]
+    quarter = "quarter" if module.sums else ""
+    return [name for name in (angles, twofold, quarter, module.flow) if name]
 
 
 def numbers(module: Module) -> dict[str, str]:

@@ -38,6 +38,7 @@ class Spring:
     averaged_by_pieces -- whether these take the number of breakpoints passed
     domain      -- C condition: the design lies inside its domain
     harmonics_up_to -- the largest breakpoint for which its harmonics hold
+    bent        -- what stands before the names of what holds h and h_AAAA between two amplitudes, or ""
     """
 
     name: str
@@ -48,6 +49,7 @@ class Spring:
     enclosed: str = ""
     paired: str = ""
     averaged_by_pieces: bool = False
+    bent: str = ""
 
 
 def text(modules: Sequence[Module]) -> str:
@@ -83,7 +85,8 @@ def spring_of(module: Module) -> Spring:
     domain = within(mechanism.design, DESIGN)
     exact = (interval.name_of(module), pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
     up_to = module.record.harmonics_up_to
-    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *exact)
+    bent = interval.name_of(module) if module.enclosed else ""
+    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *exact, bent=bent)
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

@@ -23,7 +23,7 @@ from ...passes import Program
 from ...provenance import tools
 from ...views import BranchView, Code, KernelView, Language, sources, templates, view
 from ..printing import literal
-from .printer import CIntervalPrinter, PythonIntervalPrinter
+from .printer import CEnclosurePrinter, CIntervalPrinter, PythonIntervalPrinter
 
 #: how much an amplitude exceeds the breakpoint where its piece begins
 BEYOND = sp.Symbol("beyond", nonnegative=True)
@@ -37,6 +37,8 @@ ABOUT = {
     "meaning": "Each output holds every value that the function of the same name takes on the arguments; `out` takes "
     "the outputs.",
 }
+#: of forces of any kind
+ENCLOSED = Language(CEnclosurePrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 PYTHON = Language(PythonIntervalPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 
 
@@ -47,6 +49,14 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     for module in modules:
         enclosed = [*(kernel for kernel in module.kernels if kernel.enclosed), *module.cells]
         known = {"module": module, "tools": tools(), **sources(module)}
+        if module.enclosed:
+            result[f"native/{name_of(module)}.h"] = environment.get_template("header.h.jinja").render(
+                prefix=name_of(module),
+                kernels=[view(kernel, code[module.name][kernel.name], ENCLOSED) for kernel in module.enclosed.kernels],
+                choices={},
+                **{**ABOUT, "arithmetic": "elementary"},
+                **known,
+            )
         if enclosed:
             result[f"native/{name_of(module)}.h"] = environment.get_template("header.h.jinja").render(
                 prefix=name_of(module),

@@ -107,6 +107,29 @@ class CIntervalPrinter(CallPrinter):
         return self._of("point" if is_double(expr.doit()) else "around", literal(expr))
 
 
+class CEnclosurePrinter(CIntervalPrinter):
+    """The same with those of native/elementary.h."""
+
+    functions: ClassVar = {function: f"sfi_{function.__name__}" for function in FUNCTIONS} | {
+        sp.sqrt: "sfi_root",
+        sp.Pow: "sfi_power",
+    }
+    _print_Exp1 = CIntervalPrinter._number
+
+    def _print_Pow(self, expr: sp.Expr, rational: bool = False) -> str:
+        base, exponent = expr.args
+        if is_constant(expr) or exponent in (2, -1):
+            return super()._print_Pow(expr, rational)
+        if exponent.could_extract_minus_sign():
+            return self._of("inverse", self._print(sp.Pow(base, -exponent)))
+        if exponent == sp.Rational(1, 2):
+            return self._of("root", self._print(base))
+        return self._of("power", self._print(base), self._print(exponent))
+
+    def _print_Function(self, expr: sp.Expr) -> str:
+        return self._number(expr) if is_constant(expr) else super()._print_Function(expr)
+
+
 class PythonIntervalPrinter(Rules, NumPyPrinter):
     """Python, with the operators of an interval class and its methods `square` and `sqrt`."""
 

@@ -83,7 +83,9 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
         return FoldLocus(none, none, none, np.empty(0, dtype=np.intp), words.no_locus(model, A_max))
     A, Omega = (np.array([getattr(arc, name) for arc in arcs]) for name in ("A", "Omega"))
     with np.errstate(all="ignore"):
-        weight = np.abs(np.diff(Omega / (1 + Omega), axis=1)[:, 0]) + np.diff(A, axis=1)[:, 0] / A_max + 1e-3
+        # of a force that jumps at u = 0 no Omega is known at A = 0, where the locus begins
+        way = np.nan_to_num(np.abs(np.diff(Omega / (1 + Omega), axis=1)[:, 0]))
+        weight = way + np.diff(A, axis=1)[:, 0] / A_max + 1e-3
         steps = np.ceil(samples * weight / weight.sum()).astype(int)
         of, share, branch = [], [], []
         for number, tour in enumerate(graph.tours):
@@ -101,7 +103,8 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
         inside = roots.at(np.where(A_at > 0, A_at, A_max), count, index)
         Omega_at = np.where(low, Omega[at, 0], np.where(high, Omega[at, 1], inside))
         F_0 = model.level(Omega_at, A_at)
-    return FoldLocus(Omega_at, A_at, F_0, np.concatenate(branch), "")
+    there = ~np.isnan(Omega_at)
+    return FoldLocus(Omega_at[there], A_at[there], F_0[there], np.concatenate(branch)[there], "")
 
 
 def of_cusps(model: Model, cusps: Zeros) -> Floats:

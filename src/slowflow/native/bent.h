@@ -1,0 +1,93 @@
+/* Averages of forces of any kind between two amplitudes: in goes an interval of A, out comes what h and h_AAAA are there.
+ *
+ * The quarter cycle is divided at displacements, each piece of the force for itself: at fixed ones where the amplitude
+ * exceeds the piece, at fixed shares of the last piece. On each part u, sine and the angle that it takes are known on an
+ * interval of A by their values at its ends, as each is monotone in A; what stands under the integrals is generated. As
+ * slowflow/averaged/reference/enclosed.py.
+ */
+#ifndef SF_BENT_H
+#define SF_BENT_H
+
+#include "elementary.h"
+#include "mechanism.h"
+
+enum { SF_PARTS = 24 /* of the quarter cycle, of each piece */ };
+/* an angle's relative error, and its least */
+#define SF_ANGLE 0x1p-48
+
+typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sine, const sf_interval *p, sf_interval *out);
+typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const sf_interval *sums, const sf_interval *p,
+                                sf_interval *out);
+
+/* terms: of each piece; closing: by how many breakpoints are exceeded */
+typedef struct {
+    int breakpoints, parameters;
+    const sf_bent_terms *terms;
+    const sf_bent_closing *closing;
+} sf_bent;
+
+static inline double sf_share(int part) { return part == SF_PARTS ? 1 : sin(part * (0.5 * SFI_PI / SF_PARTS)); }
+
+/* The sine at share number `part` of a piece at an amplitude, which exceeds it or ends in it. */
+static inline double sf_sine_at(double start, double end, int last, int part, double A) {
+    const double share = sf_share(part);
+    if (last)
+        return A > 0 ? share + (1 - share) * start / A : share;
+    return fmin((part == SF_PARTS ? end : start + (end - start) * share) / A, 1);
+}
+
+static inline sf_interval sf_wider(double lo, double hi) {
+    return sfi_of(lo - SF_ANGLE * fabs(lo), hi + SF_ANGLE * fabs(hi));
+}
+
+/* A sum that is too large for a double is at least this large. */
+static inline sf_interval sf_no_larger(sf_interval x) {
+    return sfi_of(x.lo > SFI_LARGEST ? SFI_LARGEST : x.lo, x.hi < -SFI_LARGEST ? -SFI_LARGEST : x.hi);
+}
+
+/* One piece's integrals, added: on its parts sines and angles rise or fall with A. */
+static inline void sf_add_bent(const sf_bent *of, int piece, double start, double end, int last, sf_interval A,
+                               const sf_interval *p, sf_interval sums[2]) {
+    sf_interval total[2] = {{0, 0}, {0, 0}}, values[2];
+    double low_sine = sf_sine_at(start, end, last, 0, A.lo), high_sine = sf_sine_at(start, end, last, 0, A.hi);
+    double low_angle = asin(fmin(low_sine, 1)), high_angle = asin(fmin(high_sine, 1));
+    int part, k;
+    for (part = 0; part < SF_PARTS; part++) {
+        const double share = sf_share(part), next = sf_share(part + 1);
+        const double low_next = sf_sine_at(start, end, last, part + 1, A.lo);
+        const double high_next = sf_sine_at(start, end, last, part + 1, A.hi);
+        const double low_angle_next = asin(fmin(low_next, 1)), high_angle_next = asin(fmin(high_next, 1));
+        const double one = low_angle_next - low_angle, other = high_angle_next - high_angle;
+        const sf_interval angle = sfi_of(sfi_most(sfi_least(one, other) - SF_ANGLE, 0), sfi_most(one, other) + SF_ANGLE);
+        /* sines are monotone in A, and beyond a breakpoint they fall as it rises */
+        const sf_interval sine = sf_wider(high_sine, fmin(low_next, 1));
+        const sf_interval beyond = last ? sf_wider((A.lo - start) * share, (A.hi - start) * next)
+                                        : sf_wider((end - start) * share, (end - start) * next);
+        of->terms[piece](A, beyond, sine, p, values);
+        for (k = 0; k < 2; k++)
+            total[k] = sfi_add(total[k], sfi_mul(values[k], angle));
+        low_sine = low_next, high_sine = high_next, low_angle = low_angle_next, high_angle = high_angle_next;
+    }
+    for (k = 0; k < 2; k++)
+        sums[k] = sf_no_larger(sfi_add(sums[k], total[k]));
+}
+
+/* h and h_AAAA on amplitudes of one piece of the force, which ends at these breakpoints; infinite or NaN where not known. */
+static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *given, sf_interval *out) {
+    sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS], sums[2] = {{0, 0}, {0, 0}};
+    int i, passed = 0;
+    while (passed < of->breakpoints && A.lo >= ends[passed])
+        passed++;
+    for (i = 0; i < of->parameters; i++)
+        p[i] = sfi_point(given[i]);
+    for (i = 0; i <= passed; i++) {
+        const double start = i > 0 ? ends[i - 1] : 0, end = i < passed ? ends[i] : 0;
+        if (i == passed || end > start)
+            sf_add_bent(of, i, start, end, i == passed, A, p, sums);
+        if (i < passed)
+            roots[i] = sfi_root(sfi_mul(sfi_sub(A, sfi_point(end)), sfi_add(A, sfi_point(end))));
+    }
+    of->closing[passed](A, roots, sums, p, out);
+}
+
+#endif

@@ -1,0 +1,161 @@
+/* Integrals over the quarter cycle by Gauss's rule, piece by piece: in go integrands of a generated header, out come sums.
+ *
+ * The panels, and the rule by which a sum has settled, are those of slowflow_support/quadrature.py, which says why.
+ */
+#ifndef SF_QUARTER_H
+#define SF_QUARTER_H
+
+#include <math.h>
+
+#include "twofold.h"
+
+enum {
+    SF_FEWEST_PANELS = 16, /* from which on rounding is looked at */
+    SF_MOST_PANELS = 512,  /* after which a sum is given up */
+    SF_MOST_SUMS = 48
+};
+/* what halving may change of a sum that has settled, in the integral of the integrand's size */
+#define SF_AGREED 0x1p-46
+/* what stands for a rounding of A and of a parameter; a part of the quarter that one panel is enough for */
+#define SF_MOVED_BY 0x1p-50
+#define SF_SHORT_PART 0x1p-20
+#define SF_NEXT_TO_REST 0x1p-400
+#define SF_QUARTER 1.57079632679489662
+
+/* At u less where the piece begins, and at the sine and the cosine of the angle, u = A sine. */
+typedef void (*sf_integrand)(double beyond, double sine, double cosine, const double *p, double *out);
+
+/* width, parameters: how many integrands and parameters; integrands: of each piece; graded: of each piece the power of what is
+ * divided into panels that its angle, from where it begins, is; rule: positive nodes on [-1, 1], which stand for their
+ * negatives too, and weights, so many of them */
+typedef struct {
+    int pieces, width, parameters;
+    const sf_integrand *integrands;
+    const int *graded;
+    int nodes;
+    const double (*rule)[2];
+} sf_quarter;
+
+/* A piece's part of the quarter: its span, and the sine and the cosine of where it begins. */
+typedef struct {
+    int piece;
+    double span, sine, cosine;
+} sf_part;
+
+/* The first integrals, so many as are wanted, by that many panels, and those of the integrands' sizes. */
+static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, int panels,
+                             double *sums, double *sizes) {
+    const int graded = of->graded[on->piece];
+    double values[SF_MOST_SUMS], beneath[SF_MOST_SUMS];
+    int i, j, k;
+    for (k = 0; k < wanted; k++)
+        sums[k] = sizes[k] = beneath[k] = 0;
+    for (i = 0; i < panels; i++)
+        for (j = 0; j < 2 * of->nodes; j++) {
+            const double *node = of->rule[j / 2];
+            const double at = (i + 0.5 * (1 + (j % 2 ? node[0] : -node[0]))) / panels;
+            double x = at, w = 0.5 * node[1] / panels * graded;
+            for (k = 1; k < graded; k++)
+                x *= at, w *= at;
+            /* the angle is twice this one beyond where the piece begins, and u less that a difference of sines */
+            const double half = 0.5 * on->span * x, s = sin(half), c = cos(half);
+            const double twice_s = 2 * s * c, twice_c = 1 - 2 * s * s;
+            of->integrands[on->piece](2 * A * (on->cosine * c - on->sine * s) * s, on->sine * twice_c + on->cosine * twice_s,
+                                      on->cosine * twice_c - on->sine * twice_s, p, values);
+            for (k = 0; k < wanted; k++) {
+                const double value = values[k] * w;
+                double low_part;
+                sums[k] = twofold_two_sum(sums[k], value, &low_part);
+                beneath[k] += low_part, sizes[k] += fabs(value);
+            }
+        }
+    for (k = 0; k < wanted; k++) {
+        if (isfinite(sums[k]))
+            sums[k] += beneath[k];
+        sums[k] *= on->span, sizes[k] *= on->span;
+    }
+}
+
+/* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of them. */
+static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, int panels,
+                                       const double *sums, const double *before, const double *sizes) {
+    double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], moves[SF_MOST_SUMS], beside[SF_MOST_SUMS];
+    int k, number;
+    for (k = 0; k < wanted; k++)
+        moves[k] = 0;
+    for (number = -1; number < of->parameters; number++) {
+        for (k = 0; k < of->parameters; k++)
+            beside[k] = k == number ? p[k] * (1 + SF_MOVED_BY) : p[k];
+        sf_panels(of, wanted, on, number < 0 ? A * (1 + SF_MOVED_BY) : A, beside, panels, there, sizes_there);
+        for (k = 0; k < wanted; k++)
+            moves[k] += fabs(there[k] - sums[k]);
+    }
+    for (k = 0; k < wanted; k++) {
+        const double moved = fabs(sums[k] - before[k]);
+        if (moved > SF_AGREED * sizes[k] && !(moved <= moves[k]))
+            return 0;
+    }
+    return 1;
+}
+
+/* One piece's integrals; 0 where they do not settle. An infinite sum stays so. */
+static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, double *sums) {
+    double before[SF_MOST_SUMS], sizes[SF_MOST_SUMS];
+    int panels, k;
+    for (panels = 1; panels <= SF_MOST_PANELS; panels *= 2) {
+        int apart = panels == 1;
+        sf_panels(of, wanted, on, A, p, panels, sums, sizes);
+        for (k = 0; k < wanted && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
+            apart |= fabs(sums[k] - before[k]) > SF_AGREED * sizes[k];
+        if (!apart || (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, wanted, on, A, p, panels, sums, before, sizes)))
+            return 1;
+        for (k = 0; k < wanted; k++)
+            before[k] = sums[k];
+    }
+    return 0;
+}
+
+/* The sums over the pieces; 0 where one does not settle. */
+static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const double *p, const double *ends, double *sums) {
+    double of_part[SF_MOST_SUMS], low = 0;
+    int piece, k;
+    for (k = 0; k < wanted; k++)
+        sums[k] = 0;
+    for (piece = 0; piece < of->pieces; piece++) {
+        const int last = piece + 1 == of->pieces;
+        const double end = of->pieces == 1 ? 0 : ends[last ? piece - 1 : piece];
+        /* exact where the amplitude is next to the breakpoint, as its complement is */
+        const double root = sqrt((A - end) * (A + end));
+        const double high = !last && A > end ? atan2(end, root) : SF_QUARTER;
+        const double span = !(last && piece > 0) ? high - low : A > end ? atan2(root, end) : 0;
+        if (span > 0) {
+            /* where the last piece begins is known by what it leaves of the quarter */
+            const sf_part on = last && piece > 0 ? (sf_part){piece, span, cos(span), sin(span)}
+                                                 : (sf_part){piece, span, sin(low), cos(low)};
+            if (!sf_settled_part(of, wanted, &on, A, p, of_part))
+                return 0;
+            for (k = 0; k < wanted; k++)
+                sums[k] += of_part[k];
+        }
+        low = high;
+    }
+    return 1;
+}
+
+/* The first integrals, so many as are wanted, at A >= 0; NaN where one does not settle: the force is all but singular there. */
+static inline void sf_over_quarter(const sf_quarter *of, int wanted, double A, const double *p, const double *ends, double *sums) {
+    double beside[SF_MOST_SUMS];
+    int k, lost = 0, settled = sf_sums_at(of, wanted, A, p, ends, sums);
+    /* a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it */
+    for (k = 0; k < wanted; k++)
+        lost |= A == 0 && isnan(sums[k]);
+    if (settled && lost) {
+        settled = sf_sums_at(of, wanted, SF_NEXT_TO_REST, p, ends, beside);
+        for (k = 0; k < wanted; k++)
+            sums[k] = isnan(sums[k]) ? beside[k] : sums[k];
+    }
+    for (k = 0; k < wanted && !settled; k++)
+        sums[k] = NAN;
+}
+
+#endif
