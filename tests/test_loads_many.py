@@ -81,3 +81,12 @@ def test_a_linear_mount_isolates_from_the_root_of_two_on_whatever_its_damping():
     zeta = np.geomspace(1e-4, 3, 50)
     found = Duffing.many(alpha=2.0, beta=0.0, zeta=zeta).isolation(0.3)
     np.testing.assert_allclose(found.Omega, 2.0, rtol=1e-13)
+
+
+def test_margins_of_a_design_whose_onset_is_unresolved_have_its_status():
+    """A single one raises; a number that is not known is no margin without an end."""
+    numbers = {"lam": 3, "r": 1.4571468416058473, "delta_h": 0.0019600418551609547, "zeta": 0.028892122141866906}
+    with pytest.raises(ArithmeticError, match="unresolved"):
+        Isolator(**numbers, mu=0.0, excitation="base").margins(0.0383)
+    found = Isolator.many(**numbers, mu=0.0, excitation="base").margins(0.0383)
+    assert np.isnan(found.F_SN) and found.status == Status.UNRESOLVED

@@ -31,6 +31,9 @@ LEAST, AMPLITUDES = 1e-4, 128
 #: designs at once, for their amplitudes to stay in the processor's cache, and halvings that leave only rounding
 AT_ONCE, HALVINGS = 1024, 60
 
+#: where a question failed that may have an answer
+FAILED = (Status.NO_BOUND, Status.UNRESOLVED, Status.NO_MEMORY)
+
 
 @dataclass(frozen=True, eq=False)
 class ManyMargins(Batch):
@@ -40,6 +43,7 @@ class ManyMargins(Batch):
                 Omega = 0, or none is the lowest; F_cr as in `slowflow.loads.Margins`
     folds    -- number of folds at F_0
     detaches, sticks -- 1 where a stable motion passes u_cr, and where a mass at rest stays there
+    status   -- that of the folds, or of the onset, the detachment or the peak where one of these is not known
     """
 
     F_SN: Floats
@@ -95,6 +99,9 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     if designs.excitation != "force":  # an amplitude that only rises tends to F_0
         passes |= (peaks.status == Status.NONE) & (np.asarray(F_0, dtype=float) > F_cr)
     detaches = passes & np.isfinite(F_cr) & ((peaks.remarks & Remark.LEAVES_CENTRE) == 0)
+    status = np.where(folds.status == Status.STICKS, Status.OK, folds.status)
+    for one, asked in ((onsets, True), (detachments, True), (peaks, np.isfinite(F_cr))):
+        status = np.where((status == Status.OK) & np.isin(one.status, FAILED) & asked, one.status, status)
     forcing = np.asarray(F_0, dtype=float)
     columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
     flags = {"detaches": detaches & allowed, "sticks": sticks}
@@ -102,7 +109,7 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
         **{name: np.where(allowed, np.broadcast_to(values, shape), np.nan) for name, values in columns.items()},
         **{name: values.astype(np.int8) for name, values in flags.items()},
         folds=folds.count,
-        status=np.where(folds.status == Status.STICKS, Status.OK, folds.status).astype(np.int8),
+        status=status.astype(np.int8),
         _designs=designs,
         _F_0=F_0,
     )
