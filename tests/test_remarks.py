@@ -56,6 +56,19 @@ def test_an_onset_that_only_the_truncation_makes_says_so():
     assert np.isnan(together.untruncated[0]) and together.remarks[0] & Remark.OF_TRUNCATION
 
 
+def test_an_isola_that_the_jump_makes_by_inertia_is_said_to_be_of_the_truncation():
+    """It is born 4e-11 above u_cr, where the slope of h is the jump's; the untruncated force has no onset at all."""
+    numbers = {"lam": 3, "r": 0.5376586722829231, "delta_h": 0.015073899136995528, "mu": 0.0, "zeta": 0.01}
+    base = Isolator(**numbers, excitation="base")
+    onset = base.saddle_node_onset()
+    assert onset.kind == "isola" and 0 < onset.A / base.u_cr - 1 < 1e-10
+    assert Remark.OF_TRUNCATION in onset.remarks and "without truncation: no saddle node" in onset.message
+    assert Remark.OF_TRUNCATION in base.saddle_nodes(1.0001 * onset.F_SN).remarks
+    assert "isolated curve" not in base.margins(0.0036).message
+    together = Isolator.many(**numbers, excitation="base").saddle_node_onset()
+    assert together.remarks == onset.remarks and np.isnan(together.untruncated)
+
+
 #: a softening oscillator whose folds at these forcings lie at Omega < 2e-5 and have the same A in doubles
 AT_REST = {"alpha": 1.0021174150372412, "beta": -0.7852683936675544, "mu": 0.03237752605590381, "zeta": 1e-4}
 

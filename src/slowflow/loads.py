@@ -19,7 +19,7 @@ from slowflow.answer import Single, Table
 from slowflow.averaged import words
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
-from slowflow.results import joined
+from slowflow.results import Remark, joined
 
 Flags = npt.NDArray[np.bool_]
 
@@ -162,7 +162,7 @@ def margins(oscillator: Averaged, F_0: float) -> Margins:
         sticks,
         joined(
             folds.message if sticks else "",
-            ISOLA if onset.kind == "isola" else "",
+            ISOLA if onset.kind == "isola" and Remark.OF_TRUNCATION not in onset.remarks else "",
             onset.message,
             detachment.message if oscillator.model.inertial else "",
         ),

@@ -87,12 +87,12 @@ class Batch(Answer):
         return np.asarray(self._F_0, dtype=float)[..., np.newaxis]
 
     def _found(self) -> tuple[Any, Any, Any]:
-        """Omega and A of each design's states along one more axis, NaN for none, and which are folds on a corner.
+        """Omega and A of each design's states along one more axis, NaN for none, and of folds which are on a corner.
 
-        None at all, but for those that say so.
+        No states at all, but for those that say so, and None in the place of corners but for folds.
         """
         none = np.full((*self.status.shape, 1), np.nan)
-        return none, none, False
+        return none, none, None
 
     @property
     def has_rows(self) -> bool:
@@ -150,7 +150,7 @@ class Detachments(Batch):
     status: Codes
 
     def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega_cr[..., np.newaxis], self.u_cr[..., np.newaxis], False
+        return self.Omega_cr[..., np.newaxis], self.u_cr[..., np.newaxis], None
 
     def gradient(self) -> Gradient:
         """As of a single `Detachment`, of each design; `.slopes` of shape (..., 3, parameters)."""
@@ -308,7 +308,7 @@ class States(Counted):
         return np.asarray(self._Omega, dtype=float)[..., np.newaxis]
 
     def _found(self) -> tuple[Any, Any, Any]:
-        return self._frequency, self.A, False
+        return self._frequency, self.A, None
 
 
 @dataclass(frozen=True, eq=False)
@@ -320,7 +320,7 @@ class Peaks(Batch):
     status: Codes
 
     def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega[..., np.newaxis], self.A[..., np.newaxis], False
+        return self.Omega[..., np.newaxis], self.A[..., np.newaxis], None
 
     def gradient(self) -> Gradient:
         """As of a single `Peak`, of each design; `.slopes` of shape (..., 2, parameters)."""

@@ -416,11 +416,11 @@ def _in_range(what: str, values: Any) -> Floats:
 
 
 def _states(found: Any) -> tuple[Any, Any, Any]:
-    """Omega and A of an answer's states, NaN for none, and on which of them a fold sits on a corner."""
+    """Omega and A of an answer's states, NaN for none, and of folds which sit on a corner, None of others."""
     if isinstance(found, SaddleNodes):
         return found.Omega, found.A, found.corner
     if isinstance(found, Detachment):
-        return (np.nan, np.nan, False) if found.F_cr is None else (found.Omega_cr, found.u_cr, False)
+        return (np.nan, np.nan, None) if found.F_cr is None else (found.Omega_cr, found.u_cr, None)
     if found.A is None:
-        return np.nan, np.nan, False
-    return found.Omega, found.A, isinstance(found, SaddleNodeOnset) and found.kind == "corner"
+        return np.nan, np.nan, None
+    return found.Omega, found.A, found.kind == "corner" if isinstance(found, SaddleNodeOnset) else None

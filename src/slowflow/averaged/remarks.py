@@ -6,6 +6,7 @@ A single answer has both, a batch the codes. Both are made here, so that they ca
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,10 @@ Flags = npt.NDArray[np.bool_]
 
 NOTHING = Remark(0)
 
+#: how near above a breakpoint, in shares of it, a jump of the force is what makes the slope of h, if over twice that
+#: distance the slope changes by this share of itself: as 1/sqrt(A - b) does, the jump's term, by all of itself
+NEXT_TO_JUMP, OF_SLOPE = 1e-3, 0.25
+
 NEAR_STICKING_BELOW = "at low frequencies mu/(F_0 Omega^2) is near pi/4, where averaging fails"
 
 WORDS = {
@@ -32,7 +37,7 @@ WORDS = {
     Remark.HELD_AT_REST: "a mass at rest stays there, whatever the frequency, up to F_0 = {held:g}: preload and "
     "friction hold it",
     Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many",
-    Remark.OF_TRUNCATION: "on the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
+    Remark.OF_TRUNCATION: "at the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 
 
@@ -53,9 +58,9 @@ def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, 
 def of_designs(
     mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, force: Any, Omega: Any, A: Any, corner: Any
 ) -> Codes:
-    """What `Remark` has for states (Omega, A), and on which of them there is a `corner`; NaN is no state.
+    """What `Remark` has for states (Omega, A); NaN is no state.
 
-    Omega, A, corner    -- of each design, along one more, last axis
+    Omega, A, corner    -- of each design, along one more, last axis; corner: of folds, which are on one, None of others
     parameters, mu      -- of the designs, shapes that broadcast
     force               -- on each state, of a shape that broadcasts with Omega; NaN where the question has none
     """
@@ -66,18 +71,22 @@ def of_designs(
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.averaged(0.0, *parameters)[:2])
     held = np.where(pull < 0, np.hypot(slow_flow.friction(mu), pull), -np.inf)
+    on_jump = np.zeros(A.shape[:-1], dtype=bool)
+    if mechanism.truncated and corner is not None:
+        jumps = zip(mechanism.breakpoints(*beside), mechanism.jumps(*beside), strict=True)
+        on_jump = (there & (corner | _next_to_jump(mechanism, beside, jumps, A))).any(axis=-1)
     codes = {
         Remark.NEAR_STICKING: validity.is_near_sticking(np.asarray(mu)[..., np.newaxis], force).any(axis=-1),
         Remark.BEYOND_REACH: (there & (mechanism.reach < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
-        Remark.OF_TRUNCATION: mechanism.truncated & (there & corner).any(axis=-1),
+        Remark.OF_TRUNCATION: on_jump,
         Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
     }
     return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint8)
 
 
-def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) -> Remark:
+def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None) -> Remark:
     """The same for one oscillator; A is an array along one axis, or a number, and nothing is computed that is known.
 
     F_0 -- NaN where the question has none
@@ -98,9 +107,34 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = False) ->
     if highest > 0 and not stays_centred(model):
         if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
             said.append(Remark.LEAVES_CENTRE)
-    if model.mechanism.truncated and (corner.any() if many and corner is not False else corner):
-        said.append(Remark.OF_TRUNCATION)
+    if model.mechanism.truncated and corner is not None and highest > 0:
+        if (corner.any() if many else corner) or _is_next_to_jump(model, A):
+            said.append(Remark.OF_TRUNCATION)
     return Remark(sum(said)) if said else NOTHING
+
+
+def _is_next_to_jump(model: Model, A: Any) -> bool:
+    """Whether any of a few amplitudes is `_next_to_jump`; those are looked for first by what takes less time."""
+    few = A.tolist() if isinstance(A, np.ndarray) else [A]
+    if not any(0 < one - end <= NEXT_TO_JUMP * end for end in model.breakpoints for one in few):
+        return False
+    jumps = zip(model.breakpoints, model.jumps, strict=True)
+    return bool(_next_to_jump(model.mechanism, model.parameters, jumps, A).any())
+
+
+def _next_to_jump(mechanism: Mechanism, parameters: tuple[Any, ...], jumps: Iterable[tuple[Any, Any]], A: Any) -> Flags:
+    """Which amplitudes lie so near above a jump of the force that it makes the slope of h, which is infinite there.
+
+    jumps -- breakpoints, and what the force loses at them
+    """
+    found = np.zeros(np.shape(A), dtype=bool)
+    for end, jump in jumps:
+        beyond = A - end
+        near = np.asarray((beyond > 0) & (beyond <= NEXT_TO_JUMP * end) & (jump != 0))
+        if near.any():
+            _, h_A, h_AA, _ = mechanism.averaged(A, *parameters)
+            found |= near & (2 * beyond * np.abs(h_AA) > OF_SLOPE * np.abs(h_A))
+    return found
 
 
 def stays_centred(model: Model) -> bool:
