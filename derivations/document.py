@@ -17,6 +17,7 @@ from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from .quadrature import Quadrature, sums
 from .restoring import ORDERS, Regime
 from .results import OfMechanism
+from .sided import Sided
 from .slow_flow import SlowFlow
 from .slow_flow import m as friction
 from .symbols import Omega, sigma, u
@@ -50,20 +51,58 @@ def document_of_quadrature(mechanism: Mechanism, average: Quadrature, equations:
     )
 
 
+def document_of_sided(force: Sided, equations: Averaged, flow: SlowFlow) -> str:
+    """The same for a force that is not odd."""
+    own = motion_of_sided(force), parameters(force, {}), balance(force)
+    return in_sections(force, *own, equations, flow, displacement=r"B + A \cos\psi")
+
+
+def motion_of_sided(force: Sided) -> Iterator[str]:
+    """(3), and the force piece by piece, for all u."""
+    yield from equation_of_motion()
+    yield "The force is not odd:"
+    yield ""
+    ends = [*map(sp.latex, force.ends), ""]
+    for number, (piece, end) in enumerate(zip(force.pieces, ends, strict=True), start=1):
+        low, high = f"{ends[number - 2]} < " if number > 1 else "", rf" {LESS} {end}" if end else ""
+        where = rf"\quad {low}u{high}" if low or high else ""
+        yield from display(("f(u)", sp.latex(sp.collect(sp.expand(piece), u)) + where))
+
+
+def balance(force: Sided) -> Iterator[str]:
+    """The mean of the force and h by the means over its steps."""
+    yield r"The load $p$ balances the mean of the force; with means $\langle\cdot\rangle$ over $\psi$:"
+    yield ""
+    of_motion = r"\langle f(B + A \cos\psi)"
+    yield from display(
+        ("f_0", rf"{of_motion} \rangle - p = 0"),
+        ("h", rf"-2 {of_motion} \cos\psi \rangle"),
+    )
+    yield "In $F_A$ below $h_A$ is that along $f_0 = 0$. Beyond the end $b$ of a piece the force has beside that piece"
+    yield r"$\sum D_k (u - b)^k/k!$, which adds to the means over the $\psi$ for which $u$ is beyond:"
+    yield ""
+    gains = force.steps[len(force.pieces) :]
+    for end, row in zip(force.ends, gains, strict=True):
+        yield from display(
+            *((rf"D_{order}\big|_{{u = {sp.latex(end)}}}", value) for order, value in enumerate(row) if value != 0)
+        )
+
+
 def in_sections(
-    mechanism: Mechanism,
+    mechanism: Mechanism | Sided,
     of_motion: Iterator[str],
     of_parameters: Iterator[str],
     of_average: Iterator[str],
     equations: Averaged,
     flow: SlowFlow,
+    displacement: str = r"A \cos\psi",
 ) -> str:
     """The text."""
     sections = (
         (mechanism.title[0].upper() + mechanism.title[1:], ()),
         ("Equation of motion", of_motion),
         ("Parameters", of_parameters),
-        ("Slow flow", slow(equations, flow)),
+        ("Slow flow", slow(equations, flow, displacement)),
         ("The average of the force", of_average),
         ("Response and folds", response(flow)),
     )
@@ -82,11 +121,7 @@ def display(*equations: tuple[str, sp.Expr | str], number: str = "") -> Iterator
 
 def motion(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Iterator[str]:
     """(3), and the force piece by piece."""
-    yield "With displacements in $L$, forces in $k_v L$ and time in $1/\\omega_n$, $\\omega_n^2 = k_v/m$:"
-    yield ""
-    yield from display(
-        ("u'' + 2 \\zeta u' + \\mu\\, \\mathrm{sign}\\, u' + f(u)", "F_0 \\cos \\Omega\\tau"), number="3"
-    )
+    yield from equation_of_motion()
     ends = [*map(sp.latex, breakpoints), ""]
     yield "The force is odd. For $u > 0$:"
     yield ""
@@ -97,7 +132,16 @@ def motion(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Itera
         yield from display(("f(u)", sp.latex(shown) + where))
 
 
-def parameters(mechanism: Mechanism, definitions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[str]:
+def equation_of_motion() -> Iterator[str]:
+    """(3)."""
+    yield "With displacements in $L$, forces in $k_v L$ and time in $1/\\omega_n$, $\\omega_n^2 = k_v/m$:"
+    yield ""
+    yield from display(
+        ("u'' + 2 \\zeta u' + \\mu\\, \\mathrm{sign}\\, u' + f(u)", "F_0 \\cos \\Omega\\tau"), number="3"
+    )
+
+
+def parameters(mechanism: Mechanism | Sided, definitions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[str]:
     """The design's numbers with their domains, and what coefficients and breakpoints are in them."""
     yield from ("| number | measured in | what it is | allowed |", "|---|---|---|---|")
     for parameter in (*mechanism.design, *DAMPING, FORCING):
@@ -115,9 +159,9 @@ def allowed(parameter: Parameter) -> str:
     return ", ".join(f"{sign} {bound}" for sign, bound in bounds if bound is not None) or "any number"
 
 
-def slow(equations: Averaged, flow: SlowFlow) -> Iterator[str]:
+def slow(equations: Averaged, flow: SlowFlow, displacement: str) -> Iterator[str]:
     """(11), (19), (23)."""
-    yield r"With $u = A \cos\psi$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \varphi$, averaged:"
+    yield rf"With $u = {displacement}$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \varphi$, averaged:"
     yield ""
     A_dot, A_phi_dot = (one.subs(sigma, Omega**2 - 1) for one in equations.slow_flow)
     yield from display(("A'", A_dot), ("A\\varphi'", A_phi_dot), number="19")

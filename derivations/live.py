@@ -25,9 +25,10 @@ from typing import Any
 import sympy as sp
 
 from .averaging import averaged
-from .document import document, document_of_quadrature
+from .document import document, document_of_quadrature, document_of_sided
 from .emit.catalogue.mechanism import mechanism_module
 from .emit.catalogue.quadrature import quadrature_module
+from .emit.catalogue.sided import sided_module
 from .emit.form import Module
 from .emit.provenance import tools, versions
 from .emit.targets import c, interval, numpy, pair
@@ -38,6 +39,8 @@ from .monotone import not_shown
 from .oscillator import oscillator
 from .quadrature import FUNCTIONS, Quadrature, singular_at
 from .results import of_mechanism
+from .sided import Sided
+from .sided import check as check_sided
 from .slow_flow import slow_flow
 from .symbols import u
 
@@ -64,7 +67,7 @@ class Sources:
     name    -- of the module, with a hash of all that it follows from
     python  -- text of the module
     headers -- C headers by file name; `record` includes them, and those of the package
-    record  -- a C source that defines `slowflow_record`, for a shared library
+    record  -- a C source that defines `slowflow_record`, for a shared library; "" of a force that is not odd
     """
 
     name: str
@@ -80,10 +83,13 @@ def stated(
     title: str = "",
     reach: Any = sp.oo,
     reach_reason: str = "",
-) -> Mechanism:
+    *,
+    odd: bool = True,
+) -> Mechanism | Sided:
     """A mechanism from the force f(u) = u + F_k(u) for u > 0: each piece with the |u| at which it ends, the last None.
 
     parameters -- by name: `doc`, `unit`, and the bounds above, least, below, most, as of `Parameter`; design numbers
+    odd        -- whether the force is; else pieces are polynomials for all u, by rising u, each with the u it ends at
 
     Raises TypeError for a force that is no SymPy expression, ValueError for names that are none or taken, for symbols
     that are no parameters, and for pieces without an end before the last; ArithmeticError as the derivation does.
@@ -105,9 +111,15 @@ def stated(
         last = number == len(pieces)
         if (end is None) != last:
             raise ValueError(f"piece {number} must {'have no end, it is the last' if last else 'say where it ends'}")
-        forces.append(_in_ours(f"piece {number}", force, symbols, {"u": u}))
+        forces.append(_in_ours(f"piece {number}", force, symbols, {"u": u}, odd=odd))
         if end is not None:
             ends.append(_in_ours(f"the end of piece {number}", end, symbols, {}))
+    furthest = sp.Rational(str(reach)) if isinstance(reach, (int, float)) else reach
+    named = title or f"{name}, stated in a program"
+    if not odd:
+        sided = Sided(name, named, tuple(forces), tuple(ends), design, furthest, reach_reason)
+        check_sided(sided)
+        return sided
     _check_ends(name, ends)
     dimensional = {symbol: sp.Symbol(f"{symbol.name}_dimensional", positive=True) for symbol in symbols.values()}
     back = {given: symbol for symbol, given in dimensional.items()}
@@ -123,7 +135,7 @@ def stated(
     coefficients = _coefficients(forces, ends) if closed else ({},) * len(forces)
     mechanism = Mechanism(
         name=name,
-        title=title or f"{name}, stated in a program",
+        title=named,
         x=_x,
         k_v=_k_v,
         length=_L,
@@ -135,7 +147,7 @@ def stated(
         coefficients=coefficients,
         breakpoints=tuple(sp.Symbol(f"u_{number}", real=True) for number in range(1, len(pieces))),
         instead=() if closed else tuple(symbols.values()),
-        reach=sp.Rational(str(reach)) if isinstance(reach, (int, float)) else reach,
+        reach=furthest,
         reach_reason=reach_reason,
     )
     if not closed:
@@ -165,10 +177,12 @@ def by_quadrature(mechanism: Mechanism) -> Mechanism | None:
     return replace(mechanism, order=sp.oo, coefficients=({},) * len(mechanism.pieces), instead=given)
 
 
-def sources(mechanism: Mechanism) -> Sources:
+def sources(mechanism: Mechanism | Sided) -> Sources:
     """All that is printed of it, under `name_of`. Raises ArithmeticError where the derivation refuses it, and why."""
-    module = _module(mechanism)
+    module = sided_module(name_of(mechanism), mechanism) if isinstance(mechanism, Sided) else _module(mechanism)
     code = {module.name: programs(module)}
+    if isinstance(mechanism, Sided):
+        return Sources(module.name, numpy.text(module, code[module.name]), {}, "")
     files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
     return Sources(
         module.name,
@@ -178,21 +192,24 @@ def sources(mechanism: Mechanism) -> Sources:
     )
 
 
-def told(mechanism: Mechanism) -> str:
+def told(mechanism: Mechanism | Sided) -> str:
     """Its derivation as Markdown with LaTeX."""
     equations = averaged()
     flow = slow_flow(equations)
+    if isinstance(mechanism, Sided):
+        return document_of_sided(mechanism, equations, flow)
     integrated = by_quadrature(mechanism)
     if integrated is not None:
         return document_of_quadrature(integrated, quadrature(integrated), equations, flow)
     return document(of_mechanism(mechanism), equations, flow)
 
 
-def written(mechanism: Mechanism, folder: Path) -> list[str]:
+def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
     """All that is printed and told of it as files in a folder, in which an earlier run's are replaced; their names."""
     printed = sources(mechanism)
     name = printed.name
-    files = {**printed.headers, f"{name}.c": printed.record, f"{name}.py": printed.python, DOCUMENT: told(mechanism)}
+    compiled = {f"{name}.c": printed.record} if printed.record else {}
+    files = {**printed.headers, **compiled, f"{name}.py": printed.python, DOCUMENT: told(mechanism)}
     content = {
         "command": "slowflow derive",
         "mechanism": {"name": name, "title": mechanism.title},
@@ -204,7 +221,7 @@ def written(mechanism: Mechanism, folder: Path) -> list[str]:
     return sorted(files)
 
 
-def name_of(mechanism: Mechanism) -> str:
+def name_of(mechanism: Mechanism | Sided) -> str:
     """Of its module: with a hash of all that it follows from, so that one of that name is this one."""
     return f"{mechanism.name}_{_digest(mechanism)}"
 
@@ -288,7 +305,9 @@ def _parameter(symbol: sp.Symbol, about: Mapping[str, Any]) -> Parameter:
     return Parameter(symbol, str(about.get("doc", "")) or f"parameter {symbol}", str(about.get("unit", "1")), **bounds)
 
 
-def _in_ours(what: str, given: Any, symbols: Mapping[str, sp.Symbol], others: Mapping[str, sp.Symbol]) -> sp.Expr:
+def _in_ours(
+    what: str, given: Any, symbols: Mapping[str, sp.Symbol], others: Mapping[str, sp.Symbol], *, odd: bool = True
+) -> sp.Expr:
     """A user's expression with our symbols in the place of those of the same names."""
     if isinstance(given, (int, float)):
         given = sp.Rational(str(given))
@@ -300,7 +319,7 @@ def _in_ours(what: str, given: Any, symbols: Mapping[str, sp.Symbol], others: Ma
         raise ValueError(f"{what} has {', '.join(unknown)}, which {'is' if len(unknown) == 1 else 'are'} no parameter")
     ours = sp.nsimplify(given.subs({symbol: known[symbol.name] for symbol in given.free_symbols}), rational=True)
     # a force is stated for u > 0: |u| is u there
-    return ours.subs(u, _above).subs(_above, u) if ours.has(sp.Abs, sp.sign) else ours
+    return ours.subs(u, _above).subs(_above, u) if odd and ours.has(sp.Abs, sp.sign) else ours
 
 
 def _is_continuous(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr], number: int) -> bool:
@@ -308,7 +327,7 @@ def _is_continuous(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr], number: i
     return sp.simplify((below - above).subs(u, ends[number - 2])) == 0
 
 
-def _digest(mechanism: Mechanism) -> str:
+def _digest(mechanism: Mechanism | Sided) -> str:
     """Of the mechanism, the tools, and every file of the derivation."""
     told: Iterable[str] = (repr(mechanism), tools(), _files())
     return hashlib.sha256("\n".join(told).encode()).hexdigest()[:12]

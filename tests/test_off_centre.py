@@ -127,7 +127,7 @@ def test_a_preload_and_a_stop_are_steps_too():
     """A force that jumps at u = 0, of straight pieces, against sums over the cycle."""
     c, k_2, gap = 0.1, 3.0, 0.3
     rows = (c, 1.0, 0.0, k_2, c - k_2 * gap, 1.0 + k_2)
-    record = SimpleNamespace(name="", steps=lambda: rows, breakpoints=lambda: (gap,), jumps=lambda: (0.0,))
+    record = SimpleNamespace(name="", odd=True, steps=lambda: rows, breakpoints=lambda: (gap,), jumps=lambda: (0.0,))
     steps = Steps(record, (), 0.0)
     psi = (np.arange(200_000) + 0.5) * np.pi / 200_000
     for A, B in ((0.2, 0.05), (0.5, -0.1), (0.2, 0.6)):

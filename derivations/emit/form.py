@@ -17,6 +17,7 @@ import sympy as sp
 from ..mechanisms import Mechanism, Parameter
 from ..resultants import Elimination
 from ..scaling import Scale
+from ..sided import Sided
 from ..slow_flow import SCENES, m
 from ..symbols import h, h_A, h_AA, h_AAA
 
@@ -194,9 +195,10 @@ class Record:
     untruncated     -- name of the mechanism with that other force; "" where there is none
     scales          -- what the design's numbers are measured in
     stepped         -- whether the force is known as a sum of steps
+    odd             -- whether the force is; averages about the centre are of such ones only
     """
 
-    mechanism: Mechanism
+    mechanism: Mechanism | Sided
     parameters: tuple[Parameter, ...]
     pieces: tuple[Law, ...]
     harmonics_up_to: sp.Expr
@@ -204,6 +206,7 @@ class Record:
     untruncated: str
     scales: tuple[Scale, ...]
     stepped: bool = False
+    odd: bool = True
 
 
 @dataclass(frozen=True)

@@ -107,9 +107,10 @@ def mechanism(
     title: str = "",
     reach: float | None = None,
     reach_reason: str = "",
+    odd: bool = True,
     compile: bool = False,
 ) -> Derived:
-    """Derive a mechanism from its force f(u), dimensionless and odd; about a second, once for the same content.
+    """Derive a mechanism from its force f(u), dimensionless; about a second, once for the same content.
 
     name       -- of a module
     pieces     -- by rising |u|: the whole restoring force for u > 0, an expression in the SymPy symbol u and the
@@ -118,15 +119,18 @@ def mechanism(
                   whole numbers, and of elementary functions, are summed by quadrature
     parameters -- by name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one
     reach      -- the largest |u| that makes sense, and why
+    odd        -- whether the force is; else its pieces are polynomials for all u, by rising u, each with the u, of any
+                  sign, at which it ends. Its motions are off the centre and have a mean B: see `Oscillator.off_centre`
     compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
                   the compiled solvers answer
 
-    Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
-    derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
-    where slowflow itself is not compiled. Exact motions are SciPy's, compiled or not.
+    Raises ValueError and TypeError for what is not allowed, with what is, as compile=True for a force that is not odd;
+    ArithmeticError for a force that cannot be derived, with the reason; ImportError without the extra; RuntimeError
+    where the compiler fails, with its words, or where slowflow itself is not compiled. Exact motions are SciPy's,
+    compiled or not.
     """
-    stated = _derivation().stated(name, pieces, parameters, title, *(() if reach is None else (reach, reach_reason)))
-    return _derived(stated, compile)
+    furthest = () if reach is None else (reach, reach_reason)
+    return _derived(_derivation().stated(name, pieces, parameters, title, *furthest, odd=odd), compile)
 
 
 def library(name: str, *, compile: bool = False) -> Derived:
@@ -156,6 +160,8 @@ def _derived(stated: Any, compile: bool) -> Derived:
         _write(folder, live.sources(stated))
     importlib.invalidate_caches()
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
+    if compile and not record.odd:
+        raise ValueError(f"compile=True is not allowed for {stated.name}: a force that is not odd is NumPy's")
     if compile and backend.record_of(record) is None:
         _attach(record, _compiled(folder, module))
     return Derived(record, folder, stated)
@@ -179,7 +185,8 @@ def _folder() -> Path:
 
 def _write(folder: Path, sources: Any) -> None:
     """Each file under its name only when it is whole; the Python module last, which says that all are there."""
-    sources_by_name = {**sources.headers, f"{sources.name}.c": sources.record, f"{sources.name}.py": sources.python}
+    compiled = {f"{sources.name}.c": sources.record} if sources.record else {}
+    sources_by_name = {**sources.headers, **compiled, f"{sources.name}.py": sources.python}
     for name, text in sources_by_name.items():
         files.write(folder / name, text)
 

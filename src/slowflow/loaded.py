@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from slowflow.mechanism import Mechanism
 from slowflow.model import Model
 from slowflow.validate import NotAvailable
 
@@ -27,13 +28,20 @@ KNOWN = (
 )
 
 AT_CENTRE = (
-    "load = {:g}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
+    "{}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
     "saddle_nodes, saddle_node_onset, amplitudes, frequency_response and steady_state"
 )
 
 
+def off_centre_by(mechanism: Mechanism, load: float) -> str:
+    """What takes motions off the centre, in words; "" for nothing."""
+    if not mechanism.odd:
+        return "a force that is not odd"
+    return f"load = {load:g}" if load != 0 else ""
+
+
 class Loaded:
-    """The numbers of an oscillator under a load; whatever else of its slow flow is asked for raises ValueError."""
+    """The numbers of an oscillator under a load or with a force that is not odd; all else of it is refused."""
 
     def __init__(self, model: Model, load: float) -> None:
         self.unloaded, self.load = model, load
@@ -54,4 +62,4 @@ class Loaded:
         # what copying and pickling ask for is asked before there are any numbers
         if name.startswith("_") or "load" not in self.__dict__:
             raise AttributeError(name)
-        raise NotAvailable(AT_CENTRE.format(self.load))
+        raise NotAvailable(AT_CENTRE.format(off_centre_by(self.unloaded.mechanism, self.load)))

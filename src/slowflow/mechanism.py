@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -71,17 +72,40 @@ class Force:
         if any(not b > a for a, b in zip((0.0, *self.breakpoints), self.breakpoints, strict=False)):
             raise ValueError(f"breakpoints = {self.breakpoints} must be positive and rise")
 
-    @classmethod
-    def of(cls, mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:
+    @staticmethod
+    def of(mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:
         """The force of a mechanism with these parameters; a breakpoint at 0 leaves only what lies beyond."""
         pieces = tuple(Piece(law, parameters) for law in mechanism.pieces)
         ends = tuple(float(end) for end in mechanism.breakpoints(*parameters))
+        if not mechanism.odd:
+            return SidedForce(pieces, ends)
         kept = [i for i, end in enumerate(ends) if end != 0.0]
-        return cls((*(pieces[i] for i in kept), pieces[-1]), tuple(ends[i] for i in kept))
+        return Force((*(pieces[i] for i in kept), pieces[-1]), tuple(ends[i] for i in kept))
+
+    @property
+    def odd(self) -> bool:
+        """Whether it is odd, so that a motion may be the mirror image of itself half a turn later."""
+        return True
+
+    def region_of(self, u: float) -> int:
+        """The number of the piece that holds u, with the sign of u; a breakpoint belongs to the inner one."""
+        index = sum(abs(u) > b for b in self.breakpoints)
+        return index if u > 0 else -index
+
+    def piece(self, region: int) -> Piece:
+        """The piece of that number."""
+        return self.pieces[abs(region)]
+
+    def edge_ahead(self, slip: int, region: int) -> float | None:
+        """The breakpoint towards which a mass in that piece slips, with its sign; None if there is none."""
+        outward = slip * region
+        if outward >= 0:
+            return slip * self.breakpoints[outward] if outward < len(self.breakpoints) else None
+        return -slip * self.breakpoints[-outward - 1]
 
     def value(self, u: float) -> float:
         """f(u), dimensionless."""
-        return self.pieces[sum(abs(u) > b for b in self.breakpoints)].value(u)
+        return self.piece(self.region_of(u)).value(u)
 
     def __call__(self, u: Floats) -> Floats:
         """f(u) at displacements of any shape, dimensionless."""
@@ -91,12 +115,54 @@ class Force:
         """df/du at displacements of any shape, dimensionless; at a breakpoint that of the inner piece."""
         return self._by_piece(u, [piece.law.slope for piece in self.pieces])
 
+    def _held(self, u: Floats) -> npt.NDArray[np.intp]:
+        """Numbers of the pieces that hold u."""
+        return np.searchsorted(self.breakpoints, np.abs(u), side="left")
+
     def _by_piece(self, u: Floats, functions: list[Function]) -> Floats:
-        held = np.searchsorted(self.breakpoints, np.abs(u), side="left")
+        held = self._held(u)
         values = np.empty_like(u)
         for number, (function, piece) in enumerate(zip(functions, self.pieces, strict=True)):
             values[held == number] = function(u[held == number], *piece.constants)
         return values
+
+
+@dataclass(frozen=True)
+class SidedForce(Force):
+    """A force that is not odd: its pieces by rising u, piece i for breakpoints[i-1] < u <= breakpoints[i].
+
+    Regions are numbered from the piece about u = 0 on, those below it negative.
+    """
+
+    def __post_init__(self) -> None:
+        if any(not b > a for a, b in pairwise(self.breakpoints)):
+            raise ValueError(f"the pieces of the force end at u = {self.breakpoints}: these must rise")
+
+    @property
+    def odd(self) -> bool:
+        """False."""
+        return False
+
+    @property
+    def _about(self) -> int:
+        """Index of the piece about u = 0, or just below."""
+        return sum(b < 0 for b in self.breakpoints)
+
+    def region_of(self, u: float) -> int:
+        """The number of the piece that holds u; a breakpoint belongs to the one below it."""
+        return sum(u > b for b in self.breakpoints) - self._about
+
+    def piece(self, region: int) -> Piece:
+        """The piece of that number."""
+        return self.pieces[self._about + region]
+
+    def edge_ahead(self, slip: int, region: int) -> float | None:
+        """The breakpoint towards which a mass in that piece slips; None if there is none."""
+        ahead = self._about + region - (slip < 0)
+        return self.breakpoints[ahead] if 0 <= ahead < len(self.breakpoints) else None
+
+    def _held(self, u: Floats) -> npt.NDArray[np.intp]:
+        return np.searchsorted(self.breakpoints, u, side="left")
 
 
 @dataclass(frozen=True)
@@ -121,6 +187,11 @@ class EquationOfMotion:
         for name, value in (("mu", self.mu), ("zeta", self.zeta), ("c_2", self.c_2)):
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"{name} = {value} must be finite and not negative")
+
+    @property
+    def centred(self) -> bool:
+        """Whether motions may be about u = 0: the force is odd, and there is no load."""
+        return self.load == 0 and self.force.odd
 
     def friction(self, region: int) -> float:
         """mu on a piece of the force, by its number, signed or not."""

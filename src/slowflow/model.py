@@ -181,11 +181,13 @@ class Model:
         ends = tuple(map(float, self.mechanism.breakpoints(*self.parameters)))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
-        kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end != 0]
-        if not all(above > below for (below, _), (above, _) in pairwise([(0.0, 0.0), *kept])):
+        odd = self.mechanism.odd
+        kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end != 0 or not odd]
+        first = 0.0 if odd else -np.inf
+        if not all(above > below for (below, _), (above, _) in pairwise([(first, 0.0), *kept])):
             given = ", ".join(f"{name} = {value!r}" for name, value in self._numbers().items())
-            where = ", ".join(f"{end:g}" for end in ends)
-            raise ValueError(f"{given}: not allowed together, the force's pieces end at |u| = {where}, which must rise")
+            where = f"{'|u|' if odd else 'u'} = {', '.join(f'{end:g}' for end in ends)}"
+            raise ValueError(f"{given}: not allowed together, the force's pieces end at {where}, which must rise")
         m = float(general_flow.friction(self.mu))
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Self
 from slowflow import validate
 from slowflow.averaged import many
 from slowflow.averaged.questions import Answer, Averaged
-from slowflow.loaded import Loaded
+from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import (
@@ -46,7 +46,7 @@ FORCES = ("truncated", "untruncated")
 DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
 
 #: questions that look at motions about the centre, or begin there
-CENTRED = "{} is not available with load = {:g}, only about the centre"
+CENTRED = "{} is not available with {}, only about the centre"
 
 
 class Oscillator(Averaged):
@@ -101,15 +101,17 @@ class Oscillator(Averaged):
         self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
         self.__dict__.update(design=own, given={"mechanism": mechanism, **given, "excitation": excitation})
         self.given.update(laws.said)
-        if load != 0:
+        if load != 0 or not mechanism.odd:
             self._put(load)
 
     def _put(self, load: float) -> None:
-        """A load on it: its slow flow about the centre is not asked from here on."""
+        """Off the centre by a load or by a force that is not odd: its slow flow about it is not asked from here on."""
         load = validate.number("load", load)
-        validate.is_force(f"load = {load:g}", self.excitation)
-        self.only_for_plain_damping(f"load = {load:g}")
-        self.given["load"] = load
+        why = off_centre_by(self.model.mechanism, load)
+        validate.is_force(why, self.excitation)
+        self.only_for_plain_damping(why)
+        if load != 0:
+            self.given["load"] = load
         self.__dict__["model"] = Loaded(self.model, load)
         self.off_centre  # noqa: B018  refuses a force that nothing is derived for
 
@@ -118,6 +120,11 @@ class Oscillator(Averaged):
         """The static load over k_v L."""
         found: float = self.given.get("load", 0.0)
         return found
+
+    @property
+    def _off_centre_by(self) -> str:
+        """What takes motions off the centre, in words; "" for nothing."""
+        return off_centre_by(self.model.mechanism, self.load)
 
     @cached_property
     def off_centre(self) -> OffCentre:
@@ -134,8 +141,8 @@ class Oscillator(Averaged):
 
     def at_centre(self, question: str) -> None:
         """Raises ValueError where the question is asked of an oscillator under a load, for which it has no answer."""
-        if self.load != 0:
-            raise validate.NotAvailable(CENTRED.format(question, self.load))
+        if self._off_centre_by:
+            raise validate.NotAvailable(CENTRED.format(question, self._off_centre_by))
 
     def rest(self) -> RestPositions:
         """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
@@ -143,13 +150,13 @@ class Oscillator(Averaged):
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> Any:
         """Every steady state, see `Averaged.amplitudes`; under a load `OffCentre.amplitudes`, with its mean B."""
-        if self.load != 0:
+        if self._off_centre_by:
             return self.off_centre.amplitudes(Omega=Omega, F_0=F_0)
         return super().amplitudes(Omega=Omega, F_0=F_0)
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> Any:
         """Every fold, see `Averaged.saddle_nodes`; under a load `OffCentre.saddle_nodes`, which has no proof."""
-        if self.load == 0:
+        if not self._off_centre_by:
             return super().saddle_nodes(F_0, certify=certify)
         if certify:
             self.at_centre("certify")
@@ -159,13 +166,13 @@ class Oscillator(Averaged):
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> Any:
         """The response, see `Averaged.frequency_response`; under a load `OffCentre.frequency_response`, with its B."""
-        if self.load != 0:
+        if self._off_centre_by:
             return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
         return super().frequency_response(F_0, samples=samples, Omega=Omega)
 
     def detachment(self) -> Any:
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
-        return super().detachment() if self.load == 0 else self.off_centre.detachment()
+        return self.off_centre.detachment() if self._off_centre_by else super().detachment()
 
     @property
     def eta(self) -> float:
@@ -228,7 +235,7 @@ class Oscillator(Averaged):
         Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force. Under
         a load `OffCentre.saddle_node_onset`, with the mean B, and without that.
         """
-        if self.load != 0:
+        if self._off_centre_by:
             return self.off_centre.saddle_node_onset()
         found = super().saddle_node_onset()
         if not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
@@ -269,7 +276,7 @@ class Oscillator(Averaged):
         `restoring_force`, for a force that jumps at u = 0, and for eta > 0 without Omega.
         """
         laws, force = self.model.laws, self.restoring_force(which)
-        if force.value(0.0) != 0:
+        if force.odd and force.value(0.0) != 0:
             raise ValueError(
                 f"motions of {self.model.mechanism.name} are not followed: its force jumps at u = 0, where a mass rests"
             )
@@ -520,6 +527,8 @@ def designs_of(
 
     laws -- eta and c_2: a plain 0 is none
     """
+    if not mechanism.odd:
+        raise validate.NotAvailable(CENTRED.format("many", off_centre_by(mechanism, 0.0)))
     validate.choice("excitation", excitation, tuple(EXCITATIONS))
     validate.choice("rubs", rubs, tuple(RUBS))
     values |= {name: value for name, value in laws.items() if not (type(value) in (int, float) and value == 0)}

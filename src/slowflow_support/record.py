@@ -114,7 +114,10 @@ class Mechanism:
     enclosed    -- what holds the average on intervals; None where h_AAA is proved to be monotone on each piece
     steps       -- of the parameters: f and its derivatives just above u = 0, as many as the force has; their gains at
                    each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
-                   polynomial: then nothing is known off the centre
+                   polynomial: then nothing is known off the centre. Of a force that is not odd: those of each piece by
+                   its formula at u = 0, and their gains at each breakpoint
+    odd         -- whether the force is odd, its pieces stated for u > 0; else they are by rising u, breakpoints are
+                   such u, and what is about the centre is `unknown`
     """
 
     name: str
@@ -140,6 +143,7 @@ class Mechanism:
     kinks: Function | None = None
     enclosed: Enclosed | None = None
     steps: Function | None = None
+    odd: bool = True
 
     @cached_property
     def is_generated(self) -> bool:
@@ -186,3 +190,8 @@ def _stated(module: str, changes: dict[str, Any]) -> Mechanism:
 def nothing(*parameters: Any) -> tuple[()]:
     """Of a force with one piece: no breakpoint, no jump."""
     return ()
+
+
+def unknown(*numbers: Any) -> Any:
+    """What is about the centre, of a force that is not odd: raises ValueError."""
+    raise ValueError("the force is not odd: no motion is about the centre, and nothing is averaged about it")

@@ -67,7 +67,7 @@ class Forced(NamedTuple):
 
     def piece(self, region: int) -> Piece:
         """The piece of the force in that region."""
-        return self.system.force.pieces[abs(region)]
+        return self.system.force.piece(region)
 
     def drive(self, slip: int, region: int) -> Drive:
         """The constants of a slip phase in that region."""
@@ -97,17 +97,8 @@ class Forced(NamedTuple):
 
 def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
     """The breakpoint towards which a mass in that region slips, with its sign; slip * FAR if there is none."""
-    outward = slip * region
-    breakpoints = system.force.breakpoints
-    if outward >= 0:
-        return slip * breakpoints[outward] if outward < len(breakpoints) else slip * FAR
-    return -slip * breakpoints[-outward - 1]
-
-
-def region_of(system: EquationOfMotion, u: float) -> int:
-    """The region that holds u; a breakpoint belongs to the inner one."""
-    index = sum(abs(u) > b for b in system.force.breakpoints)
-    return index if u > 0 else -index
+    edge = system.force.edge_ahead(slip, region)
+    return slip * FAR if edge is None else edge
 
 
 def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
@@ -149,7 +140,7 @@ def follow(
     if start is not None:
         slip, region = start
     else:
-        region = region_of(system, u)
+        region = system.force.region_of(u)
         slip = (1 if v > 0 else -1) if v != 0 else after_stop(forced, 0, region, theta, u)
         if slip != 0 and u == edge_ahead(system, slip, region):
             region += slip

@@ -52,7 +52,7 @@ def steady_state(
     if wanted is None:
         return _from_rest(averaged, system, Omega, F_0)
     shooting.check_forcing(system, Omega, F_0)
-    if system.load != 0:
+    if not system.centred:
         return _off_centre(averaged, system, Omega, F_0, wanted)
     guesses = _guesses(averaged, Omega, F_0, wanted)
     found = [motion for motion in (shooting.near(system, Omega, F_0, guess) for guess in guesses) if motion is not None]
@@ -166,9 +166,9 @@ def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: 
     try:
         return shooting.steady_state(system, Omega, F_0)
     except shooting.NotSettled:
-        states: Any = averaged.states(Omega=Omega, F_0=F_0) if system.load == 0 else _states(averaged, Omega, F_0)
+        states: Any = averaged.states(Omega=Omega, F_0=F_0) if system.centred else _states(averaged, Omega, F_0)
         if states.A.size == 1:
-            B = 0.0 if system.load == 0 else float(states.B[0])
+            B = 0.0 if system.centred else float(states.B[0])
             found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])), B=B)
             if found is not None and found.stable:
                 return found

@@ -30,8 +30,8 @@ HALF_TURNS = (1, 2, 3, 4, 6)  # lengths of a cycle that are tried: the forcing's
 
 
 def lengths(system: EquationOfMotion) -> tuple[int, ...]:
-    """Of these those that a motion may have: under a load none is the mirror image of itself half a turn later."""
-    return HALF_TURNS if system.load == 0 else tuple(n for n in HALF_TURNS if n % 2 == 0)
+    """Of these those that a motion may have: off the centre none is the mirror image of itself half a turn later."""
+    return HALF_TURNS if system.centred else tuple(n for n in HALF_TURNS if n % 2 == 0)
 
 
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
@@ -191,7 +191,7 @@ class SteadyState(Answer):
             return np.asarray(self.force * np.cos(theta))
         u, v = self._within(phase, theta).T
         drive = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator).drive(phase.slip, phase.region)
-        of_spring = self.cycle.system.force.pieces[abs(phase.region)](u)
+        of_spring = self.cycle.system.force.piece(phase.region)(u)
         return np.asarray(of_spring + 2.0 * drive.zeta * v + drive.resistance(v)[0])
 
     def _highest_passed_on(self, phase: Phase) -> float:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from slowflow.answer import Answer
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Integrator, limited
-from slowflow.exact.motion import TURN, Forced, Phase, follow, region_of
+from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import Event
@@ -193,7 +193,7 @@ def _followed(
 def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:
     """The motion from (u, v) on under one arc."""
     end = arc.theta + arc.Omega * arc.span
-    region = region_of(forced.system, u)
+    region = forced.system.force.region_of(u)
     if arc.F == 0.0 and v == 0.0 and abs(forced.piece(region).value(u)) <= forced.system.friction(region):
         rest = Phase(0, region, arc.theta, u, 0.0, end, u, 0.0, Event.TIME)
         return Stretch(tau, arc.theta, forced, [rest])

@@ -25,6 +25,8 @@ Ints = NDArray[np.intp]
 AROUND = 0.125
 #: a box is not cut further below this share of its place, and of 1
 NARROW = 2.0**-42
+#: half the width below which a box is not made narrower
+THIN = 2.0**-43
 #: boxes that are looked at for one system: usual questions take hundreds, hard ones some thousand; this many take a
 #: second. And for each of many, on the average
 MOST_BOXES, MOST_EACH = 40_000, 4_000
@@ -101,6 +103,9 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         # what the operator leaves of a box holds what solutions it has
         low = np.fmax(low, centre - radius)[:, left]
         high = np.fmin(high, centre + radius)[:, left]
+        # in no direction by so much that roundings would count there, while it is still wide in others
+        more = np.maximum(THIN * np.maximum(np.abs(x[:, left]), 1.0) - 0.5 * (high - low), 0.0)
+        low, high = low - more, high + more
         low, high, of = _cut(low, high, of[left], slopes[..., left])
     undecided, undecided_of = _joined(open_, d)
     if not found:

@@ -3,7 +3,7 @@
 State      f_0 = F = 0              in A and B, at frequencies and a forcing
 Fold       f_0 = c_1 F_A = F = 0    in A, B and t, at a forcing; Omega follows
 Resting    f_0 = 0                  in B, at A = 0
-Detaching  f_0 = 0                  in B, at A = b - |B|
+Detaching  f_0 = 0                  in A, where the motion comes to an end of the first piece
 """
 
 from __future__ import annotations
@@ -86,21 +86,21 @@ class Resting:
 
 
 class Detaching:
-    """Where |B| + A reaches the first breakpoint: in A, system 0 at its positive side, system 1 at the negative."""
+    """Where the motion reaches an end of the first piece: in A, system 0 the upper one, system 1 the lower one."""
 
     positive = True
 
     def __init__(self, steps: Steps) -> None:
-        self.steps, self.b = steps.first(), float(steps.breakpoints[0])
+        self.steps, (self.lower, self.upper) = steps.first(), steps.inner
 
     def offset(self, A: Floats, of: Ints) -> Floats:
         """B there."""
-        return np.where(of == 0, 1.0, -1.0) * (self.b - A)
+        return np.where(of == 0, self.upper - A, self.lower + A)
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `boxes.Equations`."""
         A, below = _interval(x[0], r[0]), of == 0
-        B = (self.b - A).where(below, A - self.b)
+        B = (self.upper - A).where(below, A + self.lower)
         means = self.steps.on(A, B, 1)
         slope = (means.s[1] - means.c[1]).where(below, means.s[1] + means.c[1])
         return (means.c[0] - self.steps.load).ends[:, np.newaxis], slope.ends[:, np.newaxis, np.newaxis]

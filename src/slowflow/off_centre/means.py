@@ -44,6 +44,8 @@ class Means:
 class Steps:
     """A force as steps: the first piece, which all of a motion is above, and at each breakpoint one on either side.
 
+    A force that is not odd has the piece about u = 0 first, and a step at each of its own breakpoints.
+
     Raises ValueError where a piece of the force is no polynomial.
     """
 
@@ -53,21 +55,31 @@ class Steps:
                 f"{mechanism.name}: a piece of its force is no polynomial, and motions off the centre are not derived "
                 "for such a force"
             )
-        ends = [float(end) for end in mechanism.breakpoints(*parameters)]
-        rows = np.array([float(value) for value in mechanism.steps(*parameters)]).reshape(len(ends) + 2, -1)
-        self._state(np.array(ends), rows, load)
+        ends = np.array([float(end) for end in mechanism.breakpoints(*parameters)])
+        values = np.array([float(value) for value in mechanism.steps(*parameters)])
+        if mechanism.odd:
+            self._state(ends, values.reshape(ends.size + 2, -1), load)
+        else:
+            rows = values.reshape(2 * ends.size + 1, -1)
+            self._state_sided(ends, rows[: ends.size + 1], rows[ends.size + 1 :], load)
 
     def first(self) -> Steps:
         """The first piece alone, as if it held everywhere."""
         other = Steps.__new__(Steps)
-        other._state(np.empty(0), np.stack((self._rows[0], self._rows[0])), self.load)
+        if self.odd:
+            other._state(np.empty(0), np.stack((self._rows[0], self._rows[0])), self.load)
+        else:
+            other._state_sided(np.empty(0), self.gains[:1], np.empty((0, self.highest + 1)), self.load)
         return other
 
     def _state(self, ends: Floats, rows: Floats, load: float) -> None:
         """From the breakpoints and a row of derivatives for each of the steps, and for the last piece."""
-        self.load = load
+        self.load, self.odd = load, True
         self.breakpoints = ends
         self.highest = rows.shape[1] - 1
+        #: between which u the first piece holds, and beyond all breakpoints the force on the right and on the left
+        self.inner = (-float(ends[0]), float(ends[0])) if ends.size else (-math.inf, math.inf)
+        self.outer: tuple[Floats, ...] = (rows[-1],)
         odd = np.arange(self.highest + 1) % 2 == 1
         #: the odd part of the first piece is one for all u; what else it has for u > 0 is a step at 0
         first = np.where(odd, 0.0, rows[0])
@@ -80,12 +92,30 @@ class Steps:
         self._rows = rows
         self._of_c, self._of_s = self._weights()
         #: the odd part of the last piece, which holds everywhere but for what is bounded
-        self.last = rows[-1]
+        self._last = rows[-1]
         self._base = np.zeros((ORDERS + 1, ORDERS + self.highest + 1))
         for n in range(ORDERS + 1):
             self._base[n, ORDERS - n : ORDERS - n + self.highest + 1] = np.where(odd, rows[-1], 0.0)
         self._even = np.where(odd, 0.0, rows[-1])
         self._beside = [self._bound(n) for n in range(ORDERS + 1)]
+
+    def _state_sided(self, ends: Floats, pieces: Floats, gains: Floats, load: float) -> None:
+        """From rows of derivatives: of each piece at u = 0, by rising u, and of what is gained at each breakpoint."""
+        self.load, self.odd = load, False
+        self.breakpoints = ends
+        self.highest = pieces.shape[1] - 1
+        #: on the left it is -f(-u) that is gained there, as of a force that is odd
+        mirrored = (-1.0) ** np.arange(self.highest + 1)
+        right, about = ends >= 0, int((ends < 0).sum())
+        self.inner = (
+            float(ends[about - 1]) if about else -math.inf,
+            float(ends[about]) if about < ends.size else math.inf,
+        )
+        self.outer = (pieces[-1], -mirrored * pieces[0])
+        self.places = np.array([0.0, *ends[right], *-ends[~right]])
+        self.sides = np.array([1.0] * (1 + int(right.sum())) + [-1.0] * about)
+        self.gains = np.concatenate((pieces[about : about + 1], gains[right], gains[~right] * mirrored))
+        self._of_c, self._of_s = self._weights()
 
     def _weights(self) -> tuple[Floats, Floats]:
         """What c_n and s_n take of L_j and M_j of each step, j from -ORDERS on: (ORDERS + 1, steps, j)."""
@@ -118,7 +148,7 @@ class Steps:
         total = 0.0
         for place, row in zip((0.0, *self.breakpoints), self._rows[: 1 + piece], strict=False):
             total += sum(row[k] * (at - place) ** (k - n) / math.factorial(k - n) for k in range(n, row.size))
-        odd = self.last - self._even
+        odd = self._last - self._even
         return float(total - sum(odd[k] * at ** (k - n) / math.factorial(k - n) for k in range(n, odd.size)))
 
     def at(self, A: Floats, B: Floats, orders: int) -> Means:
@@ -189,7 +219,7 @@ class Steps:
 
         The steps of a motion that is large beside the breakpoints cancel, and with them what is known of their sum.
         """
-        if self.places.size == 1:
+        if self.places.size == 1 or not self.odd:
             return Interval(np.full((2, A.lo.size), np.array([[-np.inf], [np.inf]])))
         jumps = (self._of_c, self._of_s)[family][n].copy()
         jumps[:, ORDERS:] = 0.0

@@ -49,7 +49,8 @@ AT_CENTRE = 1e-12
 
 STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
 UNDAMPED = "{} needs zeta > 0 off the centre: without viscous damping amplitudes have no bound"
-BEYOND = "at rest the mass stands beyond the first breakpoint already"
+BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
+UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
@@ -64,6 +65,8 @@ class OffCentre:
     """An oscillator under a static load, or one whose motions may leave the centre, averaged.
 
     load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
+
+    The force may be any piecewise polynomial, odd or not.
     """
 
     def __init__(self, model: Model, load: float) -> None:
@@ -78,7 +81,7 @@ class OffCentre:
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
-        """The |u| at which the force passes from one piece to the next."""
+        """The |u| at which the force passes from one piece to the next; u where the force is not odd."""
         return tuple(map(float, self._steps.breakpoints))
 
     def rest(self) -> RestPositions:
@@ -98,19 +101,24 @@ class OffCentre:
         return RestPositions(u, stable, self.load, message)
 
     def detachment(self) -> OffCentreDetachment:
-        """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side."""
+        """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side.
+
+        Of a force that is not odd it is that which comes to an end of the piece about u = 0: to a stop, say.
+        """
         if not self.breakpoints:
             return self._no_detachment(ONE_PIECE)
-        u_cr, at_rest = self.breakpoints[0], self.rest()
+        (lower, upper), at_rest = self._steps.inner, self.rest()
         steady = at_rest.u[at_rest.stable]
-        if steady.size and (np.abs(steady) >= u_cr).all():
+        if steady.size and ((steady >= upper) | (steady <= lower)).all():
             return self._no_detachment(BEYOND)
         equations = Detaching(self._steps)
-        edges = np.linspace(0.0, u_cr, PARTS + 1)
-        low, high = (np.tile(side, 2)[np.newaxis] for side in (edges[:-1], edges[1:]))
-        found = solve(equations, low, high, np.repeat([0, 1], PARTS))
+        ends = [k for k, end in enumerate((upper, lower)) if math.isfinite(end)]
+        highest = 0.5 * (upper - lower) if len(ends) == 2 else self._highest_at((upper, lower)[ends[0]], ends[0])
+        edges = np.linspace(0.0, highest, PARTS + 1)
+        low, high = (np.tile(side, len(ends))[np.newaxis] for side in (edges[:-1], edges[1:]))
+        found = solve(equations, low, high, np.repeat(ends, PARTS))
         A = found.x[0]
-        inside = (A > 0) & (A <= u_cr)
+        inside = (A > 0) & (A <= highest)
         A, B = A[inside], equations.offset(A, found.of)[inside]
         if not A.size:
             return self._no_detachment(NOT_REACHED)
@@ -119,6 +127,24 @@ class OffCentre:
         return OffCentreDetachment(
             float(level[least]), float(Omega[least]), float(A[least]), float(B[least]), self.load, ""
         )
+
+    def _highest_at(self, end: float, of: int) -> float:
+        """An amplitude up to which the mean may be balanced of motions that come to an end of a piece with one only.
+
+        <f(end -+ A (1 - cos psi))> is a polynomial in A, whose roots Cauchy's bound holds.
+        """
+        about = self._steps.gains[0]
+        n = np.arange(about.size)
+        factorials = np.cumprod(np.maximum(n, 1.0))
+        at_end = [float(about[k:] @ (end ** n[: n.size - k] / factorials[: n.size - k])) for k in n]
+        # <(1 - cos psi)^k> = (2 k - 1)!!/k!
+        means = np.cumprod(np.maximum(2.0 * n - 1, 1.0)) / factorials
+        coefficients = np.trim_zeros(np.array(at_end) * means / factorials * (-1.0 if of == 0 else 1.0) ** n, "b")
+        if coefficients.size < 2:
+            raise ValueError(UNBOUNDED)
+        size = np.abs(coefficients)
+        size[0] += abs(self.load)
+        return float(1.0 + size[:-1].max() / size[-1])
 
     def _no_detachment(self, message: str) -> OffCentreDetachment:
         return OffCentreDetachment(None, None, None, None, self.load, message)
@@ -152,7 +178,7 @@ class OffCentre:
                 np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(parts)])
                 for name in ("of", "undecided_of")
             )
-        if self.load == 0:
+        if self._has_centre:
             centred = Averaged(self._model).amplitudes(Omega=at, F_0=F_0)
             of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
             of_centred = np.repeat(of_centred, [int((centred.Omega == at[i]).sum()) for i in of_centred])
@@ -164,12 +190,17 @@ class OffCentre:
         return self._states(at, x[0, order], x[1, order], F_0, message, missing, of[order])
 
     @property
+    def _has_centre(self) -> bool:
+        """Whether motions about the centre are there, which have solvers of their own: an odd force and no load."""
+        return self.load == 0 and self._steps.odd
+
+    @property
     def _keeps_centre(self) -> bool:
-        """Whether every motion is known to be about the centre: without a load, on a spring that only stiffens.
+        """Whether every motion is known to be about the centre: it may be, and the spring only stiffens.
 
         Where f(u)/u is positive and rises with |u| so does f with u, and with it the mean of f with B.
         """
-        return self.load == 0 and remarks.stays_centred(self._model)
+        return self._has_centre and remarks.stays_centred(self._model)
 
     def _with_centred(self, x: Floats, of: Ints, A: Floats, of_A: Ints) -> tuple[Floats, Ints]:
         """States or folds with those about the centre by their own solvers, in the place of what is found of them."""
@@ -194,7 +225,7 @@ class OffCentre:
             of += [i] * (len(low) - len(of))
         equations = State(self._steps, self._m, self._zeta, Omega, F_0)
         found = solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
-        if self.load != 0:
+        if not self._has_centre:
             return found
         # those about the centre have solvers of their own
         off = np.abs(found.undecided[1]) > AT_CENTRE
@@ -227,12 +258,12 @@ class OffCentre:
         found, message = Curves.none(), ""
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
-            off = np.abs(folds.B) > AT_CENTRE if self.load == 0 else np.ones(len(folds), dtype=bool)
+            off = np.abs(folds.B) > AT_CENTRE if self._has_centre else np.ones(len(folds), dtype=bool)
             places = np.stack((folds.Omega, folds.A, folds.B))[:, off]
             slow = Slow(self._steps, self._m, self._zeta, F_0)
             found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
             message = folds.message if len(folds) else ""
-        if self.load == 0:
+        if self._has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
             found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
         return self._response(found, F_0, message)
@@ -244,7 +275,7 @@ class OffCentre:
         of = np.concatenate([TOGETHER * k + part.of for k, part in enumerate(parts)])
         if any(part.undecided_of.size for part in parts):
             raise ArithmeticError("the response is unresolved: at a frequency next to a fold doubles do not decide")
-        off = np.abs(x[1]) > AT_CENTRE if self.load == 0 else np.ones(of.size, dtype=bool)
+        off = np.abs(x[1]) > AT_CENTRE if self._has_centre else np.ones(of.size, dtype=bool)
         return x[:, off], of[off]
 
     def _offset_bound(self, A: float) -> float:
@@ -252,12 +283,12 @@ class OffCentre:
 
         Beyond A and all breakpoints the mean of the force is a polynomial in B, whose roots Cauchy's bound holds.
         """
-        last = np.trim_zeros(self._steps.last, "b")
+        return max(self._outer_bound(np.trim_zeros(last, "b"), A) for last in self._steps.outer)
+
+    def _outer_bound(self, last: Floats, A: float) -> float:
         n = last.size - 1
         if n < 1:
-            raise ValueError(
-                "the outermost piece of the force does not grow: motions off the centre have no bound there"
-            )
+            raise ValueError(UNBOUNDED)
         # coefficients of B^k in <f(B + A cos psi)>, |.| at most
         size = [
             sum(abs(last[j]) / (math.factorial(k) * math.factorial(j - k)) * A ** (j - k) for j in range(k, n + 1))
@@ -265,7 +296,7 @@ class OffCentre:
         ]
         size[0] += abs(self.load)
         cauchy = 1.0 + max(size) * math.factorial(n) / abs(last[n])
-        beyond = A + (self.breakpoints[-1] if self.breakpoints else 0.0)
+        beyond = A + max(map(abs, self.breakpoints), default=0.0)
         # the sum of the n-th roots holds them too, and is less for small ones
         lagrange = 2 * max((value * math.factorial(n) / abs(last[n])) ** (1 / (n - k)) for k, value in enumerate(size))
         return float(max(beyond, min(cauchy, lagrange)) * (1 + 2.0**-40))
@@ -279,7 +310,7 @@ class OffCentre:
         self._damped("saddle_nodes")
         if F_0 <= self._m:
             return self._folds(np.empty((3, 0)), np.empty(0, dtype=bool), F_0, STICKS.format(F_0, self._m))
-        centred = Averaged(self._model).saddle_nodes(F_0) if self.load == 0 else None
+        centred = Averaged(self._model).saddle_nodes(F_0) if self._has_centre else None
         if centred is not None and self._keeps_centre:
             return self._folds_with(centred, None, F_0, centred.message)
         found = self._all_folds(np.array([F_0]))
@@ -329,7 +360,7 @@ class OffCentre:
     def _lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
         search = Search(self._steps, self._m, self._zeta)
-        size = max(1.0, abs(self.load), *self.breakpoints)
+        size = max(1.0, abs(self.load), *map(abs, self.breakpoints))
         known = [search.descend(*at) for at in search.begin(size, self._offset_bound)]
         known += search.corners(self._offset_bound)
         while True:
@@ -354,7 +385,7 @@ class OffCentre:
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
-        sizes = (1.0, F_0, F_0 / self._zeta, abs(self.load), *self.breakpoints)
+        sizes = (1.0, F_0, F_0 / self._zeta, abs(self.load), *map(abs, self.breakpoints))
         return 2.0**ABOVE * max(sizes)
 
     def _all_folds(self, F_0: Floats) -> Solutions:

@@ -1,0 +1,59 @@
+"""The kernels of a force that is not odd: its pieces, its data, its steps.
+
+In:  a `Sided`.
+Out: `sided_module`.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...sided import Sided
+from ...symbols import u
+from ..form import Kernel, Law, Module, Record, plain
+
+ANY = "any parameters"
+
+
+def sided_module(name: str, force: Sided) -> Module:
+    """The module of one force that is stated in a program."""
+    pieces, laws = piece_kernels(force)
+    return Module(
+        name=name,
+        title=force.title[0].upper() + force.title[1:],
+        inputs=("live.py", "sided.py"),
+        kernels=(*data_kernels(force), *pieces),
+        record=Record(force, force.design, laws, sp.oo, False, "", (), stepped=True, odd=False),
+        native=False,
+    )
+
+
+def data_kernels(force: Sided) -> list[Kernel]:
+    """Parameters from the design, breakpoints, jumps, steps."""
+    given = force.parameters
+    told = (
+        ("breakpoints", force.ends, "The u at which a piece of the force ends, by rising u."),
+        ("jumps", force.jumps, "What the force loses at each breakpoint: f below less f above."),
+        (
+            "steps",
+            tuple(value for row in force.steps for value in row),
+            "Each piece and its derivatives by its formula at u = 0; then their gains at each breakpoint.",
+        ),
+    )
+    return [
+        plain("coefficients", given, given, "The parameters are the design.", "(4)", "any design"),
+        *(plain(name, given, values, doc, "(3)", ANY, parameters=len(given)) for name, values, doc in told),
+    ]
+
+
+def piece_kernels(force: Sided) -> tuple[list[Kernel], tuple[Law, ...]]:
+    """The pieces of the force and their slopes, for the equation of motion."""
+    kernels, laws = [], []
+    for k, piece in enumerate(force.pieces, start=1):
+        name, slope = f"force_{k}", f"force_{k}_u"
+        what = f"iece {k} of the restoring force f(u)."
+        for one, value, text in ((name, piece, "P" + what), (slope, sp.diff(piece, u), "d/du of p" + what)):
+            printed = sp.horner(sp.expand(value), u) if value.has(u) else value
+            kernels.append(plain(one, (u, *force.parameters), printed, text, "(3)", "where it holds", generic=True))
+        laws.append(Law(name, slope, ""))
+    return kernels, tuple(laws)

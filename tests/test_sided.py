@@ -1,0 +1,236 @@
+"""Forces that are not odd against exact integrals, closed forms, odd forces stated twice, and integration by time."""
+
+from __future__ import annotations
+
+import pickle
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from slowflow import derive
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.off_centre.means import ORDERS, Steps
+from tests.test_off_centre import mean
+
+u, k, g, p, q = sp.symbols("u k g p q")
+ABOVE = {"above": 0}
+DAMPED = {"mu": 0.005, "zeta": 0.03}
+
+
+@pytest.fixture(scope="module")
+def stop():
+    """A stop on the right alone, behind a gap."""
+    return derive.mechanism("one_sided_stop", [(u, g), (u + k * (u - g), None)], {"k": ABOVE, "g": {}}, odd=False)
+
+
+@pytest.fixture(scope="module")
+def patched():
+    """Four pieces that differ in all: powers of any parity, two jumps, a bend."""
+    pieces = [
+        (2 * u + p, -0.4),
+        (u + u**3 / 2, -0.1),
+        (u - q * u**2 + u**3, 0.25),
+        (sp.Rational(3, 2) * (u - 0.25) + 0.25 - q * 0.25**2 + 0.25**3, None),
+    ]
+    return derive.mechanism("patched", pieces, {"p": {}, "q": {}}, odd=False)
+
+
+@pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25)])
+def test_means_of_a_force_of_any_kind_are_those_of_exact_integrals(patched, A, B):
+    """The mean, the first harmonic, and their slopes as differences of these integrals at 40 digits."""
+    oscillator = patched(p=0.1, q=0.7, **DAMPED)
+    steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)
+    at = steps.at(np.array([A]), np.array([B]), ORDERS)
+    box = steps.on(Interval.of([A * (1 - 1e-9)], [A * (1 + 1e-9)]), Interval.of([B - 1e-9], [B + 1e-9]), 2)
+    with mpmath.workdps(40):
+        p_, q_, quarter = mpmath.mpf(0.1), mpmath.mpf(0.7), mpmath.mpf(1) / 4
+        pieces = (
+            lambda x: 2 * x + p_,
+            lambda x: x + x**3 / 2,
+            lambda x: x - q_ * x**2 + x**3,
+            lambda x: 3 * (x - quarter) / 2 + quarter - q_ * quarter**2 + quarter**3,
+        )
+        ends = [mpmath.mpf(-2) / 5, mpmath.mpf(-1) / 10, quarter]
+
+        def law(x):
+            return pieces[sum(x > end for end in ends)]
+
+        for family, weight, held in ((at.c, 0, box.c), (at.s, 1, box.s)):
+            for n in range(3):
+                exact = mpmath.diff(lambda b, w=weight: mean(law, ends, mpmath.mpf(A), b, w), mpmath.mpf(B), n, h=1e-12)
+                assert family[n][0] == pytest.approx(float(exact), rel=1e-11, abs=1e-13 * 20**n)
+                assert held[n].lo[0] <= family[n][0] <= held[n].hi[0]
+
+
+def test_an_odd_force_that_is_stated_as_one_that_is_not_has_the_same_answers():
+    pieces = [(u + k * (u + g), -g), (u, g), (u + k * (u - g), None)]
+    both = derive.mechanism("two_stops", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)
+    given = {"mu": 0.005, "zeta": 0.03, "load": 0.05}
+    one, other = both(k=8.0, g=0.2, **given), derive.library("elastic_stop")(kappa=8.0, delta=0.2, **given)
+    states = [of.amplitudes(Omega=[0.7, 1.05, 1.3], F_0=0.03) for of in (one, other)]
+    folds = [of.saddle_nodes(0.03) for of in (one, other)]
+    assert len(states[0]) and len(folds[0])
+    for pair, names in ((states, ("Omega", "A", "B", "phi")), (folds, ("Omega", "A", "B"))):
+        for name in names:
+            np.testing.assert_allclose(*(getattr(found, name) for found in pair), rtol=1e-12)
+    assert (states[0].stable == states[1].stable).all() and folds[0].kind.tolist() == folds[1].kind.tolist()
+    found, same = one.detachment(), other.detachment()
+    assert [found.F_cr, found.A, found.B] == pytest.approx([same.F_cr, same.A, same.B], rel=1e-13)
+    assert one.rest().u == pytest.approx(other.rest().u, rel=1e-15)
+    # without a load it is not known to be odd: what is about the centre is found off it, with B = 0
+    centred = other.replace(load=0.0).amplitudes(Omega=1.05, F_0=0.03)
+    found = one.replace(load=0.0).amplitudes(Omega=1.05, F_0=0.03)
+    assert found.A == pytest.approx(centred.A, rel=1e-12) and np.abs(found.B).max() < 1e-12
+
+
+def test_the_mirror_image_of_a_stop_has_the_mirror_images_of_its_answers(stop):
+    left = derive.mechanism("left_stop", [(u + k * (u + g), -g), (u, None)], {"k": ABOVE, "g": {}}, odd=False)
+    one, other = stop(k=8.0, g=0.2, load=0.02, **DAMPED), left(k=8.0, g=0.2, load=-0.02, **DAMPED)
+    folds, mirrored = one.saddle_nodes(0.03), other.saddle_nodes(0.03)
+    assert len(folds) == 2 and folds.Omega == pytest.approx(mirrored.Omega, rel=1e-12)
+    assert folds.B == pytest.approx(-mirrored.B, rel=1e-9)
+    assert one.detachment().F_cr == pytest.approx(other.detachment().F_cr, rel=1e-13)
+    assert other.detachment().B - other.detachment().A == pytest.approx(-0.2, rel=1e-14)
+
+
+def of_contact(A, B, k, g):
+    """f_0 and s_0 of u + k (u - g) for u > g, by hand."""
+    x = np.clip((g - B) / A, -1.0, 1.0)
+    angle, sine = np.arccos(x), np.sqrt(1 - x * x)
+    s_0 = A / 2 + k * ((B - g) * sine + A / 2 * (angle + x * sine)) / np.pi
+    return B + k * ((B - g) * angle + A * sine) / np.pi, s_0
+
+
+@pytest.mark.parametrize(("Omega", "load"), [(1.05, 0.0), (1.15, 0.0), (1.15, 0.03), (0.9, 0.3)])
+def test_every_state_against_a_stop_is_there(stop, Omega, load):
+    """At each amplitude the balance has one mean, by bisection, and F changes its sign at states alone."""
+    stiff, gap, F_0 = 8.0, 0.2, 0.03
+    found = stop(k=stiff, g=gap, load=load, **DAMPED).amplitudes(Omega=Omega, F_0=F_0)
+
+    def centre(A):
+        return brentq(lambda B: of_contact(A, B, stiff, gap)[0] - load, -10.0, 10.0, xtol=1e-300, rtol=1e-15)
+
+    def F(A):
+        R, I = A * Omega**2 - 2 * of_contact(A, centre(A), stiff, gap)[1], 2 * 0.03 * A * Omega + 0.02 / np.pi
+        return R * R + I * I - F_0**2
+
+    grid = np.concatenate((np.linspace(1e-4, 0.6, 1500), [0.7, 1.0]))
+    values = np.array([F(A) for A in grid])
+    roots = [brentq(F, grid[i], grid[i + 1], rtol=1e-14) for i in np.flatnonzero(values[:-1] * values[1:] < 0)]
+    assert len(found) == len(roots) and not found.message
+    assert found.A == pytest.approx(roots, rel=1e-11)
+    assert found.B == pytest.approx([centre(A) for A in roots], rel=1e-10, abs=1e-15)
+    slopes = [F(A * (1 + 1e-6)) - F(A * (1 - 1e-6)) for A in roots]
+    assert found.stable.tolist() == [slope > 0 for slope in slopes]
+
+
+def test_a_stop_is_reached_by_the_linear_motion_that_just_does(stop):
+    """Up to contact the mass is on one spring: the gap is the peak of its response, from the place of rest."""
+    found = stop(k=8.0, g=0.2, mu=0.0, zeta=0.03, load=0.05).detachment()
+    A = 0.2 - 0.05
+    assert found.A == pytest.approx(A, rel=1e-14) and found.B == pytest.approx(0.05, rel=1e-13)
+    assert found.F_cr == pytest.approx(A * 2 * 0.03 * np.sqrt(1 - 0.03**2), rel=1e-13)
+    assert found.Omega_cr == pytest.approx(np.sqrt(1 - 2 * 0.03**2), rel=1e-13)
+    assert stop(k=8.0, g=-0.1, **DAMPED).detachment().message == ""
+    assert "at rest the mass stands" in stop(k=8.0, g=0.1, load=0.3, **DAMPED).detachment().message
+
+
+def test_folds_and_the_onset_against_a_stop_are_where_states_become_three(stop):
+    oscillator = stop(k=8.0, g=0.2, **DAMPED)
+    onset = oscillator.saddle_node_onset()
+    near = onset.Omega * np.linspace(0.99, 1.02, 61)
+    for share, most in ((0.995, 1), (1.02, 3)):
+        states = oscillator.amplitudes(Omega=near, F_0=share * onset.F_SN)
+        assert max((states.Omega == Omega).sum() for Omega in near) == most
+    folds = oscillator.saddle_nodes(0.03)
+    for fold in folds:
+        beside = [len(oscillator.amplitudes(Omega=fold.Omega * (1 + side), F_0=0.03)) for side in (-1e-6, 1e-6)]
+        assert sorted(beside) == [1, 3]
+    curve = oscillator.frequency_response(0.03, Omega=(0.5, 1.6))
+    assert curve.isola == (False,) and set(folds.A) <= set(curve.A)
+    assert (np.diff(curve.stable.astype(int)) != 0).sum() == 2 and curve.B.min() < -0.05
+
+
+def by_time(force, Omega, F_0, mu, zeta, start, turns):
+    """Mean and first harmonic after many turns of the forcing, by an integrator of its own."""
+    period = 2 * np.pi / Omega
+
+    def rates(tau, y):
+        return y[1], F_0 * np.cos(Omega * tau) - 2 * zeta * y[1] - mu * np.sign(y[1]) - force(y[0])
+
+    last = solve_ivp(rates, (0, turns * period), start, "LSODA", rtol=1e-9, atol=1e-11, max_step=period / 60).y[:, -1]
+    grid = period * (np.arange(1024) + 0.5) / 1024
+    u_ = solve_ivp(rates, (0, period), last, "LSODA", rtol=1e-10, atol=1e-12, t_eval=grid, max_step=period / 200).y[0]
+    return u_.mean(), abs(2 * (u_ * np.exp(-1j * Omega * grid)).mean())
+
+
+def test_exact_motions_against_a_stop_are_those_of_integration_by_time_and_averages_near_them(stop):
+    soft = stop(k=0.3, g=0.1, mu=0.0, zeta=0.05)
+    (state,) = soft.amplitudes(Omega=1.05, F_0=0.03)
+    motion = soft.steady_state(Omega=1.05, F_0=0.03)
+    B, A = by_time(lambda x: x + 0.3 * max(x - 0.1, 0.0), 1.05, 0.03, 0.0, 0.05, (0.0, 0.0), 70)
+    middle, first = motion.harmonics(1)
+    assert middle.real == pytest.approx(B, abs=1e-7) and abs(first) == pytest.approx(A, abs=1e-7)
+    assert motion.stable and motion.residual < 1e-10 and B < -0.005
+    assert state.A == pytest.approx(A, rel=0.02) and state.B == pytest.approx(B, rel=0.1)
+
+
+def test_a_force_of_four_pieces_is_followed_through_all_of_them(patched):
+    oscillator = patched(p=0.0, q=0.3, mu=0.002, zeta=0.06)
+    grid = np.array([-0.5, -0.4, -0.3, -0.1, 0.0, 0.2, 0.25, 0.5])
+    expected = [-1.0, -0.8, -0.3135, -0.1005, 0.0, 0.196, 0.246875, 0.621875]
+    assert oscillator.force(grid) == pytest.approx(expected, rel=1e-14)
+    (state,) = oscillator.amplitudes(Omega=0.8, F_0=0.12)
+    assert state.B + state.A > 0.25 and state.B - state.A < -0.1
+    motion = oscillator.steady_state(Omega=0.8, F_0=0.12)
+    law = oscillator.restoring_force()
+    B, A = by_time(law.value, 0.8, 0.12, 0.002, 0.06, (0.0, 0.0), 40)
+    middle, first = motion.harmonics(1)
+    assert middle.real == pytest.approx(B, abs=1e-5) and abs(first) == pytest.approx(A, abs=1e-5)
+    assert state.A == pytest.approx(A, rel=0.05)
+
+
+def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
+    oscillator = stop(k=8.0, g=0.2, **DAMPED)
+    for ask in (lambda: oscillator.cusps(A_max=1.0), lambda: oscillator.peak(0.03), lambda: oscillator.backbone([0.1])):
+        with pytest.raises(ValueError, match="a force that is not odd"):
+            ask()
+    for ask in (
+        lambda: oscillator.second_approximation,
+        lambda: oscillator.margins(0.03),
+        lambda: oscillator.exact_response(0.03),
+        lambda: oscillator.saddle_nodes(0.03, certify=True),
+        lambda: stop(k=8.0, g=0.2, **DAMPED, excitation="base"),
+        lambda: stop.many(k=[8.0, 9.0], g=0.2, **DAMPED),
+    ):
+        with pytest.raises(ValueError, match="not odd"):
+            ask()
+    with pytest.raises(ValueError, match="not odd"):
+        stop(k=8.0, g=0.2, **DAMPED, rubs="attached")
+    with pytest.raises(ValueError, match="does not grow"):
+        derive.mechanism("bounce", [(0 * u, 0), (k * u, None)], {"k": ABOVE}, odd=False)(k=2.0, **DAMPED).rest()
+    assert pickle.loads(pickle.dumps(oscillator)) == oscillator
+
+
+def test_a_force_that_is_not_odd_cannot_be_stated_as_anything():
+    with pytest.raises(ArithmeticError, match="each side is a piece of its own"):
+        derive.mechanism("sizes", [(sp.Abs(u), None)], {"k": ABOVE}, odd=False)
+    with pytest.raises(ArithmeticError, match="no polynomial in u"):
+        derive.mechanism("waves", [(k * sp.sin(u), None)], {"k": ABOVE}, odd=False)
+    with pytest.raises(ArithmeticError, match="which is not above g"):
+        derive.mechanism("order", [(u, g), (2 * u, g - 1), (u, None)], {"g": {}}, odd=False)
+    with pytest.raises(ValueError, match="compile=True is not allowed"):
+        derive.mechanism("fast", [(u, g), (2 * u - g, None)], {"g": {}}, odd=False, compile=True)
+    crossing = derive.mechanism("cross", [(u, g), (2 * u, p), (u, None)], {"g": {}, "p": {}}, odd=False)
+    with pytest.raises(ValueError, match=r"end at u = 0.3, 0.1, which must rise"):
+        crossing(g=0.3, p=0.1, **DAMPED)
+
+
+def test_its_derivation_is_told(stop, tmp_path):
+    text = stop.document()
+    assert "The force is not odd" in text and r"B + A \cos\psi" in text and "D_1" in text
+    assert "derivation.md" in stop.write(tmp_path)
