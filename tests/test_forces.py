@@ -376,3 +376,25 @@ def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(folder, compil
         assert stops.many(**numbers, mu=0.0, zeta=0.02).saddle_node_onset().status == Status.INVALID
     assert stops(gap=1.0, k=0.5, c=1.0, zeta=0.02).breakpoints == (0.5, 1.0)
     assert stops(gap=1.0, k=1.0, c=1.0, zeta=0.02).breakpoints == (1.0,)
+
+
+@pytest.mark.slow
+def test_the_compiled_solvers_know_what_a_preload_does_to_the_onset(preloaded):
+    """Of a linear spring folds come down to 4 mu/pi; of a hardening one too, beside a cusp; without zeta k passes 0."""
+    if backend.SOLVER is None:
+        pytest.skip("the compiled solvers are not there")
+    numbers = {"c": ABOVE_0, "k": ABOVE_0}
+    for pieces in ([(c + k * u, None)], [(c + u + k * u**3, None)]):
+        alike = [derive.mechanism(f"c{one}", pieces, numbers, compile=one) for one in (False, True)]
+        for damping in ({"mu": 0.01, "zeta": 0.02}, {"zeta": 0.0133}):
+            said, told = (made(c=0.0077, k=1.883, **damping).saddle_node_onset() for made in alike)
+            assert said.message == told.message and said.remarks == told.remarks == Remark.FOLDS_AT_REST
+            assert (said.F_SN or 0) == pytest.approx(told.F_SN or 0, rel=1e-14)
+            many = [made.many(c=0.0077, k=1.883, **{"mu": 0.0} | damping).saddle_node_onset() for made in alike]
+            assert many[0].at_rest == many[1].at_rest == 1 and many[0].status == many[1].status
+        states = [made(c=0.0077, k=1.883, zeta=0.02).amplitudes(Omega=0.5, F_0=0.005) for made in alike]
+        assert len(states[0]) == len(states[1]) == 0
+    for made in alike:
+        assert "every F_0 > 4 mu/pi = 0 has a fold" in made(c=0.0077, k=1.883).saddle_node_onset().message
+    with pytest.raises(ArithmeticError, match="with a preload, and without viscous damping"):
+        preloaded(c=0.05, k=1.0).saddle_node_onset()

@@ -60,7 +60,7 @@ def over_quarter(
         found = COMPILED[closing](flat)
         # what is not known in C is told here: why
         if not np.isnan(found).any():
-            return tuple(found.reshape(-1, *shape))
+            return tuple(found.reshape(len(found), *shape))
     at = np.array([x for node, _ in reversed(rule) for x in (-node,)] + [node for node, _ in rule])
     weights = np.array([weight for _, weight in reversed(rule)] + [weight for _, weight in rule])
     sums = np.zeros((width, flat[0].size))

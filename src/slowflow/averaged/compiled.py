@@ -71,14 +71,14 @@ def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     status, F_SN, Omega, A, kind, at_rest = backend.solver().onset(model.native)
     if status == Status.OK:
-        return words.with_folds_at_rest(SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], ""), at_rest)
+        return words.with_folds_at_rest(model, SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], ""), at_rest)
     if status == Status.UNRESOLVED:
         raise ArithmeticError(words.unresolved_onset(model))
     _check(status, model)
     if status == Status.UNBOUNDED:
         said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
         return SaddleNodeOnset(None, None, None, "", said)
-    return words.with_folds_at_rest(SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
+    return words.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
 
 
 def detachment(model: Model) -> Detachment:

@@ -31,7 +31,7 @@ NO_ONSET = "no saddle node"
 AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
 OF_PRELOAD = "below it there are folds down to 4 mu/pi = {:g}, at which motions end beside a mass that a preload holds"
 NONE_BUT_OF_PRELOAD = f"no lowest forcing: {OF_PRELOAD.removeprefix('below it ')}"
-PRELOAD_UNDAMPED = "the onset of a force that jumps at u = 0 is not known without viscous damping: zeta > 0 has one"
+PRELOAD_UNDAMPED = "the onset is unresolved: with a preload, and without viscous damping, it is not looked for"
 NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
 NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
@@ -70,6 +70,8 @@ def _or_not_known(model: Model) -> str:
 
 def unresolved_onset(model: Model) -> str:
     """That rounding may decide where folds are born, and next to which amplitudes."""
+    if model.zeta == 0 and model.preload > 0:
+        return PRELOAD_UNDAMPED
     other = _or_not_known(model)
     if not model.breakpoints:
         return "the onset is unresolved: folds are born within rounding of each other" + other
@@ -101,17 +103,16 @@ def cut_at_reach(model: Model) -> tuple[float, str]:
     return model.reach, f"cut at A = {model.reach:g}{reason}"
 
 
-def with_folds_at_rest(onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
-    """The onset, with the remark that there are folds at lower forcings: the locus ends at Omega = 0 at this level."""
+def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
+    """The onset, with the remark that there are folds at lower forcings: the locus ends at rest at this level.
+
+    That is at Omega = 0, or with a preload at A = 0, as Omega tends to inf.
+    """
     if not rest < (math.inf if onset.F_SN is None else onset.F_SN):
         return onset
-    words = (NONE_BUT_AT_REST if onset.F_SN is None else AT_REST).format(rest)
-    return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
-
-
-def with_folds_of_preload(onset: SaddleNodeOnset, m: float) -> SaddleNodeOnset:
-    """The onset, with the remark that there are folds at lower forcings: down to A = 0 and m as Omega tends to inf."""
-    words = (NONE_BUT_OF_PRELOAD if onset.F_SN is None else OF_PRELOAD).format(m)
+    of_preload = rest == model.m and model.preload > 0
+    none, below = (NONE_BUT_OF_PRELOAD, OF_PRELOAD) if of_preload else (NONE_BUT_AT_REST, AT_REST)
+    words = (none if onset.F_SN is None else below).format(rest)
     return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
 
 

@@ -150,7 +150,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
         if (A_max > piece.last.A) { /* what lies below has been looked through */
             piece.first = piece.last;
             sf_sample_at(model, A_max, &piece.last);
-            if (first->A == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
+            if (first->A == 0 && first->h == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
                 return SF_NONE; /* linear */
             sf_clear_zeros(&work->zeros);
             sf_consider_piece(model, &piece, &work->zeros, best);
@@ -169,11 +169,21 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
     return best->F_SN <= F_0 ? SF_OK : SF_NONE;
 }
 
-static sf_status sf_onset_undamped(const sf_model *model, sf_work *work) {
-    const sf_status status = sf_saddle_nodes(model, 2 * model->m + 1, work, &work->folds);
-    if (status != SF_OK)
-        return status;
-    return work->folds.n > 0 ? SF_UNBOUNDED : SF_NONE;
+/* A fold has R = k, so that where k passes 0 every F_0 > m has one; k is 0 at rest, but with a preload it is -preload there:
+ * then it passes 0 between folds of both signs of k. */
+static sf_status sf_onset_undamped(const sf_model *model, const sf_sample *rest, sf_work *work) {
+    const int preloaded = rest->h < 0;
+    const double F_0 = preloaded ? hypot(model->m, 0.5 * rest->h) : 2 * model->m + 1;
+    const sf_status status = sf_saddle_nodes(model, F_0, work, &work->folds);
+    int i, signs = 0;
+    if (status != SF_OK || !preloaded)
+        return status != SF_OK ? status : work->folds.n > 0 ? SF_UNBOUNDED : SF_NONE;
+    for (i = 0; i < work->folds.n; i++) {
+        sf_sample at;
+        sf_sample_at(model, work->folds.at[i].A, &at);
+        signs |= at.k < 0 ? 1 : 2;
+    }
+    return signs == 3 ? SF_UNBOUNDED : SF_UNRESOLVED;
 }
 
 /* Whether there is no onset, or one so near to a breakpoint that few doubles lie between. */
@@ -202,14 +212,18 @@ static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
 /* The lowest forcing at which folds are born. */
 static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {
     sf_stretch piece;
+    sf_sample rest;
     sf_status status;
     int k;
     best->F_SN = best->rest = HUGE_VAL;
     best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
+    sf_sample_at(model, 0, &rest);
     if (model->zeta == 0) {
         best->F_SN = NAN;
-        return sf_onset_undamped(model, work);
+        return sf_onset_undamped(model, &rest, work);
     }
+    if (rest.h < 0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
+        best->rest = model->m;
     for (k = 0; k < model->breaks; k++) { /* first what leaves less to search */
         sf_sample_at(model, model->b[k], &piece.last);
         sf_sample_above(model, k, &piece.first);
@@ -220,7 +234,7 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
         else
             sf_consider_bend(model, &piece.last, &piece.first, best);
     }
-    sf_sample_at(model, 0, &piece.first);
+    piece.first = rest;
     for (k = 0; k < model->breaks; k++) {
         sf_sample_at(model, model->b[k], &piece.last);
         sf_clear_zeros(&work->zeros);

@@ -23,11 +23,11 @@ typedef struct {
 typedef struct {
     double F_SN, Omega, A;
     sf_onset_kind kind;
-    double rest; /* lowest level at which the fold locus ends at Omega = 0, or infinite */
+    double rest; /* lowest level at which the fold locus ends at Omega = 0, or with a preload at A = 0, or infinite */
     int undecided; /* whether there may be one whose amplitude no double tells from others */
 } sf_onset;
 
-/* Whether folds that end at Omega = 0 are below it, or without it. */
+/* Whether folds that end at Omega = 0, or with a preload at A = 0, are below it, or without it. */
 static inline int sf_is_rest_below(const sf_onset *found) {
     return found->rest < (found->kind == SF_NO_KIND ? HUGE_VAL : found->F_SN);
 }

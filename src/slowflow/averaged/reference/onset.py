@@ -37,7 +37,7 @@ NEAR = 2.0**-30
 
 @dataclasses.dataclass
 class _Best:
-    """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at Omega = 0.
+    """The lowest level so far, where it lies and what it is; rest: the lowest at which the locus ends at rest.
 
     undecided -- whether there may be one whose amplitude no double tells from others
     open      -- whether the response does not close at the last level that was looked at
@@ -85,9 +85,7 @@ def onset(model: Model) -> SaddleNodeOnset:
         found = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
     else:
         found = SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, "")
-    if model.preload > 0:  # next to A = 0 R, which tends to -preload, vanishes at frequencies that tend to inf
-        return words.with_folds_of_preload(found, model.m)
-    return words.with_folds_at_rest(found, best.rest)
+    return words.with_folds_at_rest(model, found, best.rest)
 
 
 def _hardly_jumps(model: Model) -> bool:
@@ -120,8 +118,12 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
     if model.preload > 0:
-        return SaddleNodeOnset(None, None, None, "", words.PRELOAD_UNDAMPED)
-    if not saddle_nodes(model, 2 * model.m + 1.0).A.size:
+        # R = k at a fold, and k = -preload at rest: it passes 0 between folds of both signs, so every F_0 > m has one
+        A = saddle_nodes(model, math.hypot(model.m, 0.5 * model.preload)).A
+        h, h_A, _, _ = model.averaged(A)
+        if not len(np.unique(h - A * h_A < 0)) > 1:
+            raise ArithmeticError(words.unresolved_onset(model))
+    elif not saddle_nodes(model, 2 * model.m + 1.0).A.size:
         return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
     return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m))
 
@@ -129,6 +131,10 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
 def _lowest(model: Model) -> _Best:
     """Of all pieces and breakpoints; first what leaves less to search."""
     best, first = _Best(), samples_at(model, 0.0)
+    if (
+        model.preload > 0
+    ):  # R, -preload next to A = 0, vanishes at frequencies that tend to inf there, and F_0 tends to m
+        best.rest = model.m
     bounded = []
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
         at, above = samples_at(model, b), sample_above(model, i)
