@@ -20,6 +20,7 @@ Beside the paper, for the solvers and the further depths:
     offset                    whether a motion about the centre stays there
     off_centre                motions about another place, where a static load or a force that is not odd puts them
     harmonics, second_approximation      the higher harmonics and what they add
+    repeated                  stretches of an algorithm that it goes through many times
     conventions               words and numbers that both languages share
 
 `python -m derivations` runs all of it and writes `generated/`.

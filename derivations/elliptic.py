@@ -39,6 +39,7 @@ from dataclasses import dataclass
 import sympy as sp
 from flint import arb, ctx
 
+from .repeated import Repeated
 from .restoring import ORDERS, Case, Regime, Restoring, slope
 from .symbols import A, u
 
@@ -189,6 +190,66 @@ def gauss(nodes: int) -> tuple[tuple[sp.Rational, sp.Rational], ...]:
         return tuple((digits(x), digits(w)) for x, w in pairs)
 
 
+# At a node of the rule: x, x^2, 1 - x and x (1 - x), which as differences of doubles would lose digits, and the weight;
+# sqrt(1 - u_cr^2), tan^2(theta/2) and (2 A tan(theta/2))^2.
+ON_ARC = sp.symbols("x X2 less both K c T2 U2", positive=True)
+_x, _X2, _less, _both, _K, _c, _T2, _U2 = ON_ARC
+#: the weight times x^2
+_K2 = sp.Symbol("K2", positive=True)
+_g, _v2, _square, _delta, _f, _fall, _q = sp.symbols("g v2 square delta f fall q", positive=True)
+#: u = 2 A T v, sin t = 2 T v, dt = 2 T g dx
+ON_NODE: tuple[Let, ...] = (
+    (_g, 1 / (1 + _X2 * _T2)),
+    (_v2, _X2 * _g**2),
+    (_square, 1 - _U2 * _v2),
+    (_delta, sp.sqrt(_square)),
+    (_f, _K * _g * _v2 / _delta),
+)
+#: u_cr - u and u_cr + u over u_cr: in this form nothing cancels at the end of the interval
+LESS: sp.Expr = _f * (_less - _both * _T2) * _g * (1 + (_x + _x * _T2) * _g) / (_c + _delta)
+#: tan t = 2 tau/(1 - tau^2)
+TANGENT: Let = (_q, 4 * _X2 * _T2 / (1 - _X2 * _T2) ** 2)
+
+
+def _by_tangents(first: sp.Expr) -> tuple[tuple[Let, ...], tuple[Let, ...]]:
+    """A let for a term, and it times powers of tan^2 t: W, Wq, Wq_2, Wq_3."""
+    term = sp.Symbol("term", positive=True)
+    names = ("W", "Wq", *(f"Wq_{n}" for n in range(2, ORDERS + 1)))
+    return ((term, first),), tuple((sp.Symbol(name), term * _q**n) for n, name in enumerate(names))
+
+
+def _node(name: str, doc: str, given: Sequence[sp.Symbol], lets: Sequence[Let], first: sp.Expr) -> Repeated:
+    """A term at a node times powers of tan^2 t."""
+    term, outputs = _by_tangents(first)
+    return Repeated(name, doc, tuple(given), (*lets, *term, TANGENT), outputs)
+
+
+NEAR = Repeated(
+    "near_node",
+    "Terms of int sin^2 (1/c - 1/Delta), sin^4/Delta^3, sin^4/Delta^5, sin^4 (1 + 4 u^2)/Delta^7 at a node.",
+    ON_ARC,
+    (*ON_NODE, (_fall, _f * _v2 / _square)),
+    tuple(
+        (sp.Symbol(name), value)
+        for name, value in (
+            ("W", LESS),
+            ("V3", _fall),
+            ("V5", _fall / _square),
+            ("V7", _fall * (1 + 4 * _U2 * _v2) / _square**2),
+        )
+    ),
+)
+AFAR = _node("far_node", "Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n.", ON_ARC, ON_NODE, LESS)
+OF_TANGENTS = {
+    1: Repeated(
+        "arc_node", "The term of int sin^2 at a node.", (_X2, _K2, _T2), ON_NODE[:1], ((sp.Symbol("W"), _K2 * _g**3),)
+    ),
+    ORDERS + 1: _node(
+        "tangent_node", "Terms of int sin^2 tan^(2n) at a node, by n.", (_X2, _K2, _T2), ON_NODE[:1], _K2 * _g**3
+    ),
+}
+
+
 class _Detached:
     """The quarter cycle's part 0 < t < theta, u_cr = A sin(theta)."""
 
@@ -204,8 +265,6 @@ class _Detached:
             (self.T, b / (A + self.root)),
             (self.T2, self.T**2),
         ]
-        self.g = sp.symbols(f"g_1:{nodes + 1}", positive=True)
-        self.lets += [(g, 1 / (1 + x**2 * self.T2)) for g, (x, _) in zip(self.g, self.rule, strict=True)]
 
     def _root(self, steep: bool) -> list[Let]:
         """sqrt(A^2 - u_cr^2). Where u_cr is steep c says what its double lacks of it.
@@ -225,54 +284,26 @@ class _Detached:
 
     def by_gauss(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         """int sin^2 (1/c - 1/Delta), int sin^4/Delta^3, int sin^4/Delta^5, int sin^4 (1 + 4 u^2)/Delta^7."""
-        sums: list[list[sp.Expr]] = [[], [], [], []]
-        U2, points = self._points()
-        for k, (v2, square, f, W) in enumerate(points, start=1):
-            sums[0].append(W)
-            fall = sp.Symbol(f"fall_{k}", positive=True)
-            self.lets.append((fall, f * v2 / square))
-            sums[1].append(fall)
-            sums[2].append(fall / square)
-            sums[3].append(fall * (1 + 4 * U2 * v2) / square**2)
         scale = 32 * self.T**5
-        return tuple(self._summed(sums, (8 * self.T**3 * self.b**2 / self.c, scale, scale, scale)))
+        return tuple(self._over_nodes(NEAR, (8 * self.T**3 * self.b**2 / self.c, scale, scale, scale)))
 
     def far_by_gauss(self) -> list[sp.Expr]:
         """int sin^2 tan^(2n) (1/c - 1/Delta) for n = 0, 1, ..."""
-        sums: list[list[sp.Expr]] = [[] for _ in range(ORDERS + 1)]
-        _, points = self._points()
-        for k, (*_, W) in enumerate(points, start=1):
-            term = sp.Symbol(f"term_{k}", positive=True)
-            self.lets.append((term, W))
-            tangent = self._tangent(k)
-            for n, terms in enumerate(sums):
-                terms.append(term * tangent**n)
-        return self._summed(sums, [8 * self.T**3 * self.b**2 / self.c] * len(sums))
+        return self._over_nodes(AFAR, [8 * self.T**3 * self.b**2 / self.c] * (ORDERS + 1))
 
-    def _points(self) -> tuple[sp.Symbol, list[tuple[sp.Expr, ...]]]:
-        """(2 A T)^2, and at each node v^2, Delta^2, weight g v^2/Delta, and the term of int sin^2 (1/c - 1/Delta)."""
-        U2 = sp.Symbol("U2", positive=True)
-        # u = 2 A T v, sin t = 2 T v, dt = 2 T g dx
-        self.lets.append((U2, (2 * A * self.T) ** 2))
-        points = []
-        for k, (g, (x, weight)) in enumerate(zip(self.g, self.rule, strict=True), start=1):
-            v2, square, delta, f = sp.symbols(f"v2_{k} square_{k} delta_{k} f_{k}", positive=True)
-            self.lets += [
-                (v2, (x * g) ** 2),
-                (square, 1 - U2 * v2),
-                (delta, sp.sqrt(square)),
-                (f, weight * g * v2 / delta),
-            ]
-            # u_cr - u and u_cr + u over u_cr: in this form nothing cancels at the end of the interval
-            below, above = (1 - x) * (1 - x * self.T2) * g, 1 + x * (1 + self.T2) * g
-            points.append((v2, square, f, f * below * above / (self.c + delta)))
-        return U2, points
-
-    def _tangent(self, k: int) -> sp.Symbol:
-        """tan^2 at node k: tan t = 2 tau/(1 - tau^2)"""
-        tangent, (x, _) = sp.Symbol(f"tangent_{k}", positive=True), self.rule[k - 1]
-        self.lets.append((tangent, (2 * x * self.T / (1 - x**2 * self.T2)) ** 2))
-        return tangent
+    def _over_nodes(self, terms: Repeated, scales: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Scaled sums over all nodes."""
+        known = {_c: self.c, _T2: self.T2, _U2: _U2}
+        if _U2 in terms.arguments:
+            self.lets.append((_U2, (2 * A * self.T) ** 2))
+        sums = []
+        for k, (x, weight) in enumerate(self.rule, start=1):
+            at = known | {_x: x, _X2: x**2, _less: 1 - x, _both: x * (1 - x), _K: weight, _K2: weight * x**2}
+            heads = [name.name.partition("_") for name, _ in terms.outputs]
+            names = [sp.Symbol(f"{head}_{k}{line}{power}", positive=True) for head, line, power in heads]
+            self.lets += terms.at([at[name] for name in terms.arguments], names)
+            sums.append(names)
+        return self._summed(list(zip(*sums, strict=True)), scales)
 
     def _tangents_near_pole(self) -> list[sp.Symbol]:
         """int sin^2 tan^(2n) dt for n = 0, 1, ..., where tan(theta) is large, and each term beside the one before it.
@@ -335,14 +366,7 @@ class _Detached:
 
     def _tangents(self, count: int) -> list[sp.Symbol]:
         """int sin^2 tan^(2n) dt for n = 0, 1, ..., by Gauss's rule."""
-        sums: list[list[sp.Expr]] = [[] for _ in range(count)]
-        for k, (g, (x, weight)) in enumerate(zip(self.g, self.rule, strict=True), start=1):
-            term = sp.Symbol(f"term_{k}", positive=True)
-            self.lets.append((term, weight * (x * g) ** 2 * g))
-            tangent = self._tangent(k)
-            for n, terms in enumerate(sums):
-                terms.append(term * tangent**n)
-        return self._summed(sums, [8 * self.T**3] * count)
+        return self._over_nodes(OF_TANGENTS[count], [8 * self.T**3] * count)
 
 
 class _Taylor:
@@ -386,17 +410,37 @@ class _Taylor:
         varied = [sp.Integer(1), *zeros[1:]]
         X = self.named("X", [x]) + (zeros if by_second else varied)
         Y = self.named("Y", [y]) + (varied if by_second else zeros)
-        Z = [sp.Integer(1), *zeros]
-        shares = []
-        for n in range(DUPLICATIONS):
-            a, b, c = self.sqrt(f"a{n}", X), self.sqrt(f"b{n}", Y), self.sqrt(f"c{n}", Z)
-            lam = self.named(f"lam{n}", _plus(_times(a, b), _times(c, _plus(a, b))))
-            below = self.named(f"below{n}", _times(c, self.named(f"q{n}", _plus(Z, lam))))
-            shares.append([3 * value / 4**n for value in self.reciprocal(f"term{n}", below)])
-            X, Y, Z = (
-                self.named(f"{name}{n}", [(p + q) / 4 for p, q in zip(values, lam, strict=True)])
-                for name, values in (("X", X), ("Y", Y), ("Z", Z))
-            )
+        # in the first duplication most coefficients are 0 or 1
+        X, Y, Z, share = self.once_duplicated(X, Y, [sp.Integer(1), *zeros], "0")
+        shares = [share]
+        for n in range(1, DUPLICATIONS):
+            *following, share = (_series(f"{name}{n}") for name in ("X", "Y", "Z", "term"))
+            self.lets += _duplication().at((*X, *Y, *Z), [one for f in (*following, share) for one in f])
+            X, Y, Z = following
+            shares.append(share)
+        last = _series("last")
+        self.lets += _remainder().at((*X, *Y, *Z), last)
+        total = [value / 4**DUPLICATIONS for value in last]
+        for n, share in reversed(list(enumerate(shares))):
+            total = _plus(total, [3 * value / 4**n for value in share])
+        return self.named("R", total)
+
+    def once_duplicated(
+        self, X: Sequence[sp.Expr], Y: Sequence[sp.Expr], Z: Sequence[sp.Expr], n: str = ""
+    ) -> tuple[list[sp.Expr], ...]:
+        """The arguments after a duplication, and what it takes off, over 3; `n` stands behind all names."""
+        a, b, c = self.sqrt(f"a{n}", X), self.sqrt(f"b{n}", Y), self.sqrt(f"c{n}", Z)
+        lam = self.named(f"lam{n}", _plus(_times(a, b), _times(c, _plus(a, b))))
+        below = self.named(f"below{n}", _times(c, self.named(f"q{n}", _plus(Z, lam))))
+        share = self.reciprocal(f"term{n}", below)
+        X, Y, Z = (
+            self.named(f"{name}{n}", [(p + q) / 4 for p, q in zip(values, lam, strict=True)])
+            for name, values in (("X", X), ("Y", Y), ("Z", Z))
+        )
+        return X, Y, Z, share
+
+    def remainder(self, X: Sequence[sp.Expr], Y: Sequence[sp.Expr], Z: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """R_D of arguments that are nearly equal, by its Taylor polynomial about their mean."""
         mean = self.named("mean", [(p + q + 3 * s) / 5 for p, q, s in zip(X, Y, Z, strict=True)])
         over = self.reciprocal("over", mean)
         dx, dy = (self.named(name, _times(_minus(mean, f), over)) for name, f in (("dx", X), ("dy", Y)))
@@ -407,15 +451,45 @@ class _Taylor:
         E4 = self.named("E4", _times([3 * (p - q) for p, q in zip(xy, zz, strict=True)], zz))
         E5 = self.named("E5", _times(_times(xy, zz), dz))
         numbers = ((-3, 14, E2), (1, 6, E3), (9, 88, _times(E2, E2)), (-3, 22, E4), (-9, 52, _times(E2, E3)))
-        series = [sp.Integer(1), *zeros]
+        series = [sp.Integer(1), *[sp.Integer(0)] * ORDERS]
         for p, q, values in (*numbers, (3, 26, E5)):
             series = _plus(series, [sp.Rational(p, q) * value for value in values])
         series = self.named("series", series)
-        last = self.named("last", _times(series, self.named("power", _times(over, self.sqrt("sq", over)))))
-        total = [value / 4**DUPLICATIONS for value in last]
-        for share in reversed(shares):
-            total = _plus(total, share)
-        return self.named("R", total)
+        return _times(series, self.named("power", _times(over, self.sqrt("sq", over))))
+
+
+def _series(name: str) -> list[sp.Symbol]:
+    """Coefficients of a series."""
+    return [sp.Symbol(f"{name}_{k}", real=True) for k in range(ORDERS + 1)]
+
+
+@functools.cache
+def _duplication() -> Repeated:
+    lets: list[Let] = []
+    given = tuple(map(_series, "xyz"))
+    *following, share = _Taylor(lets).once_duplicated(*given)
+    named = zip(("next_X", "next_Y", "next_Z", "share"), (*following, share), strict=True)
+    return Repeated(
+        "duplication",
+        "One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series.",
+        tuple(one for f in given for one in f),
+        tuple(lets),
+        tuple(let for name, f in named for let in zip(_series(name), f, strict=True)),
+    )
+
+
+@functools.cache
+def _remainder() -> Repeated:
+    lets: list[Let] = []
+    given = tuple(map(_series, "xyz"))
+    value = _Taylor(lets).remainder(*given)
+    return Repeated(
+        "remainder",
+        "R_D of arguments that are nearly equal, as a Taylor series.",
+        tuple(one for f in given for one in f),
+        tuple(lets),
+        tuple(zip(_series("last"), value, strict=True)),
+    )
 
 
 def _times(f: Sequence[sp.Expr], g: Sequence[sp.Expr]) -> list[sp.Expr]:

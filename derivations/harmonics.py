@@ -34,6 +34,7 @@ import sympy as sp
 from flint import arb, ctx, fmpq
 
 from .elliptic import DIGITS, MODERATE, Corner, Let, corner, digits, gauss, parts
+from .repeated import Repeated
 from .restoring import (
     ORDERS,
     Case,
@@ -211,17 +212,6 @@ def of_polynomials(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) 
 # --- the untruncated force ---
 
 
-def _nodes(T: sp.Expr, T2: sp.Expr) -> tuple[list[Let], list[tuple[sp.Symbol, sp.Expr, sp.Expr]]]:
-    """Gauss's rule over 0 < t < theta, tan(theta/2) = T, in tan(t/2): lets, and (s, cos t, weight) at each node."""
-    lets: list[Let] = []
-    points = []
-    for k, (x, weight) in enumerate(gauss(NODES), start=1):
-        g, s = sp.symbols(f"g_{k} s_{k}", positive=True)
-        lets += [(g, 1 / (1 + x**2 * T2)), (s, 2 * x * T * g)]
-        points.append((s, (1 - x**2 * T2) * g, 2 * weight * T * g))
-    return lets, points
-
-
 def _rational(order: int) -> tuple[sp.Expr, int]:
     """P and q of the order-th derivative P(u)/Delta^q of u/Delta, Delta = sqrt(1 - u^2)."""
     numerator, q = sp.Poly(u, u), 1
@@ -240,26 +230,44 @@ def midpoints(nodes: int) -> tuple[tuple[sp.Rational, sp.Rational], ...]:
         return tuple((digits(arb.sin_pi_fmpq(angle)), digits(arb.cos_pi_fmpq(angle))) for angle in angles)
 
 
+def _moment_of(n: int, j: int) -> sp.Symbol:
+    """int f^(n + j)(A s) s^j cos^(2n) t dt"""
+    return sp.Symbol(f"moment_{n}_{j}", positive=True)
+
+
+@functools.cache
+def _at_midpoint() -> Repeated:
+    """The terms of all these integrals at one point."""
+    s, cosine, v, delta = sp.symbols("s cosine v delta", positive=True)
+    outputs = []
+    for n in HARMONICS:
+        for j in range(ORDERS + 1):
+            numerator, q = _rational(n + j)
+            outputs.append((_moment_of(n, j), s**j * cosine ** (2 * n) * numerator.subs(u, v) / delta**q))
+    return Repeated(
+        "midpoint",
+        "Terms of int f^(n + j)(A s) s^j cos^(2n) t dt at a point, by n, then by j.",
+        (s, cosine, A),
+        ((v, s * A), (delta, sp.sqrt((1 - v) * (1 + v)))),
+        tuple(outputs),
+    )
+
+
 def untruncated_attached(b: sp.Expr) -> Regime:
     """A <= u_cr: f is smooth over the cycle, and every derivative of u/Delta is positive for u > 0.
 
     The integrand is periodic: the midpoint rule leaves out harmonics of `MIDPOINTS` times four and above only.
     """
+    terms = _at_midpoint()
     lets: list[Let] = []
-    values = sp.symbols(f"delta_1:{MIDPOINTS + 1}", positive=True)
-    for delta, (s, _) in zip(values, midpoints(MIDPOINTS), strict=True):
-        lets.append((delta, sp.sqrt((1 - s * A) * (1 + s * A))))
+    sums = []
+    for k, point in enumerate(midpoints(MIDPOINTS), start=1):
+        sums.append([sp.Symbol(f"{name}_{k}", positive=True) for name, _ in terms.outputs])
+        lets += terms.at((*point, A), sums[-1])
+    lets += [(name, sp.Add(*column)) for (name, _), column in zip(terms.outputs, zip(*sums, strict=True), strict=True)]
     derivatives = []
     for n in HARMONICS:
-        # int f^(n + j)(A s) s^j cos^(2n) t dt
-        moments = [sp.Symbol(f"moment_{n}_{j}", positive=True) for j in range(ORDERS + 1)]
-        for j, moment in enumerate(moments):
-            numerator, q = _rational(n + j)
-            terms = [
-                s**j * cosine ** (2 * n) * numerator.subs(u, s * A) / delta**q
-                for delta, (s, cosine) in zip(values, midpoints(MIDPOINTS), strict=True)
-            ]
-            lets.append((moment, sp.Add(*terms)))
+        moments = [_moment_of(n, j) for j in range(ORDERS + 1)]
         scale = -2 * b / (MIDPOINTS * sp.factorial2(2 * n - 1))
         for order in range(ORDERS + 1):
             # Leibniz's rule on A^n times the integral
@@ -271,6 +279,49 @@ def untruncated_attached(b: sp.Expr) -> Regime:
                 )
             )
     return Regime((), (), tuple(lets), tuple(derivatives))
+
+
+def _under(n: int, order: int) -> sp.Symbol:
+    """int g^(order)(A s) s^order T_n dt"""
+    return sp.Symbol(f"sum_{n}_{order}", real=True)
+
+
+@functools.cache
+def _at_node(end: sp.Symbol) -> Repeated:
+    """The terms of all these integrals at a node x of Gauss's rule over 0 < t < theta, in tan(t/2)."""
+    given = sp.symbols("x x2 less weight T T2 c", positive=True)
+    x, x2, less, weight, T, T2, c = given
+    g, s, v, square, delta, below, above, scale = sp.symbols("g s v square delta below above scale", positive=True)
+    inverse = sp.Symbol("inverse", real=True)
+    lets = (
+        (g, 1 / (1 + x2 * T2)),
+        (s, 2 * x * T * g),
+        (v, A * s),
+        (square, (1 - v) * (1 + v)),
+        (delta, sp.sqrt(square)),
+        # u_cr - u and u_cr + u over u_cr: in this form nothing cancels at the end of the interval
+        (below, less * (1 - x * T2) * g),
+        (above, 1 + x * (1 + T2) * g),
+        # 1/Delta - 1/c
+        (inverse, -(end**2) * below * above / (c * delta * (c + delta))),
+        (scale, 2 * weight * T * g),
+    )
+    # the slope is 1/Delta^3 - 1/c = u^2/Delta^3 + 1/Delta - 1/c
+    values = [v * inverse, s * (v**2 / (square * delta) + inverse)]
+    for order in range(2, ORDERS + 1):
+        numerator, q = _rational(order)
+        values.append(s**order * numerator.subs(u, v) / (square ** ((q - 1) // 2) * delta))
+    return Repeated(
+        "harmonic_node",
+        "Terms of int g^(j)(A s) s^j T_n dt at a node, by n, then by j.",
+        (*given, A, end),
+        lets,
+        tuple(
+            (_under(n, order), scale * value * sp.horner(chebyshev(n, s)))
+            for n in HARMONICS
+            for order, value in enumerate(values)
+        ),
+    )
 
 
 def untruncated_detached(b: sp.Expr, corner_: Corner) -> Regime:
@@ -285,28 +336,19 @@ def untruncated_detached(b: sp.Expr, corner_: Corner) -> Regime:
         (T, end / (A + root)),
         (T2, T**2),
     ]
-    nodes, points = _nodes(T, T2)
-    lets += nodes
-    under: dict[int, list[list[sp.Expr]]] = {n: [[] for _ in range(ORDERS + 1)] for n in HARMONICS}
-    for k, ((s, _, weight), (x, _)) in enumerate(zip(points, gauss(NODES), strict=True), start=1):
-        square, delta, v, g = sp.symbols(f"square_{k} delta_{k} v_{k} g_{k}", positive=True)
-        lets += [(v, A * s), (square, (1 - v) * (1 + v)), (delta, sp.sqrt(square))]
-        # u_cr - u and u_cr + u over u_cr: in this form nothing cancels at the end of the interval
-        below, above = (1 - x) * (1 - x * T2) * g, 1 + x * (1 + T2) * g
-        # 1/Delta - 1/c
-        inverse = -(end**2) * below * above / (c * delta * (c + delta))
-        # the slope is 1/Delta^3 - 1/c = u^2/Delta^3 + 1/Delta - 1/c
-        values = [v * inverse, s * (v**2 / (square * delta) + inverse)]
-        for order in range(2, ORDERS + 1):
-            numerator, q = _rational(order)
-            values.append(s**order * numerator.subs(u, v) / (square ** ((q - 1) // 2) * delta))
-        for n in HARMONICS:
-            for order, value in enumerate(values):
-                under[n][order].append(weight * value * sp.horner(chebyshev(n, s)))
+    terms = _at_node(end)
+    known = {symbol.name: symbol for symbol in (A, T, T2, c, end)}
+    sums = []
+    for k, (x, weight) in enumerate(gauss(NODES), start=1):
+        at = known | {"x": x, "x2": x**2, "less": 1 - x, "weight": weight}
+        sums.append([sp.Symbol(f"{name}_{k}", real=True) for name, _ in terms.outputs])
+        lets += terms.at([at[name.name] for name in terms.arguments], sums[-1])
+    lets += [
+        (name, sp.Add(*column[::-1])) for (name, _), column in zip(terms.outputs, zip(*sums, strict=True), strict=True)
+    ]
     derivatives: list[sp.Expr] = []
     for n in HARMONICS:
-        names = [sp.Symbol(f"sum_{n}_{order}", real=True) for order in range(ORDERS + 1)]
-        lets += [(name, sp.Add(*terms[::-1])) for name, terms in zip(names, under[n], strict=True)]
+        names = [_under(n, order) for order in range(ORDERS + 1)]
         # of the force, of its slope 1/c^3 - 1/c = u_cr^2/c^3, and of its second derivative
         curvature, q = _rational(2)
         jumps = [sp.Integer(0), end**2 / c**3, curvature.subs(u, end) / c**q]

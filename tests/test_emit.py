@@ -14,9 +14,12 @@ from mpmath import mp, mpf
 from derivations.averaging import averaged
 from derivations.emit.catalogue import all_modules
 from derivations.emit.passes import operations, straight_line
+from derivations.emit.targets.c import LANGUAGE
 from derivations.emit.targets.c.printer import CPrinter
 from derivations.emit.targets.numpy.printer import NumpyPrinter
 from derivations.emit.targets.printing import Unprintable, literal
+from derivations.emit.views import printed
+from derivations.repeated import Output, Repeated
 from derivations.results import derive
 from derivations.slow_flow import slow_flow
 from derivations.symbols import A
@@ -269,6 +272,10 @@ def evaluated(lets, outputs, at):
             return mpf(expression.p) / expression.q
         if expression is sp.pi:
             return +mp.pi
+        if isinstance(expression, Output):
+            one = expression.repeated
+            given = dict(zip(one.arguments, map(value_of, expression.args), strict=True))
+            return evaluated(one.lets, [value for _, value in one.outputs], given)[expression.number]
         return EVALUATED[expression.func](*map(value_of, expression.args))
 
     needed = set().union(*(output.free_symbols for output in outputs))
@@ -287,3 +294,32 @@ def test_a_name_that_is_taken_by_an_argument_is_left_to_it():
     names = [symbol.name for symbol, _ in program.lets]
     assert not {"x", "t0", "x2"} & set(names)
     assert len(names) == len(set(names)) >= 2
+
+
+def beside():
+    """Two numbers less their sum."""
+    total, one, other = sp.symbols("total one other", real=True)
+    return Repeated("beside", "Less the sum.", (z, w), ((total, z + w),), ((one, z - total), (other, w - total)))
+
+
+def test_what_is_repeated_is_a_call_that_stands_for_its_lets():
+    a, b, c, d = sp.symbols("a b c d", real=True)
+    lets = [*beside().at((x, sp.Integer(3)), (a, b)), *beside().at((b, y), (c, d))]
+    program = straight_line(lets, [a + d, c], (x, y))
+    first, second = printed(program.lets, LANGUAGE)
+    assert (first.name, first.value, first.function) == ("a, b", "x, 3.0", "beside")
+    assert (second.name, second.value) == ("c, d", "b, y")
+    # a sum and two differences in each call, and a + d
+    assert program.counts["structured"] == 2 * 3 + 1
+    # of 5 and 3: -3 and -5; of -5 and 7: -7 and 5
+    assert evaluated(program.lets, program.outputs, {x: mpf(5), y: mpf(7)}) == [-3 + 5, -7]
+
+
+def test_what_is_repeated_is_refused_where_a_language_could_not_print_it():
+    a, b = sp.symbols("a b", real=True)
+    with pytest.raises(ArithmeticError, match="symbols or numbers"):
+        beside().at((x + 1, y), (a, b))
+    with pytest.raises(ArithmeticError, match="not every output"):
+        printed(straight_line(beside().at((x, y), (a, b)), [a], (x, y)).lets, LANGUAGE)
+    with pytest.raises(ArithmeticError, match="one name"):
+        Repeated("twice", "", (x,), ((x, x + 1),), ((y, x),))

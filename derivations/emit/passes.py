@@ -1,7 +1,8 @@
 """From a kernel's expressions to a straight line of assignments: common subexpressions once, powers as chains.
 
 In:  lets and outputs, exact SymPy expressions in structured form.
-Out: `Program`: the assignments in order, the outputs, and the operations counted after each pass.
+Out: `Program`: the assignments in order, the outputs, and the operations counted after each pass. Outputs of a
+     `Repeated` stay what they are, one after the other; `program_of` is what computes them.
 
 Nothing is expanded, factored or rounded here: the structured forms keep digits that an expansion cancels.
 """
@@ -14,6 +15,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
+
+from ..repeated import Output, Repeated
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -37,8 +40,11 @@ class Program:
 
 @functools.cache
 def operations(expression: sp.Expr, within_product: bool = False) -> int:
-    """Additions, multiplications, divisions, roots and function calls in evaluating the expression as written."""
-    if is_constant(expression) or expression.is_Symbol:
+    """Additions, multiplications, divisions, roots and function calls in evaluating the expression as written.
+
+    Without those of a `Repeated`, whose outputs are computed together.
+    """
+    if is_constant(expression) or expression.is_Symbol or isinstance(expression, Output):
         return 0
     inner = sum(operations(arg, expression.is_Mul) for arg in expression.args)
     if expression.is_Add:
@@ -60,22 +66,45 @@ def is_constant(expression: sp.Basic) -> bool:
     return isinstance(expression, sp.Expr) and not expression.free_symbols
 
 
-def straight_line(lets: Sequence[Let], outputs: Sequence[sp.Expr], reserved: Iterable[sp.Symbol]) -> Program:
-    """All passes. `reserved` are the names that the code around uses (the arguments)."""
+def straight_line(
+    lets: Sequence[Let], outputs: Sequence[sp.Expr], reserved: Iterable[sp.Symbol], named: bool = False
+) -> Program:
+    """All passes. `reserved` are the names that the code around uses (the arguments).
+
+    named -- whether the lets are known to name all that is shared
+    """
     lets, outputs = [(symbol, _held(value)) for symbol, value in lets], [_held(output) for output in outputs]
     names = {symbol.name for symbol in reserved} | {symbol.name for symbol, _ in lets}
     needed = _needed(lets, outputs)
-    counts = {"structured": sum(operations(e) for e in (*(value for _, value in needed), *outputs))}
+    counts = {"structured": _counted(needed, outputs, "structured")}
 
     lets = needed
-    if len(needed) <= SPELLED_OUT:
+    if not (named or is_spelled_out(needed)):
         lets, outputs = _common_subexpressions(needed, outputs)
-    counts["common subexpressions"] = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
+    counts["common subexpressions"] = _counted(lets, outputs, "common subexpressions")
 
     lets, outputs = _power_chains(lets, outputs)
     lets, outputs = _numbered(lets, outputs, names)
-    counts["power chains"] = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
+    counts["power chains"] = _counted(lets, outputs, "power chains")
     return Program(tuple(lets), tuple(outputs), counts)
+
+
+def is_spelled_out(lets: Sequence[Let]) -> bool:
+    """Whether it is an algorithm in many steps, or calls what it repeats."""
+    return len(lets) > SPELLED_OUT or any(isinstance(value, Output) for _, value in lets)
+
+
+@functools.cache
+def program_of(repeated: Repeated) -> Program:
+    """Straight-line code of what is repeated."""
+    return straight_line(repeated.lets, [value for _, value in repeated.outputs], repeated.arguments, named=True)
+
+
+def _counted(lets: Sequence[Let], outputs: Sequence[sp.Expr], after: str) -> int:
+    """Operations after a pass, those of what is repeated as often as it is called."""
+    calls = {(value.repeated, value.args) for _, value in lets if isinstance(value, Output)}
+    own = sum(operations(e) for e in (*(value for _, value in lets), *outputs))
+    return own + sum(program_of(repeated).counts[after] for repeated, _ in calls)
 
 
 @functools.cache

@@ -33,7 +33,7 @@ from ..symbols import F_0, A, Omega, mu, zeta
 from . import proved
 from .catalogue import all_modules
 from .form import Module
-from .passes import SPELLED_OUT, Program, is_constant
+from .passes import Program, is_constant, is_spelled_out
 from .views import programs
 
 #: arguments that are not negative
@@ -221,7 +221,7 @@ def proved_of(module: Module) -> dict[str, dict[str, object]]:
     code, found = programs(module), {}
     for kernel in module.kernels:
         for branch, program in zip(kernel.branches, code[kernel.name], strict=True):
-            if len(program.lets) > SPELLED_OUT:
+            if is_spelled_out(program.lets):
                 continue
             k = bounds(program, kernel.arguments)
             if any(one is not None for one in k):

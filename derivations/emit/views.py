@@ -6,6 +6,7 @@ Out: `KernelView`, or a dict for what only calls others.
 
 from __future__ import annotations
 
+import itertools
 import textwrap
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -15,11 +16,12 @@ from pathlib import Path
 import jinja2
 import sympy as sp
 
+from ..repeated import Output
 from ..restoring import FAR
 from ..slow_flow import m
 from .compensated import Exact, twofold
 from .form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
-from .passes import Program, straight_line
+from .passes import Let, Program, program_of, straight_line
 from .proved import in_words
 from .provenance import digest
 
@@ -32,11 +34,28 @@ WIDTH = 116
 
 @dataclass(frozen=True)
 class Line:
-    """One assignment, printed; wrapped where it is long. number: its type, where that is not the kernel's own"""
+    """One assignment, printed; wrapped where it is long.
+
+    number   -- its type, where that is not the kernel's own
+    function -- what is called, if it is one that is printed beside the kernels: `name` are all its outputs then, and
+                `value` its arguments
+    """
 
     name: str
     value: str
     number: str = ""
+    function: str = ""
+
+
+@dataclass(frozen=True)
+class RepeatedView:
+    """What kernels of a module repeat, as a template needs it."""
+
+    name: str
+    doc: str
+    arguments: tuple[str, ...]
+    lets: tuple[Line, ...]
+    outputs: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)
@@ -218,14 +237,7 @@ def branch_view(
 ) -> BranchView:
     """A branch printed for one language."""
     show = language.printer.doprint
-
-    def name_of(symbol: sp.Symbol) -> str:
-        return language.names.get(symbol.name, symbol.name)
-
-    lines = tuple(
-        Line(name_of(symbol), wrapped(show(value), len(name_of(symbol)) + 3, language))
-        for symbol, value in program.lets
-    )
+    lines = printed(program.lets, language)
     guard = language.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
     if len(branch.guards) == 1:
         guard = guard[1:-1]
@@ -236,10 +248,62 @@ def branch_view(
         guard,
         lines,
         tuple(show(output) for output in program.outputs),
-        tuple(name_of(argument) for argument in kernel.arguments if argument not in used),
+        tuple(named(argument, language) for argument in kernel.arguments if argument not in used),
         program.counts,
         in_words(program, kernel.arguments),
     )
+
+
+def named(symbol: sp.Symbol, language: Language) -> str:
+    """What a language calls a symbol."""
+    return language.names.get(symbol.name, symbol.name)
+
+
+def printed(lets: Sequence[Let], language: Language) -> tuple[Line, ...]:
+    """Lets as lines; the outputs of one call are one line."""
+    lines = []
+    calls = itertools.groupby(lets, lambda let: (let[1].repeated, let[1].args) if isinstance(let[1], Output) else let)
+    for _, together in calls:
+        symbols, (value, *others) = zip(*together, strict=True)
+        if not isinstance(value, Output):
+            name = named(symbols[0], language)
+            lines.append(Line(name, wrapped(language.printer.doprint(value), len(name) + 3, language)))
+            continue
+        if [one.number for one in (value, *others)] != list(range(len(value.repeated.outputs))):
+            raise ArithmeticError(f"not every output of {value.repeated.name} is used, or not in their order")
+        lines.append(
+            Line(
+                ", ".join(named(symbol, language) for symbol in symbols),
+                ", ".join(map(language.printer.doprint, value.args)),
+                function=value.repeated.name,
+            )
+        )
+    return tuple(lines)
+
+
+def repeated_views(code: Code, language: Language) -> list[RepeatedView]:
+    """What the kernels of a module repeat, printed, by name."""
+    found = {
+        value.repeated.name: value.repeated
+        for programs_ in code.values()
+        for program in programs_
+        for _, value in program.lets
+        if isinstance(value, Output)
+    }
+    views = []
+    for name, one in sorted(found.items()):
+        program = program_of(one)
+        outputs = zip((symbol.name for symbol, _ in one.outputs), program.outputs, strict=True)
+        views.append(
+            RepeatedView(
+                name,
+                one.doc,
+                tuple(named(argument, language) for argument in one.arguments),
+                printed(program.lets, language),
+                tuple((output, language.printer.doprint(value)) for output, value in outputs),
+            )
+        )
+    return views
 
 
 def wrapped(value: str, used: int, language: Language) -> str:
@@ -258,16 +322,14 @@ def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]
     known = {line.high if isinstance(line, Exact) else line[0] for line in code.lines}
     beside = straight_line((), kernel.beside, {*kernel.arguments, *known})
 
-    def named(symbol: sp.Symbol) -> str:
-        return language.names.get(symbol.name, symbol.name)
-
     def plain(symbol: sp.Symbol, value: sp.Expr) -> dict[str, str]:
-        return {"op": "", "name": named(symbol), "value": wrapped(show(value), len(named(symbol)) + 3, language)}
+        name = named(symbol, language)
+        return {"op": "", "name": name, "value": wrapped(show(value), len(name) + 3, language)}
 
     lines = [
         {
             "op": line.op,
-            "name": named(line.high),
+            "name": named(line.high, language),
             "low": line.low.name,
             "left": show(line.left),
             "right": show(line.right),
@@ -279,7 +341,7 @@ def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]
     exact = Counter(line.op.removeprefix("two_") for line in code.lines if isinstance(line, Exact))
     return {
         "kernel": kernel,
-        "arguments": [named(argument) for argument in kernel.arguments],
+        "arguments": [named(argument, language) for argument in kernel.arguments],
         "lines": [*lines, *(plain(symbol, value) for symbol, value in beside.lets)],
         "distilled": [show(part) for part in code.distilled],
         "outputs": [show(output) for output in (*code.outputs, *beside.outputs)],

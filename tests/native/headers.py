@@ -48,10 +48,11 @@ def build(directory: Path) -> None:
     includes = [f'#include "{header.name}"' for header in sorted(HEADERS.glob("*.h"))]
     wrappers = []
     for name, (kind, arguments) in prototypes().items():
-        call, used = [], 0
+        call, used, given = [], 0, 0
         for argument in arguments:
-            if argument == "double *out":
-                call.append("out")
+            if argument.startswith("double *"):
+                call.append(f"out + {given}")
+                given += 1
             elif argument == "const double *p":
                 call.append(f"in + {used}")
             else:

@@ -23,6 +23,7 @@ from ...views import (
     Language,
     composition_view,
     regimes,
+    repeated_views,
     selection_view,
     sources,
     templates,
@@ -59,6 +60,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
             kernels=views,
+            repeated=repeated_views(code[module.name], LANGUAGE),
             twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
             selections=[selection_view(selection) for selection in module.selections],
             compositions=[composition_view(composition, calls(module)) for composition in module.compositions],

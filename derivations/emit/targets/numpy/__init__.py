@@ -25,6 +25,7 @@ from ...views import (
     Language,
     composition_view,
     regimes,
+    repeated_views,
     selection_view,
     sources,
     templates,
@@ -72,6 +73,7 @@ def text(module: Module, code: Code) -> str:
         .render(
             module=module,
             kernels=[view(kernel, code[kernel.name], LANGUAGE) for kernel in module.kernels],
+            repeated=repeated_views(code, LANGUAGE),
             twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
             selections=[selection_view(selection) for selection in module.selections],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],

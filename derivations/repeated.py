@@ -1,0 +1,57 @@
+"""Stretches of an algorithm that it goes through many times: stated once, and printed once, as a function.
+
+In:  arguments, lets and outputs, as of a kernel.
+Out: `Repeated`; `at` gives lets that stand for its outputs at other arguments.
+
+An output at given arguments is a SymPy function of them, `Output`: nothing has to know of it but what prints it.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+
+class Output(sp.Function):
+    """One of the outputs of a `Repeated`, at arguments that are symbols or numbers."""
+
+    repeated: Repeated
+    number: int
+
+
+@dataclass(frozen=True)
+class Repeated:
+    """Lets and outputs in some arguments.
+
+    name    -- of the function
+    doc     -- what it gives
+    outputs -- expressions in the arguments and the lets, each by its name
+    """
+
+    name: str
+    doc: str
+    arguments: tuple[sp.Symbol, ...]
+    lets: tuple[Let, ...]
+    outputs: tuple[Let, ...]
+
+    def __post_init__(self) -> None:
+        names = [symbol.name for symbol in (*self.arguments, *(symbol for symbol, _ in (*self.lets, *self.outputs)))]
+        if len(set(names)) < len(names):
+            raise ArithmeticError(f"{self.name} has two things of one name: {sorted(names)}")
+
+    def at(self, given: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list[Let]:
+        """The outputs by these names, at arguments in their order."""
+        if len(given) != len(self.arguments) or not all(value.is_Symbol or value.is_number for value in given):
+            raise ArithmeticError(f"{self.name} takes {len(self.arguments)} symbols or numbers, not {given}")
+        return [(name, _output(self, k)(*given)) for k, (name, _) in enumerate(zip(names, self.outputs, strict=True))]
+
+
+@functools.cache
+def _output(repeated: Repeated, number: int) -> type[Output]:
+    name = f"{repeated.name}_{repeated.outputs[number][0]}"
+    return type(name, (Output,), {"repeated": repeated, "number": number})
