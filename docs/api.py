@@ -27,6 +27,7 @@ MODULES = (
     "slowflow.averaged.questions",
     "slowflow.results",
     "slowflow.off_centre.questions",
+    "slowflow.off_centre.many",
     "slowflow.off_centre.answers",
     "slowflow.gradient",
     "slowflow.answer",

@@ -205,7 +205,6 @@ def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
         lambda: oscillator.exact_response(0.03),
         lambda: oscillator.saddle_nodes(0.03, certify=True),
         lambda: stop(k=8.0, g=0.2, **DAMPED, excitation="base"),
-        lambda: stop.many(k=[8.0, 9.0], g=0.2, **DAMPED),
     ):
         with pytest.raises(ValueError, match="not odd"):
             ask()

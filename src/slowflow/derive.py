@@ -30,8 +30,6 @@ import numpy as np
 
 import slowflow_kernels
 from slowflow import backend, files
-from slowflow.averaged.many import Designs
-from slowflow.grid.designs import Grid
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
@@ -73,7 +71,7 @@ class Derived:
         """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
         return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
 
-    def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Designs | Grid:
+    def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Any:
         """Many designs at once: `Oscillator.many(record, ...)`."""
         return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
 

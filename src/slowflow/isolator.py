@@ -6,19 +6,16 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from slowflow import validate
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import THROUGHOUT, Laws, Model
-from slowflow.oscillator import FORCES, Designs, Oscillator, designs_of
+from slowflow.oscillator import FORCES, Oscillator, designs_of
 from slowflow.physical import Physical, Scales, g, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
-
-if TYPE_CHECKING:
-    from slowflow.grid.designs import Grid
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
@@ -187,8 +184,9 @@ class Isolator(Oscillator):
         rubs: str = THROUGHOUT,
         force: str = "truncated",
         excitation: str = "force",
-    ) -> Designs | Grid:
-        """Many isolators at once, from arrays that broadcast; see `slowflow.averaged.many`.
+        load: Any = 0.0,
+    ) -> Any:
+        """Many isolators at once, from arrays that broadcast; see `Oscillator.many`.
 
         Arrays of xarray or dask make a map over named axes, which may be larger than memory; see
         `slowflow.grid.designs`.
@@ -197,7 +195,7 @@ class Isolator(Oscillator):
         design: each answer has a status.
         """
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
-        return designs_of(_averaged(force), values, {"eta": eta, "c_2": c_2}, rubs, excitation)
+        return designs_of(_averaged(force), values, {"eta": eta, "c_2": c_2}, rubs, excitation, load)
 
 
 class Duffing(Oscillator):
@@ -244,7 +242,8 @@ class Duffing(Oscillator):
         eta: Any = 0.0,
         c_2: Any = 0.0,
         excitation: str = "force",
-    ) -> Designs | Grid:
+        load: Any = 0.0,
+    ) -> Any:
         """Many Duffing oscillators at once, as `Isolator.many`."""
         values = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}
-        return designs_of(DUFFING, values, {"eta": eta, "c_2": c_2}, THROUGHOUT, excitation)
+        return designs_of(DUFFING, values, {"eta": eta, "c_2": c_2}, THROUGHOUT, excitation, load)

@@ -29,7 +29,6 @@ from slowflow_kernels.domains import EXCITATIONS, RUBS
 if TYPE_CHECKING:
     from slowflow import exact, loads
     from slowflow.exact.shocks import Shocks
-    from slowflow.grid.designs import Grid
     from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
@@ -468,15 +467,18 @@ class Oscillator(Averaged):
         c_2: Any = 0.0,
         rubs: str = THROUGHOUT,
         excitation: str = "force",
+        load: Any = 0.0,
         **design: Any,
-    ) -> Designs | Grid:
+    ) -> Any:
         """Many designs of one mechanism at once, from arrays that broadcast; see `slowflow.averaged.many`.
 
-        Arrays of xarray or dask make a map over named axes; see `slowflow.grid.designs`.
+        Arrays of xarray or dask make a map over named axes; see `slowflow.grid.designs`. With a load, or for a force
+        that is not odd, answers have the mean B; see `slowflow.off_centre.many`.
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
-        return designs_of(mechanism, {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2}, rubs, excitation)
+        values, laws = {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2}
+        return designs_of(mechanism, values, laws, rubs, excitation, load)
 
 
 class Designs(many.Designs):
@@ -521,22 +523,35 @@ class Designs(many.Designs):
 
 
 def designs_of(
-    mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], rubs: str, excitation: str
-) -> Designs | Grid:
+    mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], rubs: str, excitation: str, load: Any
+) -> Any:
     """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled.
 
-    laws -- eta and c_2: a plain 0 is none
+    laws -- eta and c_2: a plain 0 is none, as of load
     """
-    if not mechanism.odd:
-        raise validate.NotAvailable(CENTRED.format("many", off_centre_by(mechanism, 0.0)))
     validate.choice("excitation", excitation, tuple(EXCITATIONS))
     validate.choice("rubs", rubs, tuple(RUBS))
-    values |= {name: value for name, value in laws.items() if not (type(value) in (int, float) and value == 0)}
+    values |= {name: value for name, value in laws.items() if not _is_none(value)}
+    if not mechanism.odd or not _is_none(load):
+        why = off_centre_by(mechanism, 0.0) or "load"
+        validate.is_force(why, excitation)
+        told = [name for name in laws if name in values] + ([] if rubs == THROUGHOUT else [f"rubs = {rubs!r}"])
+        validate.is_plain(why, ", ".join(told))
+        if any(validate.is_labelled(value) for value in (*values.values(), load)):
+            raise validate.NotAvailable(CENTRED.format("a map over named axes", why))
+        from slowflow.off_centre.many import OffCentreDesigns
+
+        return OffCentreDesigns(mechanism, {**values, "load": load})
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid
 
         return Grid(mechanism, values, excitation, rubs)
     return Designs(mechanism, values, excitation, rubs)
+
+
+def _is_none(value: Any) -> bool:
+    """Whether it is a plain 0."""
+    return type(value) in (int, float) and value == 0
 
 
 def _remade(kind: type[Oscillator], given: dict[str, Any]) -> Oscillator:

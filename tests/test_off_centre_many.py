@@ -1,0 +1,102 @@
+"""Batches off the centre have the digits of single answers, and a status where there is none."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, derive
+from slowflow.results import Remark
+from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
+
+TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
+
+
+def alone(load):
+    return Isolator(**TABLE_1, load=float(load))
+
+
+def test_each_design_has_the_digits_of_its_single_answer():
+    loads = np.array([[0.01], [0.03]])
+    designs = Isolator.many(**TABLE_1, load=loads)
+    detached, onset = designs.detachment(), designs.saddle_node_onset()
+    folds, states = designs.saddle_nodes(0.04), designs.amplitudes(Omega=[0.9, 1.1], F_0=0.04)
+    assert detached.F_cr.shape == onset.F_SN.shape == (2, 1) and states.A.shape == (2, 2, 6)
+    for row, load in enumerate(loads.ravel()):
+        single = alone(load).detachment()
+        assert [getattr(detached, name)[row, 0] for name in ("F_cr", "Omega_cr", "A", "B")] == [
+            single.F_cr, single.Omega_cr, single.A, single.B,
+        ]  # fmt: skip
+        single = alone(load).saddle_node_onset()
+        assert [getattr(onset, name)[row, 0] for name in ("F_SN", "Omega", "A", "B")] == [
+            single.F_SN, single.Omega, single.A, single.B,
+        ]  # fmt: skip
+        assert OnsetKind(onset.kind[row, 0]).name.lower() == single.kind
+        single = alone(load).saddle_nodes(0.04)
+        n = folds.count[row, 0]
+        assert n == len(single) and np.array_equal(folds.Omega[row, 0, :n], single.Omega)
+        assert np.array_equal(folds.B[row, 0, :n], single.B) and np.isnan(folds.A[row, 0, n:]).all()
+        assert [FoldKind(kind).name for kind in folds.kind[row, 0, :n]] == ["JUMP_UP", "JUMP_DOWN"]
+        for column, Omega in enumerate((0.9, 1.1)):
+            single = alone(load).amplitudes(Omega=Omega, F_0=0.04)
+            n = states.count[row, column]
+            assert n == len(single) and np.array_equal(states.stable[row, column, :n], single.stable)
+            for name in ("A", "B", "phi"):
+                assert np.array_equal(getattr(states, name)[row, column, :n], getattr(single, name))
+    assert not (states.status.any() or states.remarks.any() or states.undecided.any())
+
+
+def test_a_design_without_an_answer_has_a_status_that_says_why():
+    designs = Duffing.many([1.0, 1.0, 1.0, np.nan, -0.5, 1.0], 0.5, 0.01, [0.05, 0.0, 0.05, 0.05, 0.05, 0.05],
+                           load=[0.3, 0.3, np.inf, 0.3, 0.02, 0.0])  # fmt: skip
+    onset = designs.saddle_node_onset().status.tolist()
+    ok, unbounded, invalid, unresolved = (Status[name] for name in ("OK", "UNBOUNDED", "INVALID", "UNRESOLVED"))
+    assert onset == [ok, unbounded, invalid, invalid, unresolved, ok]
+    states = designs.amplitudes(Omega=1.3, F_0=[0.2, 0.2, 0.2, 0.2, 0.2, 0.01])
+    assert states.status.tolist() == [ok, unbounded, invalid, invalid, ok, Status.STICKS]
+    assert designs.saddle_nodes(-1.0).status.tolist() == [invalid] * 6
+    assert designs.amplitudes(Omega=1.3, F_0=0.2, places=1).status[0] == Status.TOO_MANY
+    assert designs.detachment().status.tolist() == [Status.NONE] * 2 + [invalid] * 2 + [Status.NONE] * 2
+    # without a load the single answers of the centre stand in it
+    last = designs.saddle_node_onset().F_SN[-1]
+    assert last == Duffing(1.0, 0.5, 0.01, 0.05).saddle_node_onset().F_SN
+
+
+def test_what_the_message_of_a_single_answer_says_is_a_remark():
+    designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
+    onset = designs.saddle_node_onset()
+    assert onset.remarks.tolist() == [0, Remark.OF_TRUNCATION]
+    assert alone(0.1).saddle_node_onset().kind == "corner"
+    rows = onset.columns()
+    assert rows["load"].tolist() == [0.03, 0.1] and rows["B"].tolist() == onset.B.tolist()
+    table = designs.amplitudes(Omega=0.9, F_0=0.04).columns()
+    assert {"load", "Omega", "F_0", "A_0", "B_0", "phi_0"} <= table.keys()
+
+
+def test_a_force_that_is_not_odd_has_batches_too():
+    import sympy as sp
+
+    u, k, g = sp.symbols("u k g")
+    stop = derive.mechanism(
+        "one_sided_stop", [(u, g), (u + k * (u - g), None)], {"k": {"above": 0}, "g": {}}, odd=False
+    )
+    found = stop.many(k=[2.0, 8.0], g=0.2, mu=0.005, zeta=0.03).amplitudes(Omega=1.1, F_0=0.03)
+    for row, k in enumerate((2.0, 8.0)):
+        single = stop(k=k, g=0.2, mu=0.005, zeta=0.03).amplitudes(Omega=1.1, F_0=0.03)
+        assert np.array_equal(found.A[row, : found.count[row]], single.A) and len(single) == 3
+
+
+def test_what_batches_have_no_answer_to_off_the_centre_is_refused_in_words():
+    designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
+    for name in ("peak", "certify", "margins", "second_approximation"):
+        with pytest.raises(ValueError, match="motions about the centre"):
+            getattr(designs, name)
+    with pytest.raises(ValueError, match="only with 'force'"):
+        Isolator.many(**TABLE_1, load=[0.03, 0.1], excitation="base")
+    with pytest.raises(ValueError, match="only with mu and zeta"):
+        Isolator.many(**TABLE_1, load=0.1, c_2=[0.1, 0.2])
+    with pytest.raises(ValueError, match="no polynomial"):
+        Isolator.many(**TABLE_1, load=0.1, force="untruncated")
+    with pytest.raises(ValueError, match="shapes"):
+        Isolator.many(**TABLE_1, load=[0.1, 0.2]).saddle_nodes([0.03, 0.04, 0.05])
+    assert not hasattr(designs, "nothing_of_the_kind")
