@@ -24,6 +24,7 @@ from typing import Any
 
 import sympy as sp
 
+from . import given as given_by
 from .averaging import averaged
 from .document import document, document_of_quadrature, document_of_sided
 from .emit.catalogue.mechanism import mechanism_module
@@ -91,11 +92,13 @@ def stated(
     parameters -- by name: `doc`, `unit`, and the bounds above, least, below, most, as of `Parameter`; design numbers
     odd        -- whether the force is; else pieces are polynomials for all u, by rising u, each with the u it ends at
 
-    Raises TypeError for a force that is no SymPy expression, ValueError for names that are none or taken, for symbols
-    that are no parameters, and for pieces without an end before the last; ArithmeticError as the derivation does.
+    Raises TypeError for what is of another kind, as a force that is no SymPy expression, ValueError for names that are
+    none or taken, for symbols that are no parameters, and for pieces without an end before the last; ArithmeticError as
+    the derivation does.
     """
-    if not name.isidentifier() or keyword.iskeyword(name):
-        raise ValueError(f"name = {name!r} is not allowed: it must be the name of a module")
+    name, pieces, parameters = given_by.module_name(name), given_by.pieces(pieces), given_by.parameters(parameters)
+    title, reach_reason = given_by.text("title", title), given_by.text("reach_reason", reach_reason)
+    furthest, odd = given_by.reach(reach), given_by.flag("odd", odd)
     symbols = {}
     for given in parameters:
         if not given.isidentifier() or keyword.iskeyword(given) or given in TAKEN:
@@ -104,8 +107,6 @@ def stated(
             raise ValueError(f"parameter {given!r} is not allowed: it is a word of C")
         symbols[given] = _symbol(given, parameters[given])
     design = tuple(_parameter(symbols[given], about) for given, about in parameters.items())
-    if not pieces:
-        raise ValueError("pieces is empty: at least one is needed")
     forces, ends = [], []
     for number, (force, end) in enumerate(pieces, start=1):
         last = number == len(pieces)
@@ -114,7 +115,6 @@ def stated(
         forces.append(_in_ours(f"piece {number}", force, symbols, {"u": u}, odd=odd))
         if end is not None:
             ends.append(_in_ours(f"the end of piece {number}", end, symbols, {}))
-    furthest = sp.Rational(str(reach)) if isinstance(reach, (int, float)) else reach
     named = title or f"{name}, stated in a program"
     if not odd:
         sided = Sided(name, named, tuple(forces), tuple(ends), design, furthest, reach_reason)
@@ -297,22 +297,15 @@ def _symbol(name: str, about: Mapping[str, Any]) -> sp.Symbol:
 
 
 def _parameter(symbol: sp.Symbol, about: Mapping[str, Any]) -> Parameter:
-    allowed = ("doc", "unit", "above", "least", "below", "most")
-    for key in about:
-        if key not in allowed:
-            raise ValueError(f"parameter {symbol}: {key!r} is not allowed: it must be one of {', '.join(allowed)}")
-    bounds = {key: sp.Rational(str(about[key])) for key in allowed[2:] if about.get(key) is not None}
-    return Parameter(symbol, str(about.get("doc", "")) or f"parameter {symbol}", str(about.get("unit", "1")), **bounds)
+    bounds = {key: about[key] for key in given_by.BOUNDS if key in about}
+    return Parameter(symbol, about.get("doc", "") or f"parameter {symbol}", about.get("unit", "1"), **bounds)
 
 
 def _in_ours(
     what: str, given: Any, symbols: Mapping[str, sp.Symbol], others: Mapping[str, sp.Symbol], *, odd: bool = True
 ) -> sp.Expr:
     """A user's expression with our symbols in the place of those of the same names."""
-    if isinstance(given, (int, float)):
-        given = sp.Rational(str(given))
-    if not isinstance(given, sp.Expr):
-        raise TypeError(f"{what} = {given!r} is not allowed: it must be a SymPy expression; strings are never read")
+    given = given_by.expression(what, given)
     known = {**symbols, **others}
     unknown = sorted({symbol.name for symbol in given.free_symbols} - set(known))
     if unknown:

@@ -151,6 +151,8 @@ def include() -> list[Path]:
 
 def _derived(stated: Any, compile: bool) -> Derived:
     """Derived and printed, if it was not, and compiled if that is wanted."""
+    if not isinstance(compile, bool):
+        raise TypeError(f"compile = {compile!r} is not allowed: it must be True or False")
     live = _derivation()
     folder = _folder()
     module = live.name_of(stated)

@@ -1,0 +1,117 @@
+"""What a user states of a mechanism, checked: in go the arguments as they come, out what the derivation takes of them.
+
+Each refusal names the argument, what it was, and what is allowed: TypeError for another kind of thing, ValueError for
+one that is not allowed.
+"""
+
+from __future__ import annotations
+
+import keyword
+import math
+from collections.abc import Mapping, Sequence
+from numbers import Real
+from typing import Any
+
+import sympy as sp
+
+#: what is said of a parameter, and which of that are bounds
+WORDS, BOUNDS = ("doc", "unit"), ("above", "least", "below", "most")
+
+
+def text(what: str, value: Any) -> str:
+    """A string."""
+    if not isinstance(value, str):
+        raise TypeError(f"{what} = {value!r} is not allowed: it must be a string")
+    return value
+
+
+def flag(what: str, value: Any) -> bool:
+    """True or False."""
+    if not isinstance(value, bool):
+        raise TypeError(f"{what} = {value!r} is not allowed: it must be True or False")
+    return value
+
+
+def module_name(value: Any) -> str:
+    """The name of a module."""
+    if not text("name", value).isidentifier() or keyword.iskeyword(value):
+        raise ValueError(f"name = {value!r} is not allowed: it must be the name of a module")
+    return str(value)
+
+
+def exact(what: str, value: Any) -> sp.Expr:
+    """A finite real number, as it is written: a decimal fraction for a float."""
+    if isinstance(value, bool) or not isinstance(value, (Real, sp.Number)):
+        raise TypeError(f"{what} = {value!r} is not allowed: it must be a number")
+    if not math.isfinite(value):
+        raise ValueError(f"{what} = {value!r} is not allowed: it must be finite")
+    return sp.Rational(str(value))
+
+
+def reach(value: Any) -> sp.Expr:
+    """The largest |u|, infinite where there is none."""
+    if value is sp.oo:
+        return value
+    found = exact("reach", value)
+    if not found > 0:
+        raise ValueError(f"reach = {value!r} is not allowed: it must be > 0")
+    return found
+
+
+def parameters(value: Any) -> Mapping[str, Mapping[str, Any]]:
+    """Names with what is said of each, the bounds as exact numbers."""
+    allowed = f"names with what is said of each, some of {', '.join((*WORDS, *BOUNDS))}"
+    if not isinstance(value, Mapping):
+        raise TypeError(f"parameters = {value!r} is not allowed: it must be a mapping of {allowed}")
+    found = {}
+    for name, about in value.items():
+        text("a parameter's name", name)
+        if not isinstance(about, Mapping):
+            raise TypeError(f"parameter {name} = {about!r} is not allowed: it must be a mapping of {allowed}")
+        for key in about:
+            if key not in (*WORDS, *BOUNDS):
+                raise ValueError(
+                    f"parameter {name}: {key!r} is not allowed: it must be one of {', '.join((*WORDS, *BOUNDS))}"
+                )
+        words = {key: text(f"parameter {name}: {key}", about[key]) for key in WORDS if key in about}
+        bounds = {key: exact(f"parameter {name}: {key}", about[key]) for key in BOUNDS if about.get(key) is not None}
+        _leaves_some(name, bounds)
+        found[name] = words | bounds
+    return found
+
+
+def _leaves_some(name: str, bounds: Mapping[str, sp.Expr]) -> None:
+    """Raises ValueError for bounds between which there is no number."""
+    for low in ("above", "least"):
+        for high in ("below", "most"):
+            if low not in bounds or high not in bounds:
+                continue
+            touch = (low, high) == ("least", "most")
+            if not (bounds[low] < bounds[high] or (touch and bounds[low] == bounds[high])):
+                raise ValueError(
+                    f"parameter {name}: {low} = {bounds[low]} and {high} = {bounds[high]} leave no number between them"
+                )
+
+
+def pieces(value: Any) -> Sequence[tuple[Any, Any]]:
+    """Pairs of a force and where it ends."""
+    allowed = "a list of pairs (force, where it ends), None for the end of the last"
+    if not isinstance(value, (list, tuple)):
+        raise TypeError(f"pieces = {value!r} is not allowed: it must be {allowed}")
+    if not value:
+        raise ValueError("pieces is empty: at least one is needed")
+    for number, piece in enumerate(value, start=1):
+        if not isinstance(piece, (list, tuple)) or len(piece) != 2:
+            raise TypeError(f"piece {number} = {piece!r} is not allowed: pieces must be {allowed}")
+    return [(force, end) for force, end in value]
+
+
+def expression(what: str, value: Any) -> sp.Expr:
+    """A real SymPy expression."""
+    if isinstance(value, Real) and not isinstance(value, bool):
+        return exact(what, value)
+    if not isinstance(value, sp.Expr):
+        raise TypeError(f"{what} = {value!r} is not allowed: it must be a SymPy expression; strings are never read")
+    if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
+        raise ValueError(f"{what} = {value} is not allowed: it must be real and finite")
+    return value
