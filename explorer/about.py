@@ -12,7 +12,7 @@ from typing import Any
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import words
-from slowflow.averaged.remarks import WORDS
+from slowflow.averaged.remarks import NEAR_STICKING_BELOW, WORDS
 from slowflow.isolator import ROD_SPRING
 from slowflow.measured import table, validity
 from slowflow.oscillator import Oscillator
@@ -21,8 +21,8 @@ from slowflow.physical import Physical
 from slowflow.validate import WINDOW
 from slowflow.version import __version__
 from slowflow_kernels.conventions import OnsetKind, Status
-from slowflow_kernels.domains import DAMPING, FORCING
-from slowflow_kernels.scaling import SCALES
+from slowflow_kernels.domains import DAMPING, EXCITATIONS
+from slowflow_kernels.scaling import AMPLITUDES, SCALES
 from slowflow_support.record import Mechanism, Parameter
 
 #: designs to begin with: a title, an oscillator, F_0, and the highest frequency that is shown
@@ -33,7 +33,11 @@ PRESETS: tuple[tuple[str, Oscillator, float, float], ...] = (
     ("Frictionless", Isolator(**{**TABLE_1, "mu": 0.0}), 0.03, WINDOW[1]),
     ("Hardening Duffing", Duffing(alpha=1.0, beta=4.0, mu=0.01, zeta=0.03), 0.06, 2.5),
     ("Softening Duffing", Duffing(alpha=1.0, beta=-0.5, mu=0.01, zeta=0.05), 0.1, WINDOW[1]),
+    ("A floor that shakes", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="base"), 0.06, WINDOW[1]),
+    ("A machine out of balance", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="unbalance"), 0.05, WINDOW[1]),
 )
+#: what excites, in the page's words
+EXCITED_BY = {"force": "a force", "base": "a base that shakes", "unbalance": "an unbalance"}
 #: the mount of the README, in SI units
 MOUNT: Physical = Isolator.physical(
     m=12.0, k_v=2500.0, k_h=1700.0, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02
@@ -58,11 +62,20 @@ def about() -> dict[str, Any]:
         "version": __version__,
         "mechanisms": mechanisms,
         "damping": [_parameter(one) for one in DAMPING],
-        "forcing": _parameter(FORCING),
+        "excitations": {
+            name: {"title": title, **_parameter(EXCITATIONS[name]), "scale": dict(AMPLITUDES[name]._asdict())}
+            for name, title in EXCITED_BY.items()
+        },
         "scales": {name: dict(scale._asdict()) for name, scale in SCALES.items()},
         "physical_names": PHYSICAL_NAMES,
         "presets": [
-            {"title": title, "mechanism": one.model.mechanism.name, "values": _values(one, F_0), "shown": high}
+            {
+                "title": title,
+                "mechanism": one.model.mechanism.name,
+                "excitation": one.excitation,
+                "values": _values(one, F_0),
+                "shown": high,
+            }
             for title, one, F_0, high in PRESETS
         ],
         "mount": _mount(),
@@ -72,6 +85,7 @@ def about() -> dict[str, Any]:
             "remarks": {remark.name: text for remark, text in WORDS.items()},
             **{name: getattr(words, name) for name in ("NO_ONSET", "NO_DETACHMENT", "NO_PEAK", "NO_LOWEST")},
             "near_sticking": validity.NEAR_STICKING,
+            "near_sticking_below": NEAR_STICKING_BELOW,
             "off_by": validity.OFF_BY,
             "off_unknown": validity.OFF_UNKNOWN,
             "not_measured": validity.NOT_MEASURED,
@@ -115,6 +129,7 @@ def _mount() -> dict[str, Any]:
     return {
         "title": "The mount of the README",
         "mechanism": MOUNT.oscillator.model.mechanism.name,
+        "excitation": MOUNT.oscillator.excitation,
         "base": {"m": scales.m, "k_v": scales.k_v, "L": scales.L},
         "values": {**values, "F_0": MOUNT_FORCE},
     }
@@ -126,6 +141,7 @@ def _reference(one: Oscillator, F_0: float, high: float) -> dict[str, Any]:
     Omega = REFERENCE_AT * high
     return {
         "mechanism": one.model.mechanism.name,
+        "excitation": one.excitation,
         "numbers": [*one.model.design, one.mu, one.zeta],
         "F_0": F_0,
         "high": high,

@@ -5,6 +5,7 @@
  * mechanism in the order of `records`.
  */
 #include "curve.h"
+#include "inertial.h"
 #include "onset.h"
 #include "records.h"
 #include "solver/root_lanes.c"
@@ -17,6 +18,7 @@
 /* points of one answer */
 enum { MOST = 1 << 14, COLUMNS = 5 };
 
+static sf_mechanism excited; /* the record that was chosen, by what excites it */
 static sf_model model;
 static sf_given given, *known; /* known: NULL where no proof is possible */
 static sf_room room;
@@ -38,11 +40,15 @@ int EXPORT(is_undecided)(void) { return undecided; }
 int EXPORT(mechanisms)(void) { return sizeof records / sizeof records[0]; }
 const char *EXPORT(name_of)(int i) { return records[i]->name; }
 
-/* in: the design, then mu and zeta. out[0]: breakpoints; returns their number, or -1 for what is not allowed. */
-int EXPORT(choose)(int i)
+/* in: the design, then mu and zeta; whether a base or an unbalance excites it. out[0]: breakpoints; returns their number, or
+ * -1 for what is not allowed. */
+int EXPORT(choose)(int i, int by_inertia)
 {
-    const sf_mechanism *record = records[i];
-    const double *of_damping = in + record->design_size;
+    const sf_mechanism *record = &excited;
+    const double *of_damping = in + records[i]->design_size;
+    excited = *records[i];
+    if (by_inertia)
+        sf_excite_by_inertia(&excited);
     known = NULL, model.mechanism = NULL;
     if (!record->parameters_of(in, model.p) || !record->damping_of(of_damping, model.damping) ||
         !sf_prepare(record, in, &model))
@@ -67,7 +73,8 @@ static void add_phase_and_transmissibility(long i, double F_0)
     sf_sample at;
     sf_sample_at(&model, out[1][i], &at);
     out[2][i] = slow_flow_phase(out[0][i], out[1][i], model.m, model.zeta, at.h);
-    out[3][i] = slow_flow_transmissibility(out[0][i], out[1][i], F_0, model.m, model.zeta, at.h);
+    const double force = sf_force(&model, F_0, out[0][i]);
+    out[3][i] = slow_flow_transmissibility(out[0][i], out[1][i], force, model.m, model.zeta, at.h);
 }
 
 /* As `slowflow.averaged.remarks.keeps_centre`; and whether the slow flow is stable there. */
@@ -98,8 +105,16 @@ long EXPORT(respond)(double F_0, double low, double high, double samples)
         return -(long)SF_TOO_MANY;
     sf_draw(&model, F_0, samples, &room.work.shown, out[0], out[1], flags[0], branch);
     undecided = room.undecided;
-    look_at_all(n, F_0);
-    return n;
+    /* where the response to an excitation by inertia begins the mass is at rest */
+    long moves = 0;
+    for (long i = 0; i < n; i++) {
+        if (!(out[1][i] > 0))
+            continue;
+        out[0][moves] = out[0][i], out[1][moves] = out[1][i];
+        flags[0][moves] = flags[0][i], branch[moves++] = branch[i];
+    }
+    look_at_all(moves, F_0);
+    return moves;
 }
 
 /* Steady states at a frequency: as `respond`. */
@@ -198,7 +213,8 @@ void EXPORT(envelope)(double F_0, double high, int n)
 {
     for (int i = 0; i < n; i++) {
         out[0][i] = high * (i + 1) / n;
-        out[1][i] = slow_flow_limit_envelope(out[0][i], F_0, model.m, model.zeta);
+        const double force = sf_force(&model, F_0, out[0][i]);
+        out[1][i] = force > model.m ? slow_flow_limit_envelope(out[0][i], force, model.m, model.zeta) : 0;
     }
 }
 

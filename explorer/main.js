@@ -16,10 +16,12 @@ function shownLayers() {
 /** All that is asked of the solvers for a state. */
 function ask(solvers, state, shown) {
   const plain = dimensionless(state);
-  const breaks = solvers.choose(state.mechanism, numbersOf(state, plain));
+  const breaks = solvers.choose(state.mechanism, numbersOf(state, plain), state.excitation);
   if (breaks === null) return null;
   const about = DATA.mechanisms[state.mechanism];
   const answer = { state, plain, breaks, sticking: solvers.sticking(), stiffnessAtRest: solvers.stiffnessAtRest() };
+  /* a base or an unbalance moves the mass however small it is, from a frequency on */
+  if (byInertia(state)) Object.assign(answer, { sticking: 0, sticksUpTo: Math.sqrt(answer.sticking / plain.F_0) });
   answer.onset = solvers.onset();
   answer.detachment = solvers.detachment();
   answer.peak = solvers.peak(plain.F_0);
@@ -133,11 +135,14 @@ function say() {
   const F = nameIn(state, "F_0");
   const frequency = nameIn(state, "Omega");
   const near = (name, value) => told(state, name, value);
+  const letter = state.si ? F : "F";
   const ok = DATA.status.OK;
   const jumps = folds.status === ok && folds.n > 0;
+  /* no amplitude is lower at a higher frequency then, where it tends to F_0 */
+  const tends = byInertia(state) && detachment.status !== ok && breaks.length > 0;
   $("answers").innerHTML =
     card(
-      `${symbol("F_SN")} <span>it jumps from</span>`,
+      `${symbol(`${letter}_SN`)} <span>it jumps from</span>`,
       onset.status === ok ? near("F_0", onset.F_SN) : onset.status === DATA.status.UNBOUNDED ? `> ${near("F_0", answer.sticking)}` : "never",
       [
         onset.status === ok ? `at ${frequency} = ${near("Omega", onset.Omega)}, ${DATA.onset_kinds[onset.kind]}` : "",
@@ -146,12 +151,14 @@ function say() {
       onset.status === ok && plain.F_0 > onset.F_SN ? "passed" : "",
     ) +
     card(
-      `${symbol("F_cr")} <span>springs leave from</span>`,
-      detachment.status === ok ? near("F_0", detachment.F_cr) : "never",
-      detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${plainSymbol("u_cr")} = ${near("A", detachment.u_cr)}` : "one piece",
+      `${symbol(`${letter}_cr`)} <span>springs leave from</span>`,
+      detachment.status === ok ? near("F_0", detachment.F_cr) : tends ? near("F_0", breaks[0]) : "never",
+      tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${plainSymbol("u_cr")} = ${near("A", detachment.u_cr)}` : "one piece",
       detachment.status === ok && plain.F_0 > detachment.F_cr ? "passed" : "",
     ) +
-    card(`4μ/π <span>it sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "") +
+    (byInertia(state)
+      ? card(`${frequency} <span>it sticks up to</span>`, near("Omega", answer.sticksUpTo), "inertia pushes less there than friction holds")
+      : card(`4μ/π <span>it sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "")) +
     card(`<i>A</i> <span>peak</span>`, peak.status === ok ? near("A", peak.A) : peak.status === DATA.status.UNBOUNDED ? "unbounded" : "–", peak.status === ok ? `at ${frequency} = ${near("Omega", peak.Omega)}` : "") +
     card(
       `<span>jumps at this force</span>`,
@@ -173,12 +180,12 @@ function sayStates() {
   const { state, plain, breaks } = answer;
   const i = states.n ? nearest(states, now.A) : -1;
   const rows = Array.from({ length: states.n }, (_, k) => {
-    const errors = errorsOf(state.mechanism, breaks, plain.mu, plain.F_0, states.Omega[k], states.A[k]);
+    const errors = errorsOf(state.mechanism, state.excitation, breaks, plain.mu, plain.F_0, states.Omega[k], states.A[k]);
     return `<tr${k === i ? ' class="here"' : ""}><td>${told(state, "A", states.A[k], 5)}</td><td>${states.stable[k] ? "stable" : "unstable"}</td><td>${short((states.phi[k] * 180) / Math.PI, 3)}°</td><td>${short(20 * Math.log10(states.T[k]), 3)} dB</td><td>${errors ? `${short(100 * errors.error, 2)} %` : "–"}</td></tr>`;
   });
   $("at").textContent = `${nameIn(state, "Omega")} = ${told(state, "Omega", now.Omega, 5)}`;
   $("states").innerHTML = rows.join("") || '<tr><td colspan="5">No motion.</td></tr>';
-  $("error").textContent = i < 0 ? "" : errorInWords(errorsOf(state.mechanism, breaks, plain.mu, plain.F_0, now.Omega, now.A));
+  $("error").textContent = i < 0 ? "" : errorInWords(errorsOf(state.mechanism, state.excitation, breaks, plain.mu, plain.F_0, now.Omega, now.A));
   const slider = $("frequency");
   slider.max = 1000;
   slider.value = (1000 * now.Omega) / state.high;
@@ -200,7 +207,7 @@ function rangeOf(domain, value) {
 /** Ends of each number's slider; they grow when a field exceeds them, and begin anew with a preset. */
 function ranges(state) {
   const plain = dimensionless(state);
-  for (const domain of domains(state.mechanism)) {
+  for (const domain of domains(state)) {
     const { name } = domain;
     const known = app.ranges[name];
     if (!known || plain[name] > known.high || plain[name] < known.low) app.ranges[name] = rangeOf(domain, plain[name]);
@@ -225,18 +232,36 @@ function field(name, doc, label, unit) {
 <input id="range-${name}" type="range" min="0" max="1000" step="any" aria-label="${doc}"></div>`;
 }
 
+function excitationPicker(state) {
+  const options = Object.entries(DATA.excitations).map(([name, one]) => `<option value="${name}"${name === state.excitation ? " selected" : ""}>${one.title}</option>`);
+  return `<label class="picker wide"><span class="sr">Excited by</span><select id="excitation">${options.join("")}</select></label>`;
+}
+
+/** Another excitation of the same amplitude without dimensions. */
+function excite(excitation) {
+  const { state } = app;
+  const { F_0 } = dimensionless(state);
+  state.excitation = excitation;
+  state.values.F_0 = F_0 * measure(state, "F_0").size;
+  delete app.ranges.F_0;
+  app.now = null;
+  changed();
+  buildFields();
+}
+
 /** The fields of the mechanism and units that are chosen. */
 function buildFields() {
   const { state } = app;
-  const letter = (name) => (state.si ? symbol({ F_0: "F", mu: "F_c" }[name] || (scalesOf(state.mechanism)[name] || { letter: name }).letter) : symbol(name));
+  const letter = (name) => (state.si ? symbol({ mu: "F_c" }[name] || (scalesOf(state)[name] || { letter: name }).letter) : symbol(name));
   const of = (list) => list.map((one) => field(one.name, one.doc, letter(one.name), measure(state, one.name).unit)).join("");
   const about = DATA.mechanisms[state.mechanism];
   $("fields").innerHTML =
-    `<fieldset><legend>Forcing</legend>${of([DATA.forcing])}</fieldset>` +
+    `<fieldset><legend>Excited by</legend>${excitationPicker(state)}${of([DATA.excitations[state.excitation]])}</fieldset>` +
     `<fieldset><legend>Spring</legend>${of(about.design)}</fieldset>` +
     `<fieldset><legend>Damping</legend>${of(DATA.damping)}</fieldset>` +
     (state.si ? `<fieldset><legend>Mass and scales</legend>${BASE.map((one) => field(one.name, one.doc, symbol(one.name), one.unit)).join("")}</fieldset>` : "") +
     `<fieldset><legend>Shown</legend>${field("high", "highest frequency shown", state.si ? symbol("f") : symbol("Omega"), measure(state, "Omega").unit)}</fieldset>`;
+  $("excitation").addEventListener("change", (event) => excite(event.target.value));
   const bind = (name, fromRange, read, write) => {
     const [number, range] = [$(`number-${name}`), $(`range-${name}`)];
     range.addEventListener("input", () => write(fromRange(Number(range.value))));
@@ -247,7 +272,7 @@ function buildFields() {
     });
     number.addEventListener("blur", () => number.getAttribute("aria-invalid") === "true" && (number.setAttribute("aria-invalid", "false"), fillFields()));
   };
-  for (const domain of domains(state.mechanism)) {
+  for (const domain of domains(state)) {
     const { name } = domain;
     const write = (value) => {
       const { size } = measure(state, name);
@@ -270,7 +295,7 @@ function buildFields() {
         if (!(value > 0 && Number.isFinite(value))) return false;
         state.base[name] = value;
         const plain = dimensionless(state);
-        if (!domains(state.mechanism).every((domain) => holds(domain, plain[domain.name]))) return false;
+        if (!domains(state).every((domain) => holds(domain, plain[domain.name]))) return false;
         changed(name);
         return true;
       });
@@ -303,12 +328,13 @@ function fillFields() {
     range.setAttribute("aria-valuetext", text);
   };
   const tidy = (value) => String(Number(value.toPrecision(12)));
-  for (const { name } of domains(state.mechanism))
+  for (const { name } of domains(state))
     write(name, tidy(state.values[name] * measure(state, name).shown), shareOf(app.ranges[name], plain[name]));
   if (state.si)
     for (const { name, shown } of BASE)
       write(name, tidy(state.base[name] * shown), 500 * (Math.log10(state.base[name] / DATA.mount.base[name]) + 1));
   write("high", short(state.high * measure(state, "Omega").size, 4), 1000 * Math.sqrt(Math.max(0, (state.high - 0.5) / 9.5)));
+  for (const option of $("excitation").options) option.disabled = option.value !== "force" && !(state.values.zeta > 0);
   $("units-si").checked = state.si;
   $("units-one").checked = !state.si;
   $("units-si").disabled = !DATA.mechanisms[state.mechanism].physical;
@@ -533,7 +559,7 @@ async function selfCheck() {
     else worst = Math.max(worst, Math.abs(mine - theirs) / (Number.EPSILON * Math.abs(theirs)));
   };
   for (const one of DATA.references) {
-    app.solvers.choose(one.mechanism, one.numbers);
+    app.solvers.choose(one.mechanism, one.numbers, one.excitation);
     const onset = app.solvers.onset();
     [onset.F_SN, onset.Omega, onset.A].forEach((value, i) => one.onset && compare(value, one.onset[i]));
     const off = app.solvers.detachment();
@@ -549,7 +575,7 @@ async function selfCheck() {
     one.states.forEach((value, i) => compare(states.A[i], value));
   }
   const kept = { ...app.state.values };
-  const domain = DATA.forcing;
+  const domain = DATA.excitations[app.state.excitation];
   const range = app.ranges[domain.name];
   const times = [];
   for (let k = 0; k < 120; k++) {

@@ -49,13 +49,14 @@ class DesignMap {
     const numbers = numbersOf(state, plain);
     const [x, y] = [order.indexOf(names.x), order.indexOf(names.y)];
     const rest = numbers.filter((_, i) => i !== x && i !== y);
-    const wanted = JSON.stringify([state.mechanism, names, ends, quantity, rest]);
+    const { mechanism, excitation } = state;
+    const wanted = JSON.stringify([mechanism, excitation, names, ends, quantity, rest]);
     Object.assign(this, { names, ends, quantity, at: { x: plain[names.x], y: plain[names.y] }, state });
     this.axes();
     if (!this.ready || wanted === this.wanted) return;
     this.wanted = wanted;
     const centres = ([low, high]) => Float64Array.from({ length: CELLS }, (_, i) => low + ((high - low) * (i + 0.5)) / CELLS);
-    this.request = { id: ++this.id, mechanism: state.mechanism, numbers, x, y, xs: centres(ends.x), ys: centres(ends.y), quantity };
+    this.request = { id: ++this.id, mechanism, excitation, numbers, x, y, xs: centres(ends.x), ys: centres(ends.y), quantity };
     this.values.fill(-1);
     this.element.dataset.whole = "no";
     this.worker.postMessage(this.request);

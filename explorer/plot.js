@@ -220,7 +220,7 @@ function drawTransmissibility(plot, answer) {
 function drawForce(plot, answer, now) {
   const { state, breaks, force } = answer;
   const length = measure(state, "A");
-  const newton = measure(state, "F_0");
+  const newton = measure(state, "force");
   const reach = force.u[force.n - 1];
   const most = roundUp(force.f.reduce((top, f) => Math.max(top, Math.abs(f)), 1e-12));
   plot.limits([-reach, reach], [-most, most], { x: length.size * length.shown, y: newton.size * newton.shown }, {

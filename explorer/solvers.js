@@ -38,10 +38,10 @@ class Solvers {
   }
 
   /** The oscillator that is asked from now on; its breakpoints, or null where a number is outside its domain. */
-  choose(name, numbers) {
+  choose(name, numbers, excitation) {
     this.mechanism = this.names.indexOf(name);
     this.input.set(numbers);
-    const n = this.native.choose(this.mechanism);
+    const n = this.native.choose(this.mechanism, excitation === "force" ? 0 : 1);
     return n < 0 ? null : Array.from(this.column(0, n));
   }
 

@@ -5,13 +5,18 @@ const PHYSICAL = DATA.physical_names;
 /** What a number is called in the units that are shown. */
 function nameIn(state, name) {
   if (!state.si) return plainSymbol(name);
-  const own = { ...scalesOf(state.mechanism) }[name];
-  return plainSymbol({ Omega: "f", F_0: "F", mu: "F_c" }[name] || (own ? own.letter : name));
+  const own = scalesOf(state)[name];
+  return plainSymbol({ Omega: "f", mu: "F_c" }[name] || (own ? own.letter : name));
 }
 
 /** The domain of each number, by name, in the order in which they are shown. */
-function domains(mechanism) {
-  return [...DATA.mechanisms[mechanism].design, ...DATA.damping, DATA.forcing];
+function domains(state) {
+  return [...DATA.mechanisms[state.mechanism].design, ...dampingOf(state), DATA.excitations[state.excitation]];
+}
+
+/** Damping has to be viscous too where F_0 Ω² excites. */
+function dampingOf(state) {
+  return DATA.damping.map((one) => (byInertia(state) && one.name === "zeta" ? { ...one, above: 0 } : one));
 }
 
 /** Whether a dimensionless number is allowed, as `slowflow_support.record.Parameter.holds`. */
@@ -29,6 +34,7 @@ function fromPreset(preset) {
   const si = Boolean(preset.base);
   const state = {
     mechanism: preset.mechanism,
+    excitation: preset.excitation || "force",
     si,
     base: { ...(si ? preset.base : DATA.mount.base) },
     values: { ...preset.values },
@@ -43,24 +49,27 @@ function fromPreset(preset) {
 /** The state as an address has it. Numbers are written so that they are read back as the same doubles. */
 function toAddress(state) {
   const parts = { mechanism: state.mechanism, ...state.values, shown: state.high, at: state.Omega, level: state.level };
+  if (byInertia(state)) parts.excitation = state.excitation;
   if (state.si) Object.assign(parts, { units: "si" }, state.base);
   return `#${new URLSearchParams(Object.entries(parts).filter(([, value]) => value !== undefined))}`;
 }
 
-/** Null where the address has no mechanism, or a number that is not allowed. */
+/** Null where the address has no mechanism, another excitation, or a number that is not allowed. */
 function fromAddress(address) {
   const parts = new URLSearchParams(address.replace(/^#/, ""));
   const mechanism = parts.get("mechanism");
   if (!Object.hasOwn(DATA.mechanisms, mechanism || "")) return null;
   const number = (name, other) => (parts.has(name) ? Number(parts.get(name)) : other);
-  const state = fromPreset({ mechanism, values: {}, shown: number("shown", 2) });
+  const excitation = parts.get("excitation") || "force";
+  if (!Object.hasOwn(DATA.excitations, excitation)) return null;
+  const state = fromPreset({ mechanism, excitation, values: {}, shown: number("shown", 2) });
   if (!(state.high > 0 && state.high < 1e6)) return null;
   state.si = parts.get("units") === "si" && DATA.mechanisms[mechanism].physical;
   if (state.si) for (const { name } of BASE) state.base[name] = number(name, NaN);
-  for (const { name } of domains(mechanism)) state.values[name] = number(name, NaN);
+  for (const { name } of domains(state)) state.values[name] = number(name, NaN);
   if (state.si && !BASE.every(({ name }) => state.base[name] > 0 && Number.isFinite(state.base[name]))) return null;
   const plain = dimensionless(state);
-  if (!domains(mechanism).every((domain) => holds(domain, plain[domain.name]))) return null;
+  if (!domains(state).every((domain) => holds(domain, plain[domain.name]))) return null;
   state.Omega = Math.min(state.high, Math.max(1e-3 * state.high, number("at", 0.35 * state.high)));
   state.level = parts.has("level") ? number("level") : undefined;
   return state;
@@ -69,7 +78,8 @@ function fromAddress(address) {
 /** Lines of Python that give the same curve. */
 function inPython(state) {
   const about = DATA.mechanisms[state.mechanism];
-  const words = Object.entries(about.words).map(([name, value]) => `${name}="${value}"`);
+  const said = { ...about.words, ...(byInertia(state) ? { excitation: state.excitation } : {}) };
+  const words = Object.entries(said).map(([name, value]) => `${name}="${value}"`);
   const names = [...about.design, ...DATA.damping].map((one) => one.name);
   const python = (value) => (Number.isInteger(value) && Math.abs(value) < 1e15 ? `${value}.0` : String(value));
   const given = (rename) => names.map((name) => `${rename[name] || name}=${name === "lam" && rename.lam && Number.isInteger(state.values[name]) ? state.values[name] : python(state.values[name])}`);

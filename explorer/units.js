@@ -26,24 +26,27 @@ function sizeOf(scale, base) {
 }
 
 /** Units by the powers of k_v, L and m: as they are shown, and how many of them make the SI unit. */
-const UNITS = { "1,0,0": ["N/m", 1], "0,1,0": ["mm", 1000], "1,1,0": ["N", 1] };
+const UNITS = { "1,0,0": ["N/m", 1], "0,1,0": ["mm", 1000], "1,1,0": ["N", 1], "0,1,1": ["kg mm", 1000] };
 const BASE = [
   { name: "m", doc: "mass that moves", unit: "kg", shown: 1 },
   { name: "k_v", doc: "stiffness of the vertical spring", unit: "N/m", shown: 1 },
   { name: "L", doc: "length of the push-rod", unit: "mm", shown: 1000 },
 ];
 
-/** The scale of each number of a mechanism, by name. */
-function scalesOf(mechanism) {
-  const { design, scales } = DATA.mechanisms[mechanism];
+/** Whether a base or an unbalance excites it: with F_0 Ω². */
+const byInertia = (state) => state.excitation !== "force";
+
+/** The scale of each number of a state, by name; F_0 is the amplitude of whatever excites, "force" a force. */
+function scalesOf(state) {
+  const { design, scales } = DATA.mechanisms[state.mechanism];
   const own = Object.fromEntries(scales.map((scale, i) => [design[i].name, scale]));
   const { mu, F_0, Omega, u } = DATA.scales;
-  return { ...own, mu, F_0, Omega, A: u };
+  return { ...own, mu, F_0: DATA.excitations[state.excitation].scale, force: F_0, Omega, A: u };
 }
 
 /** What a number is measured in: SI's size of it, the unit that is shown, and how many of these make SI's. */
 function measure(state, name) {
-  const scale = state.si && scalesOf(state.mechanism)[name];
+  const scale = state.si && scalesOf(state)[name];
   if (!scale || scale.powers.every((one) => one === 0)) return { size: 1, unit: "", shown: 1 };
   const size = sizeOf(scale, state.base);
   if (name === "Omega") return { size: size / (2 * Math.PI), unit: "Hz", shown: 1 };

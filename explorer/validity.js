@@ -16,9 +16,9 @@ function interpolate(x, xs, ys) {
 }
 
 /** Relative errors of one state's amplitude: of half and of 95 in 100 measured ones, and what truncation adds; or null. */
-function errorsOf(mechanism, breaks, mu, F_0, Omega, A) {
+function errorsOf(mechanism, excitation, breaks, mu, F_0, Omega, A) {
   const known = DATA.measured;
-  if (!known.MECHANISMS.includes(mechanism)) return null;
+  if (!known.MECHANISMS.includes(mechanism) || excitation !== "force") return null;
   const rest = mu > 0 ? mu / (A * Omega * Omega) : 0;
   const row = binOf(known.RATIOS, mu / F_0);
   const column = binOf(known.RESTS, rest);
@@ -42,7 +42,7 @@ const percent = (share) => `${Math.round(100 * share)}%`;
 function remarksOf(answer) {
   const { state, plain, breaks, curve, folds } = answer;
   const about = DATA.mechanisms[state.mechanism];
-  const { remarks, near_sticking, off_by, off_unknown } = DATA.words;
+  const { remarks, near_sticking, near_sticking_below, off_by, off_unknown } = DATA.words;
   const said = [];
   if (curve.status === DATA.status.STICKS)
     return [`Sticks: ${symbol("F_0")} does not exceed 4μ/π = ${told(state, "F_0", answer.sticking)}. There is no motion.`];
@@ -55,6 +55,12 @@ function remarksOf(answer) {
   if (curve.centred.includes(0)) said.push(remarks.LEAVES_CENTRE);
   if (curve.undecided || folds.undecided) said.push(remarks.UNDECIDED);
   if (about.truncated && folds.corner.includes(1)) said.push(remarks.OF_TRUNCATION);
+  if (byInertia(state)) {
+    if (plain.mu > 0)
+      said.push(`Sticks up to ${nameIn(state, "Omega")} = ${told(state, "Omega", answer.sticksUpTo)}: the force of inertia does not exceed 4μ/π there.`);
+    if (curve.Omega.some((Omega) => plain.mu > DATA.measured.NEAR * plain.F_0 * Omega * Omega)) said.push(near_sticking_below);
+    return said;
+  }
   const ratio = plain.mu / plain.F_0;
   if (ratio > DATA.measured.NEAR) {
     const known = DATA.measured.MECHANISMS.includes(state.mechanism);
@@ -66,7 +72,7 @@ function remarksOf(answer) {
 
 /** The error of one state, in words. */
 function errorInWords(errors) {
-  if (errors === null) return "How far averaging is off was not measured for this mechanism.";
+  if (errors === null) return "How far averaging is off was measured for isolators under a force only.";
   const parts = [`Averaging is typically off by ${short(100 * errors.typical, 2)} % here, by less than ${short(100 * errors.error, 2)} % in 95 of 100 measured cases.`];
   if (errors.rest >= DATA.measured.STOPS_FROM) parts.push("The mass stops within the cycle, or nearly so.");
   if (errors.truncation >= DATA.worth.truncation) parts.push(`The truncated force (6) adds ${short(100 * errors.truncation, 2)} %.`);

@@ -7,7 +7,7 @@ function critical(request, x, y) {
   const numbers = request.numbers.slice();
   numbers[request.x] = x;
   numbers[request.y] = y;
-  if (solvers.choose(request.mechanism, numbers) === null) return NaN;
+  if (solvers.choose(request.mechanism, numbers, request.excitation) === null) return NaN;
   const found = request.quantity === "F_SN" ? solvers.onset() : solvers.detachment();
   return found.status === 0 ? found[request.quantity] : NaN;
 }

@@ -26,15 +26,16 @@ from slowflow.oscillator import Oscillator
 from slowflow.paper import example
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-ASK = """([name, numbers, F_0]) => {
+ASK = """([name, numbers, F_0, excitation]) => {
   const { solvers } = explorer.app, plain = (one) => Object.fromEntries(Object.entries(one).map(
     ([key, value]) => [key, ArrayBuffer.isView(value) ? Array.from(value) : value]));
-  const breaks = solvers.choose(name, numbers);
+  const breaks = solvers.choose(name, numbers, excitation);
   const found = { onset: solvers.onset(), off: solvers.detachment(), peak: solvers.peak(F_0),
                   folds: plain(solvers.folds(F_0)), curve: plain(solvers.respond(F_0, 0, 2, 300)),
                   states: [0.3, 0.7, 0.9, 1.5].map((Omega) => plain(solvers.states(F_0, Omega))) };
   const mu = numbers[numbers.length - 2];
-  found.errors = found.curve.Omega.map((Omega, i) => explorer.errorsOf(name, breaks, mu, F_0, Omega, found.curve.A[i]));
+  found.errors = found.curve.Omega.map(
+    (Omega, i) => explorer.errorsOf(name, excitation, breaks, mu, F_0, Omega, found.curve.A[i]));
   explorer.app.dirty = true;
   return found;
 }"""
@@ -52,6 +53,8 @@ def cases() -> list[tuple[Oscillator, float]]:
         (Isolator(lam=300, r=50.0, delta_h=0.9, mu=0.5, zeta=3.0), 10.0),
         (Duffing(alpha=-1.0, beta=1.0, mu=0.01, zeta=0.05), 0.2),
         (Duffing(alpha=1.0, beta=1e6, mu=0.0, zeta=1e-4), 1e-3),
+        (Duffing(alpha=1.0, beta=0.3, mu=0.02, zeta=0.05, excitation="base"), 0.1),
+        (example.isolator(force="untruncated", mu=0.0, zeta=0.01, excitation="unbalance"), 0.3),
     ]
 
 
@@ -109,7 +112,7 @@ def test_its_numbers_are_those_of_the_package(browser: Any) -> None:
     with opened(browser) as page:
         for one, F_0 in cases():
             numbers = [*one.model.design, one.mu, one.zeta]
-            found = page.evaluate(ASK, [one.model.mechanism.name, numbers, F_0])
+            found = page.evaluate(ASK, [one.model.mechanism.name, numbers, F_0, one.excitation])
             told = f"{one!r} at {F_0}"
             onset, off, peak = one.saddle_node_onset(), one.detachment(), one.peak(F_0)
             assert (found["onset"]["status"] == 0) == (onset.F_SN is not None), told
@@ -199,7 +202,7 @@ def test_extreme_numbers_every_mechanism_and_both_units_are_shown_without_a_comp
 
 
 def test_an_address_and_lines_of_python_give_the_same_curve(browser: Any) -> None:
-    for preset in (1, 6):
+    for preset in (1, 6, 7, len(PRESETS)):
         with opened(browser) as page:
             page.select_option("#preset", str(preset))
             page.evaluate("explorer.step(16)")
@@ -211,9 +214,9 @@ def test_an_address_and_lines_of_python_give_the_same_curve(browser: Any) -> Non
             exec(lines, names)
         rows = np.genfromtxt(io.StringIO(table), delimiter=",", skip_header=1)
         curve = names["curve"]
-        for column, values in enumerate((curve.f, curve.A) if preset == 6 else (curve.Omega, curve.A)):
+        for column, values in enumerate((curve.f, curve.A) if preset == len(PRESETS) else (curve.Omega, curve.A)):
             # with units the window's end is rounded on its way there and back
-            np.testing.assert_allclose(rows[:, column], values, rtol=1e-13 if preset == 6 else 2e-15)
+            np.testing.assert_allclose(rows[:, column], values, rtol=1e-13 if preset == len(PRESETS) else 2e-15)
         with opened(browser, address) as page:
             assert page.evaluate("explorer.inCSV(explorer.app.answer)") == table
     assert names["mount"].oscillator == MOUNT.oscillator and MOUNT_FORCE == curve.F

@@ -9,6 +9,24 @@
 
 #include "model.h"
 
+/* Its damping, which has to be viscous too. */
+static inline int sf_inertial_damping_of(const double *given, double *damping) {
+    if (!(given[0] >= 0 && given[0] < HUGE_VAL && given[1] > 0 && given[1] < HUGE_VAL))
+        return 0;
+    damping[0] = slow_flow_friction(given[0]);
+    damping[1] = given[1];
+    return 1;
+}
+
+static inline double sf_inertial_level(double Omega, double A, const double *damping, double h) {
+    return inertia_level(Omega, A, damping[0], damping[1], h);
+}
+
+/* Makes a copy of a record that of the same mechanism excited by inertia. */
+static inline void sf_excite_by_inertia(sf_mechanism *record) {
+    record->inertial = 1, record->level = sf_inertial_level, record->damping_of = sf_inertial_damping_of;
+}
+
 /* x = 1/Omega where the level is least; 0 where it only falls. */
 static inline double sf_least_x(const sf_model *model, const sf_sample *at) {
     double terms[3];

@@ -11,6 +11,7 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
+#include "inertial.h"
 #include "solver.h"
 
 #define SF_RECORD "slowflow.mechanism"
@@ -43,21 +44,6 @@ const sf_mechanism *sf_record_in(PyObject *capsule)
     return record;
 }
 
-/* Its damping, which has to be viscous too. */
-static int inertial_damping_of(const double *given, double *damping)
-{
-    if (!(given[0] >= 0 && given[0] < HUGE_VAL && given[1] > 0 && given[1] < HUGE_VAL))
-        return 0;
-    damping[0] = slow_flow_friction(given[0]);
-    damping[1] = given[1];
-    return 1;
-}
-
-static double inertial_level(double Omega, double A, const double *damping, double h)
-{
-    return inertia_level(Omega, A, damping[0], damping[1], h);
-}
-
 PyObject *sf_kept(PyObject *cache, PyObject *capsule, PyObject *(*make)(const sf_mechanism *, const void *), const void *how)
 {
     const sf_mechanism *record = sf_record_in(capsule);
@@ -83,7 +69,7 @@ static PyObject *new_inertial(const sf_mechanism *record, const void *how)
     if (made == NULL)
         return PyErr_NoMemory();
     *made = *record;
-    made->inertial = 1, made->level = inertial_level, made->damping_of = inertial_damping_of;
+    sf_excite_by_inertia(made);
     PyObject *found = PyCapsule_New(made, SF_RECORD, NULL);
     if (found == NULL)
         free(made);
