@@ -160,6 +160,21 @@ def test_no_state_is_missed_or_made_up(oscillator, name):
             np.testing.assert_allclose(found.A[found.Omega == Omega], expected, rtol=2e-3)
 
 
+@pytest.mark.both_backends
+def test_no_state_on_a_base_that_shakes_is_missed_or_made_up(oscillator):
+    """Against signs on a grid far beyond what bounds the response; sums that do not settle there are not asked."""
+    one = oscillator("soft_stop").replace(excitation="base")
+    A = np.geomspace(1e-6, 100, 10001)
+    h = one.model.averaged(A)[0]
+    frequencies = [0.3, 1.0, 1.6, 2.2, 3.0]
+    found = one.amplitudes(Omega=frequencies, F_0=0.3)
+    for Omega in frequencies:
+        balance = (A * Omega**2 + h) ** 2 + (2 * one.zeta * A * Omega + one.model.m) ** 2 - (0.3 * Omega**2) ** 2
+        expected = A[:-1][np.signbit(balance[1:]) != np.signbit(balance[:-1])]
+        np.testing.assert_allclose(found.A[found.Omega == Omega], expected, rtol=3e-3)
+    assert "not close" not in found.message
+
+
 @pytest.mark.parametrize("name", ["wave", "septic", "soft_stop"])
 def test_folds_end_the_branches_of_the_curve(oscillator, name):
     """Each fold satisfies F = F_A = 0, and there are as many as the curve has turns."""

@@ -47,6 +47,16 @@ static int sf_bounds(const sf_model *model, double F_0, double A) {
     return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
 }
 
+/* Whether h lies, on amplitudes from A on, where no state at F_0 can have it. most: what |h| is at most in one at A */
+static int sf_excludes(const sf_model *model, double F_0, double most, double A, sf_interval h) {
+    double values[4];
+    if (!sf_inertial(model))
+        return h.lo > most || h.hi < -most;
+    /* of all states above F_0 zeta^2 A is half of |h| at most */
+    inertia_bound(A, F_0, model->zeta, h.lo, 0, 0, 0, 0.5, values);
+    return A > F_0 && values[0] > 0;
+}
+
 /* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude. */
 static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
     const double most = slow_flow_most_restoring(A, F_0, model->m, model->zeta);
@@ -62,7 +72,7 @@ static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
             if (A < model->b[i] && model->b[i] < next)
                 next = model->b[i];
         model->mechanism->bent(sfi_of(A, next), model->p, bent);
-        if (!(bent[0].lo > most || bent[0].hi < -most))
+        if (!sf_excludes(model, F_0, most, A, bent[0]))
             return 0;
     }
     return 1;
@@ -113,7 +123,7 @@ static sf_status sf_cut_at_reach(const sf_model *model, double F_0, double *A_ma
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
     const int bent = model->mechanism->bent != NULL;
     int (*const bounds)(const sf_model *, double, double) =
-        sf_inertial(model) ? sf_inertial_bounds : bent ? sf_bounds_bent : sf_bounds;
+        bent ? sf_bounds_bent : sf_inertial(model) ? sf_inertial_bounds : sf_bounds;
     double A = F_0, step = 2, cut = model->mechanism->reach;
     int i;
     if (model->breaks > 0)

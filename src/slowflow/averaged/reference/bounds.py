@@ -73,10 +73,7 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
 
 def least_beyond(model: Model, rungs: Floats) -> Floats:
     """What |h| is not less than from each of some rising amplitudes on, up to the reach or an endless one."""
-    end = min(model.reach, ENDLESS * max(rungs[0], 1.0))
-    steps = rungs[0] * 2.0 ** np.arange(np.ceil(np.log2(end / rungs[0])) + 1)
-    nodes = np.unique(np.concatenate((rungs[rungs < end], steps[steps < end], [end])))
-    nodes = np.unique(np.concatenate((nodes, [b for b in model.breakpoints if nodes[0] < b < end])))
+    nodes = inertia.intervals_beyond(model, rungs)
     h, _ = enclosed(model, nodes[:-1], nodes[1:])
     least = np.where(h.has_sign, np.minimum(np.abs(h.lo), np.abs(h.hi)), 0.0)
     beyond = np.minimum.accumulate(least[::-1])[::-1]

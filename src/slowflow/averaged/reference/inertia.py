@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from slowflow.averaged.reference.arcs import Event, Ints, Kind
 from slowflow.averaged.reference.cells import samples_at
+from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.model import Floats, Model
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import ENDLESS, STATIC_MULTIPLE
@@ -114,8 +115,10 @@ def bound(model: Model, F_0: float, rungs: Floats) -> float | None:
     """The first of the amplitudes above which no state lies, all of them above F_0; None where none is known.
 
     What excludes states at an amplitude is positive on all that follow if its slopes are: the third is a sum of h_AAA,
-    which is monotone, and of a number.
+    which is monotone, and of a number. Where that is not known it is h itself that is, on intervals of amplitudes.
     """
+    if model.mechanism.enclosed is not None:
+        return _bound_by_h(model, F_0, rungs)
     at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
     steepest = np.minimum(at.h_AAA, far.h_AAA)
     # zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise
@@ -128,6 +131,25 @@ def bound(model: Model, F_0: float, rungs: Floats) -> float | None:
     return float(rungs[np.argmax(closed)]) if closed.any() else None
 
 
+def _bound_by_h(model: Model, F_0: float, rungs: Floats) -> float | None:
+    """The same up to the reach, or an endless amplitude; of all states above F_0 zeta^2 A is half of |h| at most."""
+    nodes = intervals_beyond(model, rungs)
+    low = nodes[:-1]
+    h, _ = enclosed(model, low, nodes[1:])
+    excluded = (inertia.bound(low, F_0, model.zeta, h.lo, 0.0, 0.0, 0.0, 0.5)[0] > 0) & (low > F_0)
+    beyond = low[np.logical_and.accumulate(excluded[::-1])[::-1]]
+    found = rungs[np.isin(rungs, beyond)]
+    return float(found[0]) if found.size else None
+
+
+def intervals_beyond(model: Model, rungs: Floats) -> Floats:
+    """Ends of intervals from the first of some rising amplitudes on, up to the reach or an endless one."""
+    end = min(model.reach, ENDLESS * max(rungs[0], 1.0))
+    steps = rungs[0] * 2.0 ** np.arange(np.ceil(np.log2(end / rungs[0])) + 1)
+    nodes = np.concatenate((rungs[rungs < end], steps[steps < end], [end]))
+    return np.unique(np.concatenate((nodes, [b for b in model.breakpoints if rungs[0] < b < end])))
+
+
 def cut(model: Model, F_0: float, rungs: Floats) -> float:
     """Where a response is cut that does not close: at the reach, or far from the spring's slope at rest.
 
@@ -135,8 +157,16 @@ def cut(model: Model, F_0: float, rungs: Floats) -> float:
     """
     if np.isfinite(model.reach):
         return model.reach
+    if model.mechanism.enclosed is None:
+        far = _is_far(model, F_0, rungs)
+        return float(rungs[np.argmax(far)]) if far.any() else float(rungs[-1])
+    # one by one: at amplitudes beyond sums may not settle
+    return next((float(A) for A in rungs[:-1] if _is_far(model, F_0, np.array([A])).all()), float(rungs[-1]))
+
+
+def _is_far(model: Model, F_0: float, rungs: Floats) -> Bools:
+    """Of amplitudes, whether the spring is far from its slope at rest, and one that is much less is reached."""
     at = samples_at(model, rungs)
     steep = -at.h / at.A >= STATIC_MULTIPLE * (abs(samples_at(model, 0.0).h_A[0]) + model.zeta**2)
     less = rungs / STATIC_MULTIPLE
-    far = steep & (less > F_0) & (Roots(model, F_0).count(less) == 2)
-    return float(rungs[np.argmax(far)]) if far.any() else float(rungs[-1])
+    return np.asarray(steep & (less > F_0) & (Roots(model, F_0).count(less) == 2))
