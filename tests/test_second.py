@@ -267,6 +267,15 @@ def test_a_question_that_it_does_not_answer_is_refused_with_the_reason():
         with pytest.raises(AttributeError, match=f"no {name}: "):
             getattr(second, name)
     assert {"fold_locus", "backbone", "certify"} < set(unanswered)
+    for name in ("many", "margins", "isolation", "steady_state", "transient", "rest"):
+        with pytest.raises(AttributeError, match=f"no {name}: "):
+            getattr(second, name)
+    for answer in (second.amplitudes(Omega=0.9, F_0=0.04), second.saddle_nodes(0.04)):
+        for name in ("validity", "measure", "gradient"):
+            with pytest.raises(AttributeError, match=f"has no {name}: "):
+                getattr(answer, name)
+        with pytest.raises(AttributeError, match=r"has no nonsense$"):
+            _ = answer.nonsense
     with pytest.raises(AttributeError, match=r"has no nonsense$"):
         _ = second.nonsense
 

@@ -491,8 +491,25 @@ class SaddleNodes(Table):
         return pictures.folds(ax, self)
 
 
+#: why averaging's answers have these, and those of the second approximation have not
+NOT_OF_SECOND = {
+    "validity": "its errors are no table; docs/validity.md has what was measured of them",
+    "measure": "averaging's answer has it, and steady_state the motion itself",
+    "gradient": "its derivatives by parameters are not derived; averaging's answer has them",
+}
+
+
+class SecondTable(Table):
+    """What answers of the second approximation share: why some of what averaging's have is not there."""
+
+    def __getattr__(self, name: str) -> Any:
+        """Raises AttributeError, with the reason where averaging's answers have what is asked for."""
+        why = f": {NOT_OF_SECOND[name]}" if name in NOT_OF_SECOND else ""
+        raise AttributeError(f"an answer of the second approximation has no {name}{why}")
+
+
 @dataclass(frozen=True, eq=False)
-class SecondStates(Table):
+class SecondStates(SecondTable):
     """Steady states in the second approximation, one entry each: flat arrays of one length.
 
     Omega, A -- frequency, and largest displacement
@@ -547,7 +564,7 @@ class SecondResponse(SecondStates):
 
 
 @dataclass(frozen=True, eq=False)
-class SecondFolds(Table):
+class SecondFolds(SecondTable):
     """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
 
     Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`

@@ -68,6 +68,13 @@ UNANSWERED = {
         ("backbone", "limit_envelope", "transmissibility_floor", "equivalent_damping", "stability"),
         "it is a formula of the slow flow alone; averaging has it",
     ),
+    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
+    **dict.fromkeys(
+        ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum"),
+        "it is asked of the oscillator, whose equation of motion answers it",
+    ),
+    **dict.fromkeys(("rest", "off_centre"), "its motions are about the centre"),
+    "many": "batches begin with the designs, as Isolator.many(...).second_approximation",
     "certify": "what is proved is proved of the averaged equations",
     "plot": "its answers are drawn by their own .plot(); beside u_cr and where the mass stops by the oscillator's",
 }
