@@ -8,8 +8,10 @@ import warnings
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Oscillator
+from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import MovesStatus, Status
 
@@ -383,6 +385,109 @@ def test_a_batch_and_a_mount_have_the_same_gradients():
             assert moves[name, by] == pytest.approx(
                 (getattr(ends[0], name) - getattr(ends[1], name)) / (2e-5 * at), rel=1e-6
             )
+
+
+# ---- static friction above the kinetic one
+
+
+def rests_of(osc, Omega, F_0, turns):
+    """Where and until when the mass rests, and the largest |u| of the last turn: by SciPy from stop to stop."""
+    force = osc.restoring_force()
+
+    def push(t, u):
+        return F_0 * np.cos(Omega * t) - force.value(u)
+
+    t, u, end, found, largest = 0.0, 0.0, turns * 2 * np.pi / Omega, [], 0.0
+    while t < end:
+        if abs(push(t, u)) <= osc.mu_s:
+            later = t + np.linspace(1e-9, 2 * np.pi / Omega, 4001)
+            first = np.flatnonzero(abs(push(later, u)) > osc.mu_s)[0]
+            t = brentq(lambda at, u=u: abs(push(at, u)) - osc.mu_s, later[first - 1], later[first], xtol=1e-14)
+            found.append((t, u))
+        slip = np.sign(push(t, u))
+
+        def field(at, y, slip=slip):
+            resists = (2 * osc.zeta + osc.eta / Omega) * y[1] + slip * (osc.c_2 * y[1] ** 2 + osc.mu)
+            return [y[1], push(at, y[0]) - resists]
+
+        def stopped(_, y, slip=slip):
+            return slip * y[1]
+
+        stopped.terminal, stopped.direction = True, -1
+        start = [u, slip * 1e-14]
+        solution = solve_ivp(field, (t, end), start, rtol=1e-11, atol=1e-14, events=stopped, method="DOP853")
+        t, u = float(solution.t[-1]), float(solution.y[0, -1])
+        if t > end - 2 * np.pi / Omega:
+            largest = max(largest, np.abs(solution.y[0]).max())
+    return np.array(found), largest
+
+
+@pytest.mark.parametrize(
+    "osc",
+    [
+        Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.03),
+        pytest.param(Duffing(1.0, 0.5, 0.01, eta=0.1, c_2=1.0, mu_s=0.045), marks=pytest.mark.slow),
+        pytest.param(RUBBING.replace(mu=0.02, mu_s=0.04), marks=pytest.mark.slow),
+    ],
+    ids=repr,
+)
+def test_a_mass_that_static_friction_holds_moves_as_an_independent_integration_has_it(osc):
+    Omega, F_0 = 0.3, 0.05
+    state = osc.steady_state(Omega=Omega, F_0=F_0)
+    rests, A = rests_of(osc, Omega, F_0, 28)
+    assert state.stops == 2 and state.stable and pytest.approx(A, rel=1e-8) == state.A
+    free = osc.replace(mu_s=0.0).steady_state(Omega=Omega, F_0=F_0)
+    assert abs(free.A / state.A - 1) > 0.01  # it matters
+    # what a deviation is multiplied by in a turn, from rest to rest of half a turn: u turns its sign
+    off = rests[:, 1] * (-1.0) ** np.arange(len(rests))
+    change = np.diff(off)
+    early = np.flatnonzero(np.abs(change) > 1e-7)[-3:]
+    assert np.abs(state.multipliers).max() == pytest.approx((change[early[1:]] / change[early[:-1]])[-1] ** 2, rel=1e-3)
+
+
+def test_static_friction_is_part_of_exact_motions_and_of_nothing_else():
+    osc = Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.045)
+    same = osc.replace(mu_s=0.0)
+    assert osc != same and osc.mu_s == 0.045 and same.mu_s == 0.02 and pickle.loads(pickle.dumps(osc)) == osc
+    assert osc.amplitudes(Omega=0.9, F_0=0.05).A.tolist() == same.amplitudes(Omega=0.9, F_0=0.05).A.tolist()
+    assert osc.replace(mu_s=0.02).steady_state(Omega=0.3, F_0=0.05).A == same.steady_state(Omega=0.3, F_0=0.05).A
+    # where the mass does not stop there is no difference
+    moving = [one.steady_state(Omega=0.9, F_0=0.05) for one in (osc, same)]
+    assert moving[0].stops == 0 and moving[0].A == pytest.approx(moving[1].A, rel=1e-10)
+    # the derivatives of a cycle's equations, by differences
+    state = osc.steady_state(Omega=0.3, F_0=0.05)
+    cycle, z = state.cycle, state.unknowns
+    assert cycle.starts_from_rest or (0, 0) in cycle.signature
+    found = cycle.equations(z, 0.05)
+    for k in range(len(z)):
+        step = 1e-6 * np.eye(len(z))[k]
+        slope = (cycle.equations(z + step, 0.05).residual - cycle.equations(z - step, 0.05).residual) / 2e-6
+        np.testing.assert_allclose(found.jacobian[:, k], slope, atol=1e-7)
+    with pytest.raises(ValueError, match=r"F_0 = 0.04 does not exceed mu_s = 0.045"):
+        osc.steady_state(Omega=0.9, F_0=0.04)
+    with pytest.raises(ValueError, match=r"mu_s = 0.01 is not allowed: static friction is not less than mu = 0.02"):
+        osc.replace(mu_s=0.01)
+    given = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+    mount = Isolator.physical(**given, static_friction=0.6)
+    assert mount.at_rest().break_loose == pytest.approx(0.6) and mount.oscillator.mu_s == pytest.approx(0.6 / 200)
+    assert mount.replace(static_friction=0.4).oscillator.mu_s == mount.oscillator.mu
+    with pytest.raises(ValueError, match=r"static_friction = 0.3 is not allowed: .* >= 0.4"):
+        mount.replace(static_friction=0.3)
+    with pytest.raises(ValueError, match=r"sizing is not available with mu_s"):
+        tolerances(mount, {"k_h": 0.05})
+
+
+@pytest.mark.slow
+def test_a_curve_with_static_friction_goes_through_the_motions_and_a_shock_rests_where_it_holds():
+    osc = Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.03)
+    curve = osc.exact_response(0.05, Omega=(0.3, 0.5), step=0.05)
+    for k in (3, len(curve.Omega) // 2):
+        state = osc.steady_state(Omega=curve.Omega[k], F_0=0.05)
+        assert (state.A, state.stops) == (pytest.approx(curve.A[k], rel=1e-7), curve.stops[k])
+    pulse = {"acceleration": 0.2, "duration": 1.0}
+    free, held = (osc.replace(mu_s=mu_s).transient(**pulse) for mu_s in (0.02, 0.06))
+    # it breaks away later, and is held farther from the centre
+    assert held.A < free.A and held.rests and 0.02 < abs(osc.force(held.u_end)) <= 0.06
 
 
 def test_what_has_no_answer_is_refused_in_words():

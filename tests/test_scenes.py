@@ -143,7 +143,7 @@ WRONG = {
         "preload = 0.009",
         "preloda = 0.009",
         "9: preloda is no key of [mount]: it must be one of m, k_v, k_h, L, preload, n, friction, c, zeta, eta, c_2, "
-        "rubs, load, force, excitation. Did you mean 'preload'?",
+        "rubs, static_friction, load, force, excitation. Did you mean 'preload'?",
     ),
     "a number outside its domain": (
         "zeta = 0.02",

@@ -34,6 +34,7 @@ class Isolator(Oscillator):
 
 {told((*ROD_SPRING.design, *DAMPING, *DISSIPATION))}
     rubs -- "throughout", or "attached": dry friction acts while the springs touch the push-rod, |u| < u_cr
+    mu_s -- static friction, as in `Oscillator`
     force -- what is averaged: "truncated" for the fifth-order polynomial (6), which jumps at u_cr, "untruncated" for
         the force as the geometry gives it (5)
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
@@ -62,13 +63,14 @@ class Isolator(Oscillator):
         eta: float = 0.0,
         c_2: float = 0.0,
         rubs: str = THROUGHOUT,
+        mu_s: float = 0.0,
         force: str = "truncated",
         excitation: str = "force",
         load: float = 0.0,
     ) -> None:
         design = {"lam": lam, "r": r, "delta_h": delta_h}
         damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
-        super().__init__(_averaged(force), rubs=rubs, excitation=excitation, **damping, **design)
+        super().__init__(_averaged(force), rubs=rubs, mu_s=mu_s, excitation=excitation, **damping, **design)
         if self.delta_h == 0:  # the springs never touch the rod, which has no end then
             self.__dict__["model"] = Model(
                 DUFFING, LINEAR, self.mu, self.zeta, design=LINEAR, excitation=excitation, laws=self.model.laws
@@ -115,6 +117,7 @@ class Isolator(Oscillator):
         eta: float = 0.0,
         c_2: Any = 0.0,
         rubs: str = THROUGHOUT,
+        static_friction: Any = None,
         load: Any = None,
         force: str = "truncated",
         excitation: str = "force",
@@ -131,6 +134,7 @@ class Isolator(Oscillator):
         eta      -- structural damping, the loss factor of the vertical spring
         c_2      -- quadratic damping, the factor of the squared velocity, N s^2/m^2
         rubs     -- where friction acts: "throughout", or "attached", while the springs touch the push-rod
+        static_friction -- what holds the mass at rest, N, where that is more than `friction`: for exact motions
         load     -- the mass that sits on it and moves, kg, where that is not the m that k_v is preset for
         force    -- as in `Isolator`
         excitation -- "force", in N; "base", a base that shakes, by its displacement in m; "unbalance", a mass that
@@ -152,6 +156,11 @@ class Isolator(Oscillator):
         lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)
         of_mu, of_zeta = DAMPING
         mu = scales.over("friction", si("friction", friction, "newton"), of_mu, SCALES["mu"])
+        mu_s = 0.0
+        if static_friction is not None:
+            least = si("friction", friction, "newton")
+            static = validate.number("static_friction", si("static_friction", static_friction, "newton"), least=least)
+            mu_s = max(mu, static / scales.of(SCALES["mu"]))
         if c is not None and zeta is not None:
             raise ValueError("c and zeta say the same: give one of them")
         if c is not None:
@@ -160,7 +169,7 @@ class Isolator(Oscillator):
         laws = Laws.of(eta, scales.over("c_2", si("c_2", c_2, "newton*second**2/meter**2"), *OF_C_2), rubs)
         weight = beyond * g / scales.sizes["force"]
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "load": weight}
-        numbers |= {"eta": laws.eta, "c_2": laws.c_2}
+        numbers |= {"eta": laws.eta, "c_2": laws.c_2, "mu_s": mu_s}
         try:
             isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, **numbers)
         except ValueError as error:  # of the dimensionless numbers
@@ -168,6 +177,7 @@ class Isolator(Oscillator):
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said.items()}
+        told |= {} if static_friction is None else {"static_friction": static_friction}
         return Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
 
     @classmethod
@@ -202,6 +212,7 @@ class Duffing(Oscillator):
     __doc__ = f"""u'' + 2 zeta u' + mu sign(u') + alpha u + beta u^3 = F_0 cos(Omega tau), one piece for all u.
 
 {told((*DUFFING.design, *DAMPING, *DISSIPATION))}
+    mu_s -- static friction, as in `Oscillator`
     excitation -- "force", "base" or "unbalance", as in `Oscillator`
     load -- added to the right side, over k_v L, as in `Oscillator`
 
@@ -220,10 +231,11 @@ class Duffing(Oscillator):
         *,
         eta: float = 0.0,
         c_2: float = 0.0,
+        mu_s: float = 0.0,
         excitation: str = "force",
         load: float = 0.0,
     ) -> None:
-        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2}
+        damping = {"mu": mu, "zeta": zeta, "eta": eta, "c_2": c_2, "mu_s": mu_s}
         rubs = THROUGHOUT  # one piece, from which nothing leaves
         super().__init__(DUFFING, alpha=alpha, beta=beta, rubs=rubs, excitation=excitation, load=load, **damping)
         del self.given["mechanism"]

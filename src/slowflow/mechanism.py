@@ -173,6 +173,7 @@ class EquationOfMotion:
     load     -- static force beside F_0 cos(Omega tau)
     c_2      -- quadratic damping, c_2 |u'|u'
     released -- whether friction acts on the first piece of the force only
+    mu_s     -- what friction holds a mass at rest with, where that is more than mu
     """
 
     force: Force
@@ -182,9 +183,10 @@ class EquationOfMotion:
     load: float = 0.0
     c_2: float = 0.0
     released: bool = False
+    mu_s: float = 0.0
 
     def __post_init__(self) -> None:
-        for name, value in (("mu", self.mu), ("zeta", self.zeta), ("c_2", self.c_2)):
+        for name, value in (("mu", self.mu), ("zeta", self.zeta), ("c_2", self.c_2), ("mu_s", self.mu_s)):
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"{name} = {value} must be finite and not negative")
 
@@ -196,6 +198,10 @@ class EquationOfMotion:
     def friction(self, region: int) -> float:
         """mu on a piece of the force, by its number, signed or not."""
         return 0.0 if self.released and region != 0 else self.mu
+
+    def holds(self, region: int) -> float:
+        """The largest push against which friction holds a mass at rest there."""
+        return 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
 
     def forcing(self, Omega: float, F_0: float) -> float:
         """Amplitude of the force at an amplitude F_0 of the excitation."""

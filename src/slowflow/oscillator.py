@@ -56,6 +56,8 @@ class Oscillator(Averaged):
     eta       -- structural damping, the loss factor of the vertical spring, >= 0
     c_2       -- quadratic damping c_2 |u'|u', over m/L, >= 0
     rubs      -- where dry friction acts: "throughout", or "attached", for |u| below the first breakpoint only
+    mu_s      -- static friction, over k_v L, where that is more than mu: what holds a mass at rest. Exact motions have
+        it; averaging, whose motions never rest, and what follows from it do not ask for it
     design    -- the numbers that `mechanism.design` names, each within its domain
     excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
         "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
@@ -85,6 +87,7 @@ class Oscillator(Averaged):
         eta: float = 0.0,
         c_2: float = 0.0,
         rubs: str = THROUGHOUT,
+        mu_s: float = 0.0,
         excitation: str = "force",
         load: float = 0.0,
         **design: float,
@@ -100,6 +103,10 @@ class Oscillator(Averaged):
         self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
         self.__dict__.update(design=own, given={"mechanism": mechanism, **given, "excitation": excitation})
         self.given.update(laws.said)
+        if mu_s != 0:
+            if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
+                raise ValueError(f"mu_s = {static!r} is not allowed: static friction is not less than mu = {self.mu!r}")
+            self.given["mu_s"] = static
         if load != 0 or not mechanism.odd:
             self._put(load)
 
@@ -124,6 +131,12 @@ class Oscillator(Averaged):
     def _off_centre_by(self) -> str:
         """What takes motions off the centre, in words; "" for nothing."""
         return off_centre_by(self.model.mechanism, self.load)
+
+    @property
+    def mu_s(self) -> float:
+        """Static friction over k_v L: mu if no other is given."""
+        found: float = self.given.get("mu_s", self.mu)
+        return found
 
     @cached_property
     def off_centre(self) -> OffCentre:
@@ -284,7 +297,7 @@ class Oscillator(Averaged):
                 f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency"
             )
         structural = 0.0 if laws.eta == 0 or Omega is None else laws.eta / (2 * Omega)
-        beside = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT
+        beside = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
         return EquationOfMotion(force, self.mu, self.zeta + structural, *beside)
 
     def steady_state(

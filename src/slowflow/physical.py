@@ -478,7 +478,7 @@ class Physical:
         preset      -- by how much k_v is compressed to hold the mass at the centre, m g/k_v
         lightest, heaviest -- masses that would rest at -x_cr and x_cr, k_v being preset for m; no lightest where even
                        none would rest above -x_cr
-        break_loose -- the constant force that friction holds
+        break_loose -- the constant force that friction holds, the static one where it is given
         rests_within -- how far from the centre friction holds the mass at rest
         sticking    -- the force amplitude up to which averaging has the mass at rest (27)
 
@@ -493,7 +493,7 @@ class Physical:
                 "f_n": 1.0,
                 "f_0": math.sqrt(stiffness) if stiffness > 0 else None,
                 "u_cr": u_cr,
-                "break_loose": oscillator.mu,
+                "break_loose": oscillator.mu_s,
                 "sticking": oscillator.model.m,
             },
             oscillator,
@@ -501,7 +501,7 @@ class Physical:
         beyond = None if u_cr is None else k_v * found.x_cr / g
         values = {
             **found.values,
-            "rests_within": self._resting(oscillator.mu),
+            "rests_within": self._resting(oscillator.mu_s),
             "k_0": k_v * stiffness,
             "preset": m * g / k_v,
             "lightest": None if beyond is None or beyond >= m else m - beyond,

@@ -175,14 +175,14 @@ def _kinds() -> dict[str, Kind]:
             "f",
             "t",
         ),
-        "isolator": Kind(Isolator, own[0], (*damping, "rubs", "force", "excitation", "load"), *PLAIN),
-        "duffing": Kind(Duffing, own[1], (*damping, "excitation", "load"), *PLAIN),
+        "isolator": Kind(Isolator, own[0], (*damping, "rubs", "mu_s", "force", "excitation", "load"), *PLAIN),
+        "duffing": Kind(Duffing, own[1], (*damping, "mu_s", "excitation", "load"), *PLAIN),
     }
 
 
 KINDS = _kinds()
 #: keys of these that are no numbers with a tolerance
-NO_NUMBERS = ("load", "force", "excitation", "rubs")
+NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
 
 
 @dataclass(frozen=True)

@@ -32,8 +32,8 @@ def recurrences(law: Law) -> int | None:
 
 
 def compiles(system: EquationOfMotion) -> bool:
-    """Whether every piece of the force has recurrences in C, and all of the damping."""
-    if system.c_2 != 0 or system.released:
+    """Whether every piece of the force has recurrences in C, and all of the damping and friction."""
+    if system.c_2 != 0 or system.released or system.mu_s > system.mu:
         return False
     return all(recurrences(piece.law) is not None for piece in system.force.pieces)
 

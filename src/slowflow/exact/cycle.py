@@ -37,7 +37,8 @@ class Border(NamedTuple):
     """A margin that is positive while no phase has to be put in at a turning point, and its gradient, as a row.
 
     phase   -- index of the phase that ends there
-    rest    -- False: distance of the turning point from the breakpoint ahead; True: excess of the push over friction
+    rest    -- False: distance of the turning point from the breakpoint ahead; True: excess of the push over what
+               friction holds
     """
 
     phase: int
@@ -143,12 +144,14 @@ class Cycle:
                 push = forced.push(region, end, u)
                 of_theta[2 + i] = 1.0
                 of_state[1] = 0.0
-                residual[i] = push - next_slip * system.friction(region)
+                residual[i] = push - next_slip * system.holds(region)
                 by_theta, by_u, by_force = forced.push_slopes(region, end, u)
                 jacobian[i] = by_theta * of_theta + by_u * of_state[0]
                 jacobian[i, -1] += by_force
-                # at break-away the push balances friction: the acceleration is continuous, only v is forgotten
-                monodromy[1] = 0.0
+                # v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and
+                # u tells when
+                jump = forced.acceleration(next_slip, region, end, u, 0.0) if system.mu_s > system.mu else 0.0
+                monodromy[1] = jump / Omega * by_u / by_theta * monodromy[0]
                 v, theta = 0.0, end
                 continue
             piece, drive = forced.piece(region), forced.drive(slip, region)
@@ -196,11 +199,11 @@ class Cycle:
         slip, region = self.signature[phase]
         edge = edge_ahead(self.system, slip, region)
         found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
-        if next_slip != 0 and self.system.friction(region) > 0:
+        if next_slip != 0 and self.system.holds(region) > 0:
             by_theta, by_u, by_force = forced.push_slopes(region, theta, u)
             slope = by_theta * of_theta + by_u * of_u
             slope[-1] += by_force
-            margin = next_slip * forced.push(region, theta, u) - self.system.friction(region)
+            margin = next_slip * forced.push(region, theta, u) - self.system.holds(region)
             found.append(Border(phase, True, margin, next_slip * slope))
         return found
 

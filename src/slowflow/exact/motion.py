@@ -4,7 +4,8 @@ In:  an oscillator, the forcing, a state at rest or in motion.
 Out: its phases in order, each with its start, its end and what ended it.
 
 Switches, all exact: the velocity reaches zero; |u| reaches a breakpoint; at rest |force cos theta - f(u)| <= mu holds
-the mass, and it breaks away when that bound is met, at an angle known in closed form. theta = Omega tau; v = du/dtau.
+the mass, or mu_s in its place if that is more, and it breaks away when that bound is met, at an angle known in closed
+form. theta = Omega tau; v = du/dtau.
 """
 
 from __future__ import annotations
@@ -103,11 +104,11 @@ def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
 
 def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[float, int]:
     """When and in which direction a mass at rest at u moves off, at or after theta; (inf, 0) if never."""
-    mu, amplitude = forced.system.friction(region), forced.force
+    holds, amplitude = forced.system.holds(region), forced.force
     force = forced.piece(region).value(u) - forced.system.load
     found = (math.inf, 0)
     for slip in (1, -1) if amplitude > 0 else ():
-        cosine = motion.breakaway(amplitude, slip * mu, force)
+        cosine = motion.breakaway(amplitude, slip * holds, force)
         if abs(cosine) < 1.0:
             # cos theta rises through it for slip = 1 and falls for slip = -1
             angle = -slip * math.acos(cosine)
@@ -118,8 +119,8 @@ def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[flo
 
 def after_stop(forced: Forced, slip: int, region: int, theta: float, u: float) -> int:
     """What follows a stop reached in direction `slip`: the next direction, 0 if friction holds the mass."""
-    push = forced.push(region, theta, u)
-    if forced.system.friction(region) > 0 and abs(push) <= forced.system.friction(region):
+    push, holds = forced.push(region, theta, u), forced.system.holds(region)
+    if holds > 0 and abs(push) <= holds:
         return 0
     return -slip if slip else (1 if push > 0 else -1)
 
@@ -164,7 +165,7 @@ def follow(
         from_theta, from_u, from_v = theta, u, v
         if v == 0.0:
             moved = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
-            if moved is None and system.friction(region) > 0:
+            if moved is None and system.holds(region) > 0:
                 # the push exceeds friction by too little and for too short a time to be told from rounding
                 at, slip = break_away(forced, region, theta + NUDGES[-1], u)
                 theta = _rest(phases, region, theta, u, min(at, end), end)

@@ -88,8 +88,8 @@ def exact_response(
     low = validate.number("Omega[0]", low, above=0.0)
     step = validate.number("step", step, above=0.0, most=0.5)
     rests = ""
-    if system.inertial and system.forcing(low, F_0) < EXCEEDS * system.mu:
-        alone = math.sqrt(system.mu / F_0)
+    if system.inertial and system.forcing(low, F_0) < EXCEEDS * system.holds(0):
+        alone = math.sqrt(system.holds(0) / F_0)
         low = min(high, math.sqrt(EXCEEDS) * alone)
         rests = RESTS.format(alone, low)
     shooting.check_forcing(system, low, F_0)

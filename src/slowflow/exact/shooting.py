@@ -336,9 +336,12 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: flo
 def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
     """Raises ValueError unless Omega > 0, F_0 > 0 are finite, the forcing can move the mass, and damping settles it."""
     check_numbers(system, Omega, F_0)
-    if system.forcing(Omega, F_0) <= system.mu:
+    if system.forcing(Omega, F_0) <= system.holds(0):
+        name = "mu_s" if system.mu_s > system.mu else "mu"
         force = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
-        raise ValueError(f"{force} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
+        raise ValueError(
+            f"{force} does not exceed {name} = {system.holds(0)}: friction holds the mass for ever, it never moves"
+        )
 
 
 def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:

@@ -194,7 +194,7 @@ def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:
     """The motion from (u, v) on under one arc."""
     end = arc.theta + arc.Omega * arc.span
     region = forced.system.force.region_of(u)
-    if arc.F == 0.0 and v == 0.0 and abs(forced.piece(region).value(u)) <= forced.system.friction(region):
+    if arc.F == 0.0 and v == 0.0 and abs(forced.piece(region).value(u)) <= forced.system.holds(region):
         rest = Phase(0, region, arc.theta, u, 0.0, end, u, 0.0, Event.TIME)
         return Stretch(tau, arc.theta, forced, [rest])
     return Stretch(tau, arc.theta, forced, follow(forced, arc.theta, u, v, end))
