@@ -90,6 +90,7 @@ PHRASES = (
     (r"(?<![\w/])F_0 = ", "{} = ", "amplitude"),
     (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
     (r"\bmu = ", "friction = ", "force"),
+    (r"\bmu_s = ", "static_friction = ", "force"),
     (r"\btau = ", "t = ", "time"),
     (r"\bF_SN = ", "{}_SN = ", "amplitude"),
     (r"\bOmega = ", "f = ", "frequency"),

@@ -45,7 +45,18 @@ WORDS, LONGEST = "\0", 160
 OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
 
 #: what the numbers of a mount are measured in, and what a data sheet's mean
-GIVEN = {"m": "kg", "k_v": "N/m", "k_h": "N/m", "L": "m", "preload": "m", "friction": "N", "c": "N s/m", "load": "kg"}
+GIVEN = {
+    "m": "kg",
+    "k_v": "N/m",
+    "k_h": "N/m",
+    "L": "m",
+    "preload": "m",
+    "friction": "N",
+    "static_friction": "N",
+    "c_2": "N s^2/m^2",
+    "c": "N s/m",
+    "load": "kg",
+}
 MEANING = {
     "f_n": "natural frequency of the mass on the vertical spring alone",
     "f_0": "natural frequency of small motions about the centre",

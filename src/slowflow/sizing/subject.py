@@ -66,8 +66,8 @@ class Subject:
         with contextlib.nullcontext() if self.mount is None else self.mount.scales.in_these_terms():
             isolator.only_for_plain_damping("sizing")
             isolator.at_centre("sizing")
-        if isolator.mu_s > isolator.mu:
-            raise ValueError(f"sizing is not available with mu_s = {isolator.mu_s:g}, only with one friction")
+            if isolator.mu_s > isolator.mu:
+                raise validate.NotAvailable(f"sizing is not available with mu_s = {isolator.mu_s:g}, only with mu")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"
