@@ -47,9 +47,8 @@ def generate(alone: bool = False) -> dict[str, str]:
 def printed(results: Results, judged: dict[str, str] | Future[dict[str, str]]) -> dict[str, str]:
     """All files, with those of the ledger as they are or as they come."""
     modules = all_modules(results)
-    files, counts = render(modules)
-    files |= judged if isinstance(judged, dict) else judged.result()
-    return files | {MANIFEST: manifest(files, results, modules, counts)}
+    files = render(modules) | (judged if isinstance(judged, dict) else judged.result())
+    return files | {MANIFEST: manifest(files, results, modules)}
 
 
 def judge() -> dict[str, str]:

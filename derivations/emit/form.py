@@ -288,6 +288,7 @@ class Module:
     cells      -- kernels that are wanted on intervals, and nowhere on doubles
     settled    -- kernels that are wanted in double-double only
     native     -- whether its loops over arrays are compiled into the package
+    in_c       -- whether anything in C calls it: loops over arrays, or a solver
     sums       -- averages by quadrature
     enclosed   -- what holds such an average on intervals; None where h_AAA is proved to be monotone
     """
@@ -306,6 +307,7 @@ class Module:
     cells: tuple[Kernel, ...] = ()
     settled: tuple[Kernel, ...] = ()
     native: bool = True
+    in_c: bool = True
     sums: tuple[Sums, ...] = ()
     enclosed: Enclosed | None = None
 

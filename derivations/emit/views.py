@@ -168,14 +168,6 @@ def sources(module: Module) -> dict[str, object]:
     }
 
 
-def operations(kernel: Kernel, code: Sequence[Program]) -> dict[str, str]:
-    """Counts after each pass in words, by branch."""
-    return {
-        branch.name or "all": ", ".join(f"{count} {name}" for name, count in one.counts.items())
-        for branch, one in zip(kernel.branches, code, strict=True)
-    }
-
-
 def regimes(module: Module) -> str:
     """What the names of the regimes mean, where there are any."""
     if not any("far" in branch.name for kernel in module.kernels for branch in kernel.branches):

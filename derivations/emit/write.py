@@ -21,7 +21,7 @@ COMMAND = "make derive"
 COMPILED = (".so", ".pyd")
 
 
-def manifest(files: dict[str, str], results: Results, modules: list[Module], counts: dict[str, object]) -> str:
+def manifest(files: dict[str, str], results: Results, modules: list[Module]) -> str:
     """The manifest's text: every file with its hash, and what it was made from."""
     here = Path(__file__).parents[1]
     content = {
@@ -44,7 +44,7 @@ def manifest(files: dict[str, str], results: Results, modules: list[Module], cou
                 if derived.saddle_nodes
             },
         },
-        "modules": {module.name: {"title": module.title, "operations": counts[module.name]} for module in modules},
+        "modules": {module.name: module.title for module in modules},
     }
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 

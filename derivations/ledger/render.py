@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 import jinja2
 
@@ -73,7 +74,7 @@ def markdown(
 def machine_readable(
     rows: list[Row], findings: list[Finding], table_2: list[dict[str, dict[str, str]]], cost: list[dict[str, str]]
 ) -> str:
-    """ledger.json."""
+    """ledger.json, an entry a line."""
     record = {
         "paper": CITATION,
         "vocabulary": VOCABULARY,
@@ -84,4 +85,17 @@ def machine_readable(
         "findings": [asdict(finding) for finding in findings],
         "rows": [asdict(row) for row in rows],
     }
-    return json.dumps(record, ensure_ascii=False, indent=1) + "\n"
+    return "{\n" + ",\n".join(f"{_text(name)}: {_lines(entries)}" for name, entries in record.items()) + "\n}\n"
+
+
+def _lines(entries: Any) -> str:
+    """The entries of a list or a dictionary below each other, anything else in a line."""
+    if isinstance(entries, dict):
+        return "{\n " + ",\n ".join(f"{_text(name)}: {_text(value)}" for name, value in entries.items()) + "\n}"
+    if isinstance(entries, list):
+        return "[\n " + ",\n ".join(map(_text, entries)) + "\n]"
+    return _text(entries)
+
+
+def _text(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False)

@@ -54,6 +54,7 @@ def dissipation_module(results: Results) -> Module:
         name="dissipation",
         title="Structural and quadratic damping, and dry friction of what is attached",
         inputs=("averaging.py", "slow_flow.py", "dissipation.py", "gradients.py"),
+        in_c=False,
         kernels=(
             plain(
                 "quadratic", (c_2,), of.quadratic, "Quadratic damping's factor of A^2 Omega^2 in I.", "from (19)", "any"

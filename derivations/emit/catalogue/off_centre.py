@@ -24,6 +24,7 @@ def off_centre_module(results: Results) -> Module:
         name="off_centre",
         title="Motions off the centre, u = B + A cos psi, by the means of the force and its derivatives over a cycle",
         inputs=("averaging.py", "slow_flow.py", "off_centre.py"),
+        in_c=False,
         kernels=(
             plain(
                 "averaged",

@@ -55,7 +55,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """The header of each module."""
     environment = templates(Path(__file__).parent)
     result = {}
-    for module in modules:
+    for module in (one for one in modules if one.in_c):
         views = [view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels]
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
