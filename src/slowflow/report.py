@@ -114,7 +114,7 @@ def html(scene: Scene) -> str:
         "Tolerances": _tolerances(scene),
         "Designs beside it": _map(of),
         "How far to trust it": _trust(of, forcings, scene),
-        "Equations": _equations(),
+        "Equations": _equations(of),
         "Data": _data(of, forcings, scene),
     }
     told = {name: parts for name, section in sections.items() if (parts := list(_available(section)))}
@@ -478,7 +478,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
     yield from missing
 
 
-def _equations() -> Iterator[str]:
+def _equations(of: Any) -> Iterator[str]:
     ledger = read_ledger()
     rows = [
         (row["where"], _words(row["quantity"]), _formula(row["published"]), escape(row["verdict"]))
@@ -486,6 +486,8 @@ def _equations() -> Iterator[str]:
         if row["kind"] == "formula" and row["where"] in EQUATIONS
     ]
     yield f"<p>Equations of {escape(ledger['paper'])}, each held against the derivation:</p>"
+    if _plain(of).load != 0:
+        yield "<p>Under a load these hold about a mean B, with its balance beside them, which the paper has not.</p>"
     yield _rows("Verdicts", ("equation", "what", "as published; what vanishes, or the value", "verdict"), rows)
 
 
