@@ -343,6 +343,13 @@ static inline int sf_channels(sf_question question) {
     return question == SF_ISOLA || question == SF_FOLD_AT || question == SF_STATE ? 1 : 3;
 }
 
+/* before a function in which all calls are inlined */
+#if defined(__GNUC__)
+#define SF_FLAT __attribute__((flatten))
+#else
+#define SF_FLAT
+#endif
+
 /* ==== On a cell ==================================================================================================== */
 
 static inline sf_where sf_where_positive(sf_interval x) {
@@ -627,13 +634,33 @@ static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cel
     sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);
 }
 
-/* F by R and its tangent, and F_A. */
+/* F by R and its tangent, F_A and F_AA. */
 static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
     sf_interval R[2], state[3];
     slow_flow_intervals_state_R(Omega, cell->A, cell->h, cell->h_A, cell->k, R);
     slow_flow_intervals_state(Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h_A, cell->h_AA, sfi_both(R[0], R[1]),
                               state);
     sf_range_simple(state[0], state[1], SF_THROUGHOUT, out);
+    out->ddy = state[2];
+}
+
+/* The same, F_A and F_AA only where what comes before them has no sign on the cell. Inlined, so that no call computes what is
+ * not taken of it. */
+SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
+    const sf_interval F_0 = terms->F_0, m = terms->m, zeta = terms->zeta, A = cell->A, h_A = cell->h_A, h_AA = cell->h_AA;
+    sf_interval R[2], state[3];
+    slow_flow_intervals_state_R(Omega, A, cell->h, h_A, cell->k, R);
+    R[0] = sfi_both(R[0], R[1]);
+    slow_flow_intervals_state(Omega, A, F_0, m, zeta, h_A, h_AA, R[0], state);
+    sf_range_simple(state[0], sfi_of(-HUGE_VAL, HUGE_VAL), SF_THROUGHOUT, out);
+    out->ddy = out->dy;
+    if (sfi_has_sign(out->y))
+        return;
+    slow_flow_intervals_state(Omega, A, F_0, m, zeta, h_A, h_AA, R[0], state);
+    out->dy = state[1];
+    if (sfi_has_sign(out->dy))
+        return;
+    slow_flow_intervals_state(Omega, A, F_0, m, zeta, h_A, h_AA, R[0], state);
     out->ddy = state[2];
 }
 
@@ -701,7 +728,7 @@ static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const
         sf_range_rest(model, asked->F_0, cell, out);
         break;
     case SF_STATE:
-        sf_range_state(&asked->terms, sfi_point(asked->Omega), cell, out);
+        sf_range_state_in_turn(&asked->terms, sfi_point(asked->Omega), cell, out);
         break;
     }
 }

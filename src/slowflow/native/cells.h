@@ -36,10 +36,15 @@ typedef struct {
     sf_interval A, h, h_A, h_AA, h_AAA, k, k_A;
 } sf_cell;
 
-static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
+/* For a question that has no k in it: here that is a difference, which may be all rounding. */
+static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sample *at) {
     at->A = A;
     model->mechanism->averaged(1, &at->A, model->p, at->averages);
     at->k = A > 0 ? at->h - A * at->h_A : at->h; /* a slope that is infinite at rest takes nothing off h */
+}
+
+static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
+    sf_sample_without_k_at(model, A, at);
     if (fabs(at->k) < SF_CANCELLED * fabs(at->h))
         at->k = model->mechanism->intercept(A, model->p);
 }

@@ -15,7 +15,7 @@
 #define SF_STEEP 0x1p24
 
 /* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
-static int sf_is_corner_close(const sf_model *model, double F_0, double b, double J) {
+static int sf_is_corner_close(const sf_model *model, double F_0, double b, double J, const sf_corner *corner) {
     const double m = model->m, zeta = model->zeta;
     sf_sample at;
     double w[3], size;
@@ -33,23 +33,24 @@ static int sf_is_corner_close(const sf_model *model, double F_0, double b, doubl
     for (i = 0; i < n; i++)
         if (sf_is_F_close(model, &at, F_0, w[i]))
             return 1;
-    n = sf_frequencies(model, &at, F_0, w);
-    for (i = 0; i < n && w[i] < HUGE_VAL; i++) {
-        const double R = slow_flow_R(w[i], b, at.h), slope = b * fabs(sf_half_F_A(model, &at, w[i]));
-        size = sf_size_at(&at, sf_force(model, F_0, w[i]));
+    for (i = 0; i < corner->n && corner->Omega[i] < HUGE_VAL; i++) {
+        const double Omega = corner->Omega[i];
+        const double R = slow_flow_R(Omega, b, at.h), slope = b * fabs(sf_half_F_A(model, &at, Omega));
+        size = sf_size_at(&at, sf_force(model, F_0, Omega));
         if (fabs(R) <= SF_CLOSE * size || slope <= SF_CLOSE * size * size || fabs(R * J) * SF_STEEP <= slope)
             return 1;
     }
     return 0;
 }
 
-static int sf_are_corners_close(const sf_model *model, const sf_given *given, double F_0, double A_max) {
+/* Needs the corners of work. */
+static int sf_are_corners_close(const sf_model *model, const sf_given *given, double F_0, const sf_work *work) {
     int k;
-    for (k = 0; k < model->breaks && model->b[k] < A_max; k++) {
+    for (k = 0; k < model->breaks && model->b[k] < work->A_max; k++) {
         const double J = model->jump[k];
         /* a jump that is 0 by rounding is none only if the force as it was given has none */
         const int is_none = J == 0 && (given == NULL || (given->jump[k].lo == 0 && given->jump[k].hi == 0));
-        if (!is_none && sf_is_corner_close(model, F_0, model->b[k], J))
+        if (!is_none && sf_is_corner_close(model, F_0, model->b[k], J, &work->corner[k]))
             return 1;
     }
     return 0;
@@ -93,7 +94,7 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, 
         return status;
     folds->status = status;
     room->doubt = status != SF_OK || folds->undecided || folds->close || sf_nearly_sticks(model, F_0) ||
-                  sf_are_corners_close(model, given, F_0, room->work.A_max);
+                  sf_are_corners_close(model, given, F_0, &room->work);
     if (room->doubt)
         room->undecided = given == NULL || !sf_take_proved_folds(model, given, F_0, room, folds);
     folds->undecided = room->undecided;

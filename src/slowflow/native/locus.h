@@ -37,10 +37,10 @@ static int sf_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at, far;
     sf_known here, there;
     sf_cell cell;
-    sf_sample_at(model, A, &at);
+    sf_sample_without_k_at(model, A, &at);
     if (!(fabs(at.h) > slow_flow_most_restoring(A, F_0, model->m, model->zeta)))
         return 0;
-    sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
+    sf_sample_without_k_at(model, SF_ENDLESS * fmax(A, 1), &far);
     sf_know(&at, &here);
     sf_know(&far, &there);
     sf_make_slopes(model, &at, &far, &here, &there, &cell);
@@ -411,10 +411,28 @@ static int sf_frequencies(const sf_model *model, const sf_sample *at, double F_0
                               : sf_response_roots(at->A, at->h, model->m, model->zeta, F_0, Omega);
 }
 
+/* Whether a step of Newton's method is all that Omega is off a root of F = 0, which it then becomes. */
+static int sf_is_next_to_root(const sf_model *model, double F_0, const sf_sample *at, double *Omega) {
+    sf_quartic s;
+    double C, D, step;
+    if (sf_inertial(model))
+        return 0;
+    s.kind = SF_RESPONSE;
+    s.A = at->A, s.h = at->h, s.h_A = 0, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
+    sf_derivative_coefficients(&s);
+    C = sf_cubic(&s, *Omega), D = sf_cubic_slope(&s, *Omega), step = sf_value_fine(&s, *Omega) / (s.k * C);
+    if (!(fabs(step) <= SF_LAST_STEP * *Omega && fabs(step * D) * fabs(step) <= 0x1p-57 * fabs(C) * *Omega))
+        return 0;
+    *Omega -= step;
+    return 1;
+}
+
 /* Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I. */
 static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sample *at, double Omega) {
     double w[3], nearest = HUGE_VAL;
     int i, n, place = 0;
+    if (sf_is_next_to_root(model, F_0, at, &Omega))
+        return Omega;
     n = sf_frequencies(model, at, F_0, w);
     if (n == 0) /* beyond the tip of the curve by rounding: Omega from F_A = 0 after all */
         n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
@@ -444,16 +462,17 @@ static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample
 }
 
 /* Folds on a breakpoint where the force jumps by J: next to it F_A = 2 R h_A + ... has the sign of R J. */
-static void sf_corner_folds(const sf_model *model, double F_0, double A_max, sf_folds *folds) {
-    int k, i, n;
+static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
+    int k, i;
     for (k = 0; k < model->breaks; k++) {
+        sf_corner *corner = &work->corner[k];
+        const double *w = corner->Omega;
         sf_sample at;
-        double w[3];
-        if (model->jump[k] == 0 || !(model->b[k] < A_max))
+        if (model->jump[k] == 0 || !(model->b[k] < work->A_max))
             continue;
         sf_sample_at(model, model->b[k], &at);
-        n = sf_frequencies(model, &at, F_0, w);
-        for (i = 0; i < n && w[i] < HUGE_VAL; i++) {
+        corner->n = sf_frequencies(model, &at, F_0, corner->Omega);
+        for (i = 0; i < corner->n && w[i] < HUGE_VAL; i++) {
             const double R = slow_flow_R(w[i], at.A, at.h);
             const int stable_below = sf_is_stable_below(model, F_0, &at, w[i]), stable_above = R * model->jump[k] > 0;
             if (stable_below != stable_above)
@@ -531,7 +550,7 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
         status = sf_locus_folds(model, F_0, work, folds);
         if (status != SF_OK)
             return status;
-        sf_corner_folds(model, F_0, work->A_max, folds);
+        sf_corner_folds(model, F_0, work, folds);
         return folds->status;
     }
     sf_stretches_up_to(model, work->A_max, &work->pieces);
@@ -551,7 +570,7 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
             sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
         }
     }
-    sf_corner_folds(model, F_0, work->A_max, folds);
+    sf_corner_folds(model, F_0, work, folds);
     return folds->status;
 }
 

@@ -22,6 +22,9 @@
 #define SF_UNLIKE 4
 #define SF_LESSER_SHARE 0.25
 
+/* no step beyond the last evaluation next to a zero is larger, relatively */
+#define SF_LAST_OF_ZERO 0x1p-30
+
 typedef struct {
     sf_asked asked;
     double base, end; /* where the piece begins and ends */
@@ -36,7 +39,10 @@ typedef struct {
 } sf_probe;
 
 static void sf_probe_at(const sf_search *search, int open, double A, sf_probe *probe) {
-    sf_sample_at(search->asked.model, A, &probe->at);
+    if (search->asked.question == SF_PEAK || search->asked.question == SF_REST)
+        sf_sample_without_k_at(search->asked.model, A, &probe->at);
+    else
+        sf_sample_at(search->asked.model, A, &probe->at);
     sf_ask(&search->asked, open, &probe->at, &probe->answer);
 }
 
@@ -92,30 +98,70 @@ static double sf_Omega_at_zero(const sf_probe *probe, int channel) {
     return probe->answer.Omega[channel];
 }
 
-/* The zero between two probes with values on either side of it: Newton's steps, kept in the bracket. */
+/* Where the parabola vanishes that has one value with its slope and another value, on the other side of zero. */
+static double sf_between_values(const sf_probe *near, const sf_probe *far, int c) {
+    const double width = far->at.A - near->at.A, y = near->answer.y[c], rise = near->answer.dy[c] * width;
+    const double bend = far->answer.y[c] - y - rise;
+    return near->at.A - 2 * y * width / (rise + copysign(sqrt(rise * rise - 4 * bend * y), -y));
+}
+
+/* Where the cubic vanishes that gives A from two values and has both slopes. */
+static double sf_beside_values(const sf_probe *near, const sf_probe *far, int c) {
+    const double y = near->answer.y[c], z = far->answer.y[c], slope = 1 / near->answer.dy[c], over = 1 / (z - y);
+    const double chord = (far->at.A - near->at.A) * over, bend = (chord - slope) * over;
+    const double turn = ((1 / far->answer.dy[c] - chord) * over - bend) * over;
+    return near->at.A - y * slope + y * y * (bend - z * turn);
+}
+
+/* Where a function may vanish next to a probe: by Newton's step, or, of states, which are always settled afterwards, by the
+ * probe before it too. first: whether the two lie on either side */
+static double sf_next_to(const sf_search *search, const sf_probe *probe, const sf_probe *before, int c, int first) {
+    double next = NAN;
+    if (search->asked.question == SF_STATE) {
+        if (first)
+            next = sf_between_values(probe, before, c);
+        else if (fabs(probe->answer.y[c]) < 0.5 * fabs(before->answer.y[c]))
+            next = sf_beside_values(probe, before, c);
+    }
+    return fabs(next) < HUGE_VAL ? next : probe->at.A - probe->answer.y[c] / probe->answer.dy[c];
+}
+
+/* Whether a zero is known without an evaluation there, which only one that has a given Omega may be: the step after one of
+ * `moved`, which came after one of `last`, is nothing beside A. Errors fall by squares at least. */
+static int sf_is_last_of_zero(const sf_search *search, double moved, double last, double A) {
+    return search->asked.question == SF_STATE && moved <= SF_LAST_OF_ZERO * A &&
+           moved * (moved / last) * (moved / last) <= 0x1p-54 * A;
+}
+
+/* The zero between two probes with values on either side of it: steps from the last two values, kept in the bracket. */
 static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_probe *b, int c, int edge) {
     const int rising = sf_is_negative(a, c, edge);
     const sf_probe *lo = a, *hi = b, *probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? a : b;
-    double last = b->at.A - a->at.A;
-    sf_probe place[3]; /* two of them are lo and hi */
+    const sf_probe *before = probe == a ? b : a;
+    double last = b->at.A - a->at.A, step = 0;
+    sf_probe place[4]; /* up to three of them are lo, hi and before */
     sf_zero zero;
     int i;
     if (!probe->answer.exists[c])
         probe = a->answer.exists[c] ? a : b;
     for (i = 0; i < 400; i++) {
-        double next = probe->answer.exists[c] ? probe->at.A - probe->answer.y[c] / probe->answer.dy[c] : NAN;
+        double next = probe->answer.exists[c] ? sf_next_to(search, probe, before, c, i == 0) : NAN;
         double moved = fabs(next - probe->at.A);
         sf_probe *spare = &place[0];
         if (i > 0 && moved <= 0x1p-52 * probe->at.A)
             break;
+        if (i > 0 && next > lo->at.A && next < hi->at.A && sf_is_last_of_zero(search, moved, last, probe->at.A)) {
+            step = next - probe->at.A;
+            break;
+        }
         if (!(next > lo->at.A && next < hi->at.A) || moved > 0.6 * last) {
             next = sf_amid(search->base, lo->at.A, hi->at.A);
             moved = fabs(next - probe->at.A);
             if (!(next > lo->at.A && next < hi->at.A))
                 break;
         }
-        last = moved;
-        while (spare == lo || spare == hi)
+        last = moved, before = probe;
+        while (spare == lo || spare == hi || spare == before)
             spare++;
         sf_probe_at(search, 1 << c, next, spare);
         probe = spare;
@@ -126,12 +172,21 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     }
     if (!probe->answer.exists[c])
         probe = lo->answer.exists[c] ? lo : hi;
-    zero.A = probe->at.A, zero.Omega = sf_Omega_at_zero(probe, c), zero.low = lo->at.A, zero.high = hi->at.A;
+    zero.A = probe->at.A + step, zero.Omega = sf_Omega_at_zero(probe, c);
     zero.level = probe->answer.level[c];
     zero.question = search->asked.question, zero.channel = c, zero.rising = rising;
     sf_add_zero(search->found, zero);
     if (search->asked.most != NULL && sf_is_minimum(search->asked.model, zero.question, &probe->at, zero.Omega))
         *search->asked.most = fmin(*search->asked.most, probe->answer.level[c]);
+}
+
+/* What F_A of a steady state is at a probe, but for roundings. */
+static sf_interval sf_F_A_within(const sf_search *search, const sf_probe *probe) {
+    const sf_model *model = search->asked.model;
+    const sf_sample *at = &probe->at;
+    const double w = search->asked.Omega, I_A = 2 * model->zeta * w, dy = probe->answer.dy[0];
+    const double size = (fabs(at->h) + at->A * w * w) * (fabs(at->h_A) + w * w) + (I_A * at->A + model->m) * I_A;
+    return sfi_of(dy - SF_CLOSE * size, dy + SF_CLOSE * size);
 }
 
 /* Whether a channel is settled on an interval, its zero being found if it has one; `last`: settled anyway. */
@@ -140,14 +195,17 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
     const int both = a->answer.exists[c] && b->answer.exists[c];
     const int passes = both && sf_opposite(a->answer.y[c], b->answer.y[c]);
     const int edge = range->edge == 0 && last && a->answer.edge == b->answer.edge ? a->answer.edge : range->edge;
-    sf_interval y = range->y;
-    if (range->where == SF_NOWHERE)
+    const double width = b->at.A - a->at.A;
+    sf_interval y = range->y, dy = range->dy;
+    if (range->where == SF_NOWHERE || sfi_has_sign(y))
         return 1;
+    if (search->asked.question == SF_STATE && !sfi_has_sign(dy))
+        dy = sfi_both(dy, sf_along(sf_F_A_within(search, a), sf_F_A_within(search, b), range->ddy, sfi_up(width)));
     if (range->where == SF_THROUGHOUT && both && !passes) /* values may differ by roundings more than slopes allow */
-        y = sfi_both(y, sf_between(a->answer.y[c], b->answer.y[c], range->dy, b->at.A - a->at.A));
+        y = sfi_both(y, sf_between(a->answer.y[c], b->answer.y[c], dy, width));
     if (sfi_has_sign(y))
         return 1;
-    if (!sfi_has_sign(range->dy)) {
+    if (!sfi_has_sign(dy)) {
         if (!last)
             return 0;
         search->found->undecided = 1;

@@ -12,6 +12,12 @@ typedef struct {
     int up, corner;
 } sf_fold;
 
+/* The frequencies at which the response passes a breakpoint at which the force jumps */
+typedef struct {
+    int n;
+    double Omega[3];
+} sf_corner;
+
 /* undecided: whether there may be another pair, whose amplitudes are the same double; close: whether rounding may have
  * decided how many there are */
 typedef struct {
@@ -52,7 +58,7 @@ typedef struct {
     sf_segment segment[SF_MOST_SEGMENTS];
 } sf_skeleton;
 
-/* extrema: cusps and isola points of the locus */
+/* extrema: cusps and isola points of the locus; corner: of each breakpoint below A_max */
 typedef struct {
     double A_max;
     sf_stretches pieces;
@@ -60,6 +66,7 @@ typedef struct {
     sf_graph locus, response;
     sf_tour tour;
     sf_folds folds;
+    sf_corner corner[SF_MOST_BREAKS];
     sf_skeleton skeleton, shown;
 } sf_work;
 

@@ -6,10 +6,10 @@
 
 #define SF_MOST_ZEROS 96
 
-/* low, high: amplitudes on either side; level: of a cusp, as of sf_answer; rising: whether the function goes from below zero to
+/* level: of a cusp, as of sf_answer; rising: whether the function goes from below zero to
  * above it with rising A */
 typedef struct {
-    double A, Omega, low, high, level;
+    double A, Omega, level;
     sf_question question;
     int channel, rising;
 } sf_zero;
