@@ -3,7 +3,7 @@
     curve        whole response: 1000 amplitudes, all branches, stability, folds      target 0.5 ms
     fold locus   1000 points and the cusps, across u_cr                               target 0.5 ms
     F_cr         with Omega_cr and u_cr, a batch on one core                          target 2e6 a second
-    F_SN         with Omega and A, a batch on one core                                target 1e5 a second
+    F_SN         with Omega and A, a batch on one core                                target 1e6 a second
     folds, peak  at a forcing, batches                                                no target
 
 All are called from Python. The batches of Table 1 vary lam; the random ones draw every parameter, so that the onset
@@ -72,7 +72,7 @@ def batches(count: int, seed: int) -> dict[str, tuple[Callable[[], Any], int, fl
     for name, designs in (("Table 1", table_1_designs(count)), ("random", random_designs(count, seed))):
         jobs |= {
             f"F_cr and Omega_cr, {name}": (designs.detachment, count, 2e6),
-            f"F_SN with Omega and A, {name}": (designs.saddle_node_onset, count, 1e5),
+            f"F_SN with Omega and A, {name}": (designs.saddle_node_onset, count, 1e6),
             f"folds, {name}": (lambda designs=designs: designs.saddle_nodes(F_0), count, None),
             f"peak, {name}": (lambda designs=designs: designs.peak(F_0), count, None),
         }

@@ -1,7 +1,7 @@
 """Why a target is not reached: what a missed target's kind is in, sentences with measured limits out.
 
-Single libm calls are timed in C; instructions are counted by valgrind. Where gcc or valgrind is not there, the sentence
-says so.
+Single libm calls, a triad and fused multiply-adds are timed in C; instructions are counted by valgrind, evaluations by
+`counted`. Where gcc or valgrind is not there, the sentence says so.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks import footprint
+from benchmarks import counted, footprint
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT
 
@@ -37,6 +37,34 @@ SOURCE = """
     for (long i = 0; i < n; i++) { sink = CALL_##f(x); x += step; } \\
     clock_gettime(CLOCK_MONOTONIC, &b); (void)sink; \\
     return ((b.tv_sec - a.tv_sec) + 1e-9 * (b.tv_nsec - a.tv_nsec)) / n; }
+"""
+#: a triad over arrays that no cache holds, and chains of fused multiply-adds of which none waits for another
+MACHINE = """
+#include <stdlib.h>
+#include <time.h>
+static double since(struct timespec a) {
+    struct timespec b; clock_gettime(CLOCK_MONOTONIC, &b);
+    return (b.tv_sec - a.tv_sec) + 1e-9 * (b.tv_nsec - a.tv_nsec); }
+double triad(long n) {
+    double *x = calloc(n, 8), *y = calloc(n, 8), *z = calloc(n, 8), best = 1e9; struct timespec a;
+    for (long i = 0; i < n; i++) x[i] = i, y[i] = 1, z[i] = 2;
+    for (int round = 0; round < 5; round++) {
+        clock_gettime(CLOCK_MONOTONIC, &a);
+        for (long i = 0; i < n; i++) z[i] = x[i] + 3 * y[i];
+        if (since(a) < best) best = since(a); }
+    free(x), free(y), free(z);
+    return 24.0 * n / best; }
+double fused(long n) {
+    typedef double eight __attribute__((vector_size(64)));
+    eight v[10]; double sum = 0, taken; struct timespec a;
+    for (int k = 0; k < 80; k++) v[k / 8][k % 8] = k;
+    clock_gettime(CLOCK_MONOTONIC, &a);
+    for (long i = 0; i < n; i++) {
+        #pragma GCC unroll 10
+        for (int k = 0; k < 10; k++) v[k] = v[k] * 0.999 + 0.001; }
+    taken = since(a);
+    for (int k = 0; k < 80; k++) sum += v[k / 8][k % 8];
+    return sum < 0 ? 0 : 80.0 * n / taken; }
 """
 COUNTED = """
 import sys
@@ -76,6 +104,27 @@ def libm() -> list[str]:
             time.restype = ctypes.c_double
             costs.append(f"{name} {quantity(min(time(ctypes.c_long(CALLS)) for _ in range(3)), 's')}")
     return [f"one call of libm: {', '.join(costs)}"]
+
+
+def machine() -> list[str]:
+    """What memory and arithmetic of one core allow."""
+    if shutil.which("gcc") is None:
+        return ["the machine's own limits were not measured: there is no gcc"]
+    with tempfile.TemporaryDirectory() as folder:
+        source, library = Path(folder) / "machine.c", Path(folder) / "machine.so"
+        source.write_text(MACHINE)
+        flags = ["-O3", "-march=native", "-ffp-contract=fast", "-shared", "-fPIC"]
+        subprocess.run(["gcc", *flags, str(source), "-o", str(library)], check=True)
+        loaded = ctypes.CDLL(str(library))
+        rates = {}
+        for name, size in (("triad", 1 << 25), ("fused", CALLS)):
+            asked = getattr(loaded, name)
+            asked.restype = ctypes.c_double
+            rates[name] = max(asked(ctypes.c_long(size)) for _ in range(3)) / 1e9
+    return [
+        f"one core of this machine: triad {rates['triad']:.3g} GB/s, "
+        f"{rates['fused']:.3g} fused multiply-adds of doubles a ns in vectors"
+    ]
 
 
 def instructions(kinds: set[str]) -> list[str]:
@@ -119,11 +168,11 @@ def traffic(count: int = 10**6) -> list[str]:
 
 def of(kinds: set[str]) -> list[str]:
     """Sentences about the limits of these kinds of target."""
-    out = []
+    out = machine()
     if "import" in kinds:
         out += imports()
     if "kernel" in kinds:
         out += traffic()
     if kinds & {"quartic", "kernel", *WORK}:
         out += libm()
-    return out + instructions(kinds & WORK.keys())
+    return [*out, *counted.of(kinds), *instructions(kinds & WORK.keys())]

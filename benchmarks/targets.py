@@ -213,7 +213,7 @@ def batches(size: Size) -> list[Target]:
         count.items(),
         (
             ("F_cr and Ω_cr", 2e6, "certified detachment", known.detachment),
-            ("F_SN with (Ω, A)", 1e5, "certified onset", known.onset),
+            ("F_SN with (Ω, A)", 1e6, "certified onset", known.onset),
         ),
         strict=True,
     ):

@@ -1,0 +1,189 @@
+/* How often a batch does what its time goes into, and what each of that costs here: in go designs, out come counts and seconds.
+ *
+ * The solvers are included as they are; the names that are counted are macros while they are read, and some of the calls are
+ * kept and made once more by the clock.
+ */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#pragma GCC target("avx2,fma,bmi,bmi2,lzcnt")
+#endif
+#include <time.h>
+
+#include "along.h"
+
+enum { KEPT = 4096, ROUNDS = 20, MOST_INPUTS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2 };
+
+typedef struct {
+    sf_asked asked;
+    sf_model model;
+    sf_sample first, last;
+    sf_known a, b;
+    sf_cell cell;
+    int open;
+} kept_range;
+typedef struct {
+    sf_asked asked;
+    sf_model model;
+    sf_sample at;
+    int open;
+} kept_value;
+typedef struct {
+    double A, p[SF_MOST_PARAMETERS];
+} kept_average;
+typedef struct {
+    int passed, wanted;
+    sf_pair A, beyond, p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+} kept_pairs;
+
+static long ranges, values, averages, in_pairs;
+static kept_range range_kept[KEPT];
+static kept_value value_kept[KEPT];
+static kept_average average_kept[KEPT];
+static kept_pairs pairs_kept[KEPT];
+static const sf_mechanism *record;
+static volatile double sink;
+
+static void counted_range(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open, sf_range out[2]) {
+    const kept_range kept = {*asked, *asked->model, *cell->first, *cell->last, *a, *b, *cell, open};
+    range_kept[ranges++ % KEPT] = kept;
+    sf_find_range(asked, a, b, cell, open, out);
+}
+
+static void counted_value(const sf_asked *asked, int open, const sf_sample *at, sf_answer *out) {
+    const kept_value kept = {*asked, *asked->model, *at, open};
+    value_kept[values++ % KEPT] = kept;
+    sf_ask(asked, open, at, out);
+}
+
+static void counted_average(ptrdiff_t n, const double *A, const double *p, double *out) {
+    kept_average *kept = &average_kept[averages++ % KEPT];
+    kept->A = *A;
+    memcpy(kept->p, p, (size_t)record->parameters * sizeof *p);
+    record->averaged(n, A, p, out);
+}
+
+static void counted_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out) {
+    kept_pairs *kept = &pairs_kept[in_pairs++ % KEPT];
+    kept->passed = passed, kept->wanted = wanted, kept->A = A, kept->beyond = beyond;
+    memcpy(kept->p, p, (size_t)record->parameters * sizeof *p);
+    record->averaged_in_pairs(passed, wanted, A, beyond, p, out);
+}
+
+#define sf_find_range counted_range
+#define sf_ask counted_value
+#include "scan.h"
+#undef sf_find_range
+#undef sf_ask
+#define SF_SOLVERS solvers_counted
+#include "solvers.h"
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double least(double a, double b) { return a < b ? a : b; }
+
+/* What was kept is asked again by what the oscillator was then: pointers led to what is no more. */
+static void mend(void) {
+    for (int i = 0; i < KEPT; i++) {
+        range_kept[i].model.mechanism = value_kept[i].model.mechanism = record;
+        range_kept[i].asked.model = &range_kept[i].model, value_kept[i].asked.model = &value_kept[i].model;
+        range_kept[i].asked.most = value_kept[i].asked.most = NULL;
+        range_kept[i].cell.first = &range_kept[i].first, range_kept[i].cell.last = &range_kept[i].last;
+    }
+}
+
+static double seconds_of_ranges(long n) {
+    double best = HUGE_VAL;
+    for (int round = 0; round < ROUNDS; round++) {
+        const double start = now();
+        for (long i = 0; i < n; i++) {
+            sf_cell cell = range_kept[i].cell;
+            sf_range out[2];
+            sf_find_range(&range_kept[i].asked, &range_kept[i].a, &range_kept[i].b, &cell, range_kept[i].open, out);
+            sink = out[0].y.lo;
+        }
+        best = least(best, (now() - start) / (double)n);
+    }
+    return best;
+}
+
+static double seconds_of_values(long n) {
+    double best = HUGE_VAL;
+    for (int round = 0; round < ROUNDS; round++) {
+        const double start = now();
+        for (long i = 0; i < n; i++) {
+            sf_answer out;
+            sf_ask(&value_kept[i].asked, value_kept[i].open, &value_kept[i].at, &out);
+            sink = out.y[0];
+        }
+        best = least(best, (now() - start) / (double)n);
+    }
+    return best;
+}
+
+static double seconds_of_averages(long n) {
+    double best = HUGE_VAL, h[4];
+    for (int round = 0; round < ROUNDS; round++) {
+        const double start = now();
+        for (long i = 0; i < n; i++) {
+            record->averaged(1, &average_kept[i].A, average_kept[i].p, h);
+            sink = h[0];
+        }
+        best = least(best, (now() - start) / (double)n);
+    }
+    return best;
+}
+
+static double seconds_in_pairs(long n) {
+    double best = HUGE_VAL;
+    sf_pair h[4];
+    for (int round = 0; round < ROUNDS; round++) {
+        const double start = now();
+        for (long i = 0; i < n; i++) {
+            const kept_pairs *kept = &pairs_kept[i];
+            record->averaged_in_pairs(kept->passed, kept->wanted, kept->A, kept->beyond, kept->p, h);
+            sink = h[0].high;
+        }
+        best = least(best, (now() - start) / (double)n);
+    }
+    return best;
+}
+
+/* asked: 0 states, 1 folds, 2 peaks, 3 onsets; inputs: one column after another, n of each; out: how often a design has its
+ * averages taken, in pairs too, a function's value at an amplitude and its range on a cell, then the seconds of one of each.
+ * Returns 0 where there is no such record. */
+int count(int asked, const char *name, long n, double *inputs, double *out) {
+    const sf_many loops[] = {solvers_counted.many_states, solvers_counted.many_folds, solvers_counted.many_peaks,
+                             solvers_counted.many_onsets};
+    const int at[] = {2, 1, 1, 0}, outputs[] = {5, 6, 3, 6};
+    static unsigned char answers[4096];
+    char *args[MOST_INPUTS + 6];
+    ptrdiff_t steps[2 * (MOST_INPUTS + 6)] = {0}, dimensions[2] = {n, 8};
+    sf_mechanism counting;
+    int i, given;
+    record = NULL;
+    for (i = 0; i < solvers_counted.count; i++)
+        if (strcmp(solvers_counted.records[i]->name, name) == 0)
+            record = solvers_counted.records[i];
+    if (record == NULL)
+        return 0;
+    given = record->design_size + record->damping_size + at[asked];
+    for (i = 0; i < given; i++)
+        args[i] = (char *)(inputs + i * n), steps[i] = sizeof *inputs;
+    for (i = 0; i < outputs[asked]; i++)
+        args[given + i] = (char *)answers + 64 * i;
+    counting = *record;
+    counting.averaged = counted_average, counting.averaged_in_pairs = counted_in_pairs;
+    ranges = values = averages = in_pairs = 0;
+    loops[asked](args, dimensions, steps, &counting);
+    out[0] = (double)averages / (double)n, out[1] = (double)in_pairs / (double)n;
+    out[2] = (double)values / (double)n, out[3] = (double)ranges / (double)n;
+    mend();
+    out[4] = seconds_of_averages(averages < KEPT ? averages : KEPT);
+    out[5] = seconds_in_pairs(in_pairs < KEPT ? in_pairs : KEPT);
+    out[6] = seconds_of_values(values < KEPT ? values : KEPT);
+    out[7] = seconds_of_ranges(ranges < KEPT ? ranges : KEPT);
+    return 1;
+}
