@@ -87,6 +87,45 @@ def test_an_odd_force_that_is_stated_as_one_that_is_not_has_the_same_answers():
     assert found.A == pytest.approx(centred.A, rel=1e-12) and np.abs(found.B).max() < 1e-12
 
 
+@pytest.fixture(scope="module")
+def snap():
+    """Odd, of three pieces, the second of negative stiffness: its average about the centre is a quadrature."""
+    first, second = sp.Rational(3, 10), sp.Rational(7, 10)
+    low = first - k * (second - first)
+    pieces = [(u, first), (first - k * (u - first), second), (low + 2 * (u - second), None)]
+    return derive.mechanism("snap", pieces, {"k": ABOVE})
+
+
+def test_an_odd_polynomial_that_is_averaged_by_quadrature_has_answers_under_a_load(snap):
+    """As where all five of its pieces are stated."""
+    low = 0.3 - 0.4 * k
+    pieces = [(2 * (u + 0.7) - low, -0.7), (-0.3 - k * (u + 0.3), -0.3), (u, 0.3), (0.3 - k * (u - 0.3), 0.7)]
+    five = derive.mechanism("snap_of_five", [*pieces, (low + 2 * (u - 0.7), None)], {"k": ABOVE}, odd=False)
+    one, other = (of(k=0.5, zeta=0.05, load=0.02).amplitudes(Omega=[0.6, 0.9], F_0=0.12) for of in (snap, five))
+    assert (one.A + np.abs(one.B)).max() > 0.7 and one.A == pytest.approx(other.A, rel=1e-11)
+    assert one.B == pytest.approx(other.B, rel=1e-11) and (one.stable == other.stable).all()
+
+
+@pytest.mark.slow
+def test_isolated_responses_off_the_centre_are_closed(snap):
+    """About the centre one is born at F_0 = 0.03771; next to it a small load leaves it, and those off the centre."""
+    oscillator, F_0 = snap(k=0.5, zeta=0.05, load=1e-3), 0.038
+    assert oscillator.replace(load=0.0).frequency_response(F_0).isola == (False, True)
+    found, folds = oscillator.frequency_response(F_0, Omega=(0.1, 1.5)), oscillator.saddle_nodes(F_0)
+    assert found.isola[0] is False and all(found.isola[1:]) and len(found.isola) > 1
+    on_curves = 0
+    for number, closed in enumerate(found.isola):
+        A, Omega = found.A[found.branch == number], found.Omega[found.branch == number]
+        assert ((A[0], Omega[0]) == (A[-1], Omega[-1])) == closed
+        turns = int((np.diff(np.sign(np.diff(np.append(Omega, Omega[1]) if closed else Omega))) != 0).sum())
+        assert turns >= 2 * closed
+        on_curves += turns
+    assert on_curves == len(folds)
+    for Omega in (0.45, 0.55, 0.7):
+        crossed = ((found.Omega[:-1] < Omega) != (found.Omega[1:] < Omega)) & (np.diff(found.branch) == 0)
+        assert crossed.sum() == len(oscillator.amplitudes(Omega=Omega, F_0=F_0))
+
+
 def test_the_mirror_image_of_a_stop_has_the_mirror_images_of_its_answers(stop):
     left = derive.mechanism("left_stop", [(u + k * (u + g), -g), (u, None)], {"k": ABOVE, "g": {}}, odd=False)
     one, other = stop(k=8.0, g=0.2, load=0.02, **DAMPED), left(k=8.0, g=0.2, load=-0.02, **DAMPED)

@@ -14,13 +14,14 @@ from dataclasses import replace
 import sympy as sp
 
 from ...mechanisms import Mechanism
+from ...off_centre import steps
 from ...quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
 from ...restoring import ORDERS
 from ...second_approximation import OF_HARMONIC
 from ...symbols import A, u
 from ..compensated import copysign
 from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
-from .mechanism import INTERCEPT
+from .mechanism import DOC_OF_STEPS, INTERCEPT
 
 #: sums are named by the terms under their integrals
 ANY = "any parameters"
@@ -38,10 +39,11 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
         inputs=("live.py", "quadrature.py"),
         kernels=(
             *data_kernels(mechanism, average),
+            *step_kernels(mechanism, average),
             *pieces,
             *(kernel for one in averages for kernel in (*one.terms, one.closing)),
         ),
-        record=Record(stated, stated.design, laws, sp.oo, False, "", ()),
+        record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=is_stepped(average)),
         native=False,
         sums=averages,
         enclosed=enclosed(mechanism, average),
@@ -195,6 +197,20 @@ def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
             )
         ),
     ]
+
+
+def is_stepped(average: Quadrature) -> bool:
+    """Whether the force is a sum of steps in powers of u, and continuous at u = 0: then it is known off the centre."""
+    return all(piece.is_polynomial(u) for piece in average.pieces) and average.pieces[0].subs(u, 0) == 0
+
+
+def step_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
+    """The force as a sum of steps, where it is one."""
+    if not is_stepped(average):
+        return []
+    rows = steps(average.pieces, tuple(average.breakpoints.values()), tuple(lost[0] for lost in average.losses))
+    values, given = tuple(value for row in rows for value in row), mechanism.parameters
+    return [replace(plain("steps", given, values, DOC_OF_STEPS, "(3), (5)", ANY, parameters=len(given)), looped=False)]
 
 
 def piece_kernels(mechanism: Mechanism, average: Quadrature) -> tuple[list[Kernel], tuple[Law, ...]]:

@@ -6,6 +6,8 @@ Out: `sided_module`.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ...sided import Sided
@@ -17,14 +19,27 @@ ANY = "any parameters"
 
 def sided_module(name: str, force: Sided) -> Module:
     """The module of one force that is stated in a program."""
+    stated = force
+    force = renamed(force)
     pieces, laws = piece_kernels(force)
     return Module(
         name=name,
-        title=force.title[0].upper() + force.title[1:],
+        title=stated.title[0].upper() + stated.title[1:],
         inputs=("live.py", "sided.py"),
         kernels=(*data_kernels(force), *pieces),
-        record=Record(force, force.design, laws, sp.oo, False, "", (), stepped=True, odd=False),
+        record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=True, odd=False),
         native=False,
+    )
+
+
+def renamed(force: Sided) -> Sided:
+    """The same with a line behind the names of parameters, which are users' and may be those that printed code has."""
+    names = {given: sp.Symbol(f"{given.name}_", **given.assumptions0) for given in force.parameters}
+    return replace(
+        force,
+        pieces=tuple(piece.xreplace(names) for piece in force.pieces),
+        ends=tuple(end.xreplace(names) for end in force.ends),
+        design=tuple(replace(parameter, symbol=names[parameter.symbol]) for parameter in force.design),
     )
 
 

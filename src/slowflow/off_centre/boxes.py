@@ -27,9 +27,9 @@ AROUND = 0.125
 NARROW = 2.0**-42
 #: half the width below which a box is not made narrower
 THIN = 2.0**-43
-#: boxes that are looked at for one system: usual questions take hundreds, hard ones some thousand; this many take a
-#: second. And for each of many, on the average
-MOST_BOXES, MOST_EACH = 40_000, 4_000
+#: boxes that are looked at for one system: usual questions take hundreds, hard ones thousands; this many take two
+#: seconds. And for each of many, on the average
+MOST_BOXES, MOST_EACH = 100_000, 4_000
 
 
 class Equations(Protocol):
