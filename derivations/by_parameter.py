@@ -38,12 +38,12 @@ def by_parameter(
     changes = [sp.Add(*(mark * sp.diff(piece, p) for p, mark in marks.items())) for piece in whole.pieces]
     cases = []
     for name, guards, passed, far in forms(whole.breakpoints):
-        regime = average(changes, whole.breakpoints, passed, far)
+        regime = average(changes, whole.breakpoints, passed, far, orders=len(OF) - 1)
         values = []
         for p, mark in marks.items():
             moving = whole.breakpoints.index(p) if p in whole.breakpoints[:passed] else None
             of_end = (0, 0, 0) if moving is None else _of_end(whole, moving, passed)
-            values += [sp.diff(value, mark) + own for value, own in zip(regime.derivatives[:3], of_end, strict=True)]
+            values += [sp.diff(value, mark) + own for value, own in zip(regime.derivatives, of_end, strict=True)]
         lets = [(symbol, value) for symbol, value in regime.lets if not value.has(*marks.values())]
         cases.append(Case(name, guards, Regime(regime.passed, regime.far, tuple(lets), tuple(values))))
     return tuple(cases)
@@ -91,9 +91,9 @@ def _of_untruncated(
             if inner == 0:
                 values += changed(p, rest)
                 continue
-            regime = average([b * _inner * u, sp.Integer(0)], (name,), 1, far)
+            regime = average([b * _inner * u, sp.Integer(0)], (name,), 1, far, orders=len(OF) - 1)
             lets = ((name, value), (_inner, -inner), *regime.lets)
-            values += [one + other for one, other in zip(changed(p, rest), regime.derivatives[:3], strict=True)]
+            values += [one + other for one, other in zip(changed(p, rest), regime.derivatives, strict=True)]
         cases.append(Case(label, own_guards, Regime((name,), (), lets, tuple(values))))
     return tuple(cases)
 

@@ -289,11 +289,12 @@ def average(
     count: int,
     far: int = 0,
     jumps: Sequence[sp.Symbol] = (),
+    orders: int = ORDERS,
 ) -> Regime:
     """(20)-(22), (31): the average of a piecewise force where A exceeds `count` breakpoints, and its derivatives.
 
     The first `far` of these it exceeds `FAR` times: there the moments are the series'. `jumps` are names for what the
-    force loses at the breakpoints, where these stand for numbers of their own.
+    force loses at the breakpoints, where these stand for numbers of their own; `orders`, how many derivatives are wanted.
     """
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
@@ -320,7 +321,7 @@ def average(
         return sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
 
     derivatives = []
-    for order in range(ORDERS + 1):
+    for order in range(orders + 1):
         total = under_the_integral(order)
         for k, end in enumerate(ends):
             for lower in range(order):

@@ -9,10 +9,13 @@ import shutil
 import subprocess
 import sys
 import venv
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from slowflow import backend
 from slowflow.paper.example import TABLE_1
@@ -29,7 +32,7 @@ PLOTTING = ("matplotlib", "contourpy", "cycler", "fonttools", "kiwisolver", "pac
 
 #: what the derivation imports
 DERIVING = ("sympy", "mpmath", "python-flint", "jinja2", "markupsafe", "platformdirs")
-#: a force that the project has not: hardening from the centre, stiffer beyond a gap; prints its folds' frequencies
+#: a force that the project has not, from its name, its numbers and its pieces; prints its folds' frequencies
 TRIAL = """
 import os
 os.environ["SLOWFLOW_DERIVED"] = "derived"
@@ -38,11 +41,28 @@ from slowflow import backend, derive
 
 u, b, k, d = sp.symbols("u b k d")
 about = {name: {"above": 0} for name in ("b", "k", "d")}
-pieces = [(u + b*u**3, d), (u + b*u**3 + k*(u - d), None)]
+PIECES
 made = derive.mechanism("pad", pieces, about, compile=backend.SOLVER is not None)
 one = made(b=2.0, k=3.0, d=0.2, mu=0.005, zeta=0.02)
-print(made.compiled, one.saddle_node_onset().F_SN, *one.saddle_nodes(0.05).Omega.tolist())
+motion = one.steady_state(Omega=0.5, F_0=0.05)
+print(made.compiled, motion.A, one.saddle_node_onset().F_SN, *one.saddle_nodes(0.05).Omega.tolist())
 """
+#: hardening from the centre, stiffer beyond a gap; and a sine within it, a saturating pad beyond: pieces in SymPy, and
+#: the force for u > 0 typed once more
+PADS = {
+    "polynomial": (
+        "pieces = [(u + b*u**3, d), (u + b*u**3 + k*(u - d), None)]",
+        lambda u: u + 2 * u**3 + 3 * np.maximum(u - 0.2, 0),
+    ),
+    "elementary": (
+        "pieces = [(u + sp.sin(b*u)/b, d), (u + sp.sin(b*d)/b + k*sp.tanh(2*(u - d))*sp.sqrt(1 + u), None)]",
+        lambda u: np.where(
+            u < 0.2,
+            u + np.sin(2 * u) / 2,
+            u + math.sin(0.4) / 2 + 3 * np.tanh(2 * (u - 0.2)) * np.sqrt(1 + u),
+        ),
+    ),
+}
 
 
 def run(command: list[str | Path], folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -166,28 +186,49 @@ def test_with_matplotlib_figures_scenes_and_reports_are_made(wheel: Path, tmp_pa
 def test_a_stranger_derives_a_mechanism_in_an_empty_folder(wheel: Path, tmp_path: Path) -> None:
     programs = environment(tmp_path / "environment", wheel, NEEDED + DERIVING)
     (tmp_path / "empty").mkdir()
-    done = run([programs / "python", "-W", "ignore", "-c", TRIAL], tmp_path / "empty")
-    assert done.returncode == 0, done.stderr
-    made, F_SN, *jumps = done.stdout.split()
-    assert (made == "True") == (backend.SOLVER is not None)
+    for pieces, force in PADS.values():
+        done = run([programs / "python", "-W", "ignore", "-c", TRIAL.replace("PIECES", pieces)], tmp_path / "empty")
+        assert done.returncode == 0, done.stderr
+        made, A, F_SN, *jumps = done.stdout.split()
+        assert (made == "True") == (backend.SOLVER is not None)
+        folds = turns(force)
+        assert folds(float(F_SN) * 0.97) == []
+        assert len(jumps) == 2
+        np.testing.assert_allclose(folds(0.05), [float(one) for one in jumps], atol=2e-3)
+        # with smoothed friction a mass that sticks creeps at 1e-6
+        assert integrated(force, Omega=0.5, F_0=0.05) == pytest.approx(float(A), rel=1e-4)
 
-    # by brute force: A over Omega from (24) with the describing function by quadrature; more than one state or not
+
+def turns(force: Callable[[Any], Any]) -> Callable[[float], list[float]]:
+    """Of a forcing, where Omega along the amplitude turns: more than one state or not.
+
+    By brute force: A over Omega from (24) with the describing function by quadrature.
+    """
     t = (np.arange(2000) + 0.5) * math.pi / 4000
     A = np.linspace(2e-4, 0.7, 3500)
-    size = A[:, np.newaxis] * np.cos(t)
-    force = size + 2 * size**3 + 3 * np.maximum(size - 0.2, 0)
-    h = -4 / math.pi * np.sum(force * np.cos(t), axis=1) * (t[1] - t[0])
+    h = -4 / math.pi * np.sum(force(A[:, np.newaxis] * np.cos(t)) * np.cos(t), axis=1) * (t[1] - t[0])
 
     def folds(F_0: float) -> list[float]:
-        """Where Omega along the amplitude turns, by F = 0 solved for Omega at each."""
-        Omega = np.linspace(0.9, 2.5, 3201)[:, np.newaxis]
+        Omega = np.linspace(0.9, 3.5, 5201)[:, np.newaxis]
         above = np.hypot(A * Omega**2 + h, 2 * 0.02 * A * Omega + 4 * 0.005 / math.pi) > F_0
         crossings = np.count_nonzero(above[:, 1:] != above[:, :-1], axis=1)
         return [float(Omega[k, 0]) for k in np.flatnonzero(np.diff(crossings))]
 
-    assert folds(float(F_SN) * 0.97) == []
-    assert len(jumps) == 2
-    np.testing.assert_allclose(folds(0.05), [float(one) for one in jumps], atol=2e-3)
+    return folds
+
+
+def integrated(force: Callable[[Any], Any], Omega: float, F_0: float) -> float:
+    """The amplitude that the equation of motion settles to, by SciPy."""
+
+    def motion(tau: float, state: Any) -> tuple[float, float]:
+        u, v = state
+        friction = 0.005 * math.tanh(v / 1e-6)
+        return v, F_0 * math.cos(Omega * tau) - math.copysign(float(force(abs(u))), u) - 0.04 * v - friction
+
+    turn = 2 * math.pi / Omega
+    at = np.linspace(78 * turn, 80 * turn, 8001)
+    found = solve_ivp(motion, (0, 80 * turn), (0.0, 0.0), method="LSODA", rtol=1e-9, atol=1e-12, t_eval=at)
+    return float(np.abs(found.y[0]).max())
 
 
 def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> None:
