@@ -55,6 +55,9 @@ L_2, L_1, M_2, M_1 = sp.symbols("L_2 L_1 M_2 M_1", real=True)
 #: what resists along the balance, (c_1^2 - s_1^2)/c_1; h_A = 2 s_0/A - 2 resists
 resists = sp.Symbol("resists", real=True)
 L_k, M_k = sp.symbols("L_k M_k", real=True)
+#: of a step that the motion passes: what the force gains there, and side a/A; c_1 and s_1 of all others
+D_0, edge = sp.symbols("D_0 edge", real=True)
+C_1, S_1 = sp.symbols("C_1 S_1", real=True)
 
 _f = sp.Function("f")
 _DISPLACED = B + A * sp.cos(psi)
@@ -69,6 +72,8 @@ class OffCentre:
     fold     -- at a forcing, in A, B and t: f_0, F_A along the balance times c_1, and whether R and I belong to one
                 Omega; and their slopes by A, B and t in turn
     turns    -- the second of these over c_1, in s_0 and `resists`: it stays finite where the force jumps
+    past     -- `resists` where the motion passes a step at which the force gains D_0: root may be 0
+    beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
     """
 
     lets: tuple[Let, ...]
@@ -76,6 +81,8 @@ class OffCentre:
     state: tuple[sp.Expr, ...]
     fold: tuple[sp.Expr, ...]
     turns: sp.Expr
+    past: sp.Expr
+    beside: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -153,7 +160,36 @@ def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
     of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
     _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
     _vanishes(c[1] * turns.subs(of_means) - fold[1], "F_A along the balance")
-    return OffCentre(lets, chain, (*state[:4], *slopes), fold, turns)
+    return OffCentre(
+        lets, chain, (*state[:4], *slopes), fold, turns, _past(of_means[resists]), _beside(of_means[resists])
+    )
+
+
+def _past(of_means: sp.Expr) -> sp.Expr:
+    """`resists` by the root: the step's own share D_0 L_-1 of c_1, which has no bound, stands in no difference."""
+    L = 1 / (sp.pi * root)
+    whole = of_means.subs({c[1]: C_1 + D_0 * L, s[1]: S_1 + edge * D_0 * L})
+    # the square of the share by the root, that of cos psi where the step is passed
+    square = 1 - root**2 / A**2
+    found = (root * D_0**2 / (sp.pi * A**2) + 2 * D_0 * (C_1 - edge * S_1) + sp.pi * root * (C_1**2 - S_1**2)) / (
+        D_0 + sp.pi * root * C_1
+    )
+    _vanishes(
+        sp.expand(sp.cancel(whole - found) * (D_0 + sp.pi * root * C_1)).subs(edge**2, square), "resists past a step"
+    )
+    return found
+
+
+def _beside(of_means: sp.Expr) -> sp.Expr:
+    """`resists` where f_0 = B g(A, B^2) vanishes with g.
+
+    Then c_1 = 2 B^2 dg/dB^2 and s_1 = B dg/dA. As f_0 = int c_1 dB from 0, g is the mean of c_1 over the B between, its
+    slope by A that of s_2, and that by B^2 the mean of c_3 with weights whose sum is 1/6.
+    """
+    share, second = sp.symbols("share second", positive=True)
+    # c_1 of B is even: its slope c_2 at B share is the integral of c_3 from 0
+    weight = sp.integrate(share * sp.integrate(1, (second, 0, share)), (share, 0, 1)) / 2
+    return sp.expand(of_means.subs({c[1]: 2 * B**2 * weight * c[3], s[1]: B * s[2]}))
 
 
 def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:

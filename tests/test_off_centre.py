@@ -192,6 +192,49 @@ def test_folds_are_where_two_states_meet_and_no_others_are(loaded):
     assert np.array_equal(counts == 3, (folds.Omega[0] < grid) & (grid < folds.Omega[1]))
 
 
+@pytest.mark.parametrize(
+    ("oscillator", "F_0"),
+    [
+        # 26 mounts had two of this kind, where too many boxes stayed undecided: four folds, two of them on the corner
+        (Isolator(lam=3, r=0.60456, delta_h=0.03979625, mu=0.000363, zeta=0.03321, load=-0.01974078645), 0.03016),
+        (Isolator(lam=2, r=1.5, delta_h=0.2, mu=0.01, zeta=0.03, load=-0.1), 0.05),
+    ],
+)
+def test_at_each_fold_two_states_more_or_less_begin_however_near_to_a_jump_of_the_force(oscillator, F_0):
+    folds = oscillator.saddle_nodes(F_0)
+    assert len(folds) and not folds.message
+    edges = np.concatenate(([0.9 * folds.Omega[0]], folds.Omega, [1.1 * folds.Omega[-1]]))
+    between = 0.5 * (edges[1:] + edges[:-1])
+    states = oscillator.amplitudes(Omega=between, F_0=F_0)
+    counts = np.array([(states.Omega == Omega).sum() for Omega in between])
+    assert not states.message and (np.abs(np.diff(counts)) == 2).all()
+    # and elsewhere none: the counts are those of the folds
+    grid = np.linspace(0.5, 1.5, 31)
+    states = oscillator.amplitudes(Omega=grid, F_0=F_0)
+    expected = counts[np.searchsorted(folds.Omega, grid)]
+    assert [(states.Omega == Omega).sum() for Omega in grid] == expected.tolist()
+
+
+@pytest.mark.parametrize("F_0", [0.1, 0.15, 0.2, 0.5])
+def test_folds_in_two_wells_are_all_of_those_by_hand(F_0):
+    """Off the centre B^2 = (1 - 3 A^2)/2 and F = 0 is quadratic in Omega^2: folds are where its roots turn."""
+    zeta, A = 0.05, np.linspace(1e-4, np.sqrt(1 / 3), 200_001)
+    stiffness = -0.5 + 0.75 * A**2 + 1.5 * (1 - 3 * A**2)
+    half = stiffness - 2 * zeta**2
+    with np.errstate(invalid="ignore"):
+        spread = np.sqrt(half**2 - stiffness**2 + (F_0 / A) ** 2)
+    turns = []
+    for sign in (-1, 1):
+        root = half + sign * spread
+        rises = np.diff(root)
+        at = 1 + np.flatnonzero((rises[1:] * rises[:-1] < 0) & (root[1:-1] > 0))
+        turns += A[at].tolist()
+    off = Duffing(-0.5, 1.0, zeta=zeta).off_centre.saddle_nodes(F_0)
+    wells = off.B != 0
+    assert not off.message and sorted(off.A[wells & (off.B > 0)]) == pytest.approx(sorted(turns), abs=1e-5)
+    assert sorted(off.A[wells & (off.B < 0)]) == pytest.approx(sorted(turns), abs=1e-5)
+
+
 def by_hand(alpha, beta, zeta, load, F_0, window):
     """The response of a cubic spring: for each B the balance gives A, and F = 0 is quadratic in Omega^2.
 

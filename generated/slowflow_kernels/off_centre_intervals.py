@@ -12,8 +12,10 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
+    "beside",
     "down",
     "fold",
+    "past",
     "state",
     "turns",
 ]
@@ -101,6 +103,28 @@ def turns(t, A, F_0, m, resists, s_0):
     t0 = t.square()
     return (
         -4.0 * A * resists * t + F_0 * t0 + F_0 + m * t0 - m + 8.0 * s_0 * t
+    )
+
+
+def past(A, root, edge, D_0, C_1, S_1):
+    """(c_1^2 - s_1^2)/c_1 where the motion passes a step at which the force gains D_0, with C_1 and S_1 of all else; edge = a/A, of the other sign on the left.
+
+    Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0.
+    """
+    t0 = 3.1415926535897931 * root
+    return (
+        (2.0 * D_0 * (C_1 - S_1 * edge) + t0 * (C_1.square() - S_1.square()) + 0.31830988618379069 * D_0.square() *
+        root / (A.square())) / (C_1 * t0 + D_0)
+    )
+
+
+def beside(B, c_3, s_2):
+    """(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there.
+
+    Equation the mean of (3). Domain: c_3 other than 0.
+    """
+    return (
+        0.33333333333333331 * B.square() * c_3 - 3.0 * s_2.square() / c_3
     )
 
 

@@ -1589,6 +1589,12 @@ def off_fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     return [*three(*place), *slopes]
 
 
+def off_past(A, root, edge, D_0, C, S):
+    """The step's share L of c_1, and edge L of s_1, where edge^2 = 1 - (root/A)^2 in the squares."""
+    L = D_0 / (mp.pi * root)
+    return [(C**2 - S**2 + 2 * L * (C - edge * S) + (L * root / A) ** 2) / (C + L)]
+
+
 OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "averaged": ("A c_1 c_2 c_3 s_0 s_1 s_2 s_3", off_averaged),
     "state": ("Omega A F_0 m zeta load c_0 c_1 s_0 s_1", off_state),
@@ -1615,6 +1621,8 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
             ((k + 1) ** 2 * M_k + (2 * k + 1) * a * M_1 - 2 * A * L_1) / r**2,
         ],
     ),
+    "past": ("A root edge D_0 C_1 S_1", off_past),
+    "beside": ("B c_3 s_2", lambda B, c_3, s_2: [(lambda c, s: (c + s) * (c - s) / c)(B**2 * c_3 / 3, B * s_2)]),
 }
 
 
@@ -1950,6 +1958,11 @@ RANGES = {
         "load": (-0.1, 0.1),
         "t": (-0.9, 0.9),
         "resists": (-1.0, 1.0),
+        "B": (0.01, 0.5),
+        "D_0": (0.001, 0.1),
+        "edge": (-1.0, 1.0),
+        "C_1": (0.2, 1.5),
+        "S_1": (-0.5, 0.5),
         "a": (-0.9, 0.9),
         "angle": (0.1, 3.0),
         "k": (1, 5),

@@ -6,7 +6,30 @@ Out: `off_centre_module`.
 
 from __future__ import annotations
 
-from ...off_centre import L_1, L_2, M_1, M_2, I, L_k, M_k, R, a, angle, c, k, load, resists, root, s, t
+from ...off_centre import (
+    C_1,
+    D_0,
+    L_1,
+    L_2,
+    M_1,
+    M_2,
+    S_1,
+    B,
+    I,
+    L_k,
+    M_k,
+    R,
+    a,
+    angle,
+    c,
+    edge,
+    k,
+    load,
+    resists,
+    root,
+    s,
+    t,
+)
 from ...results import Results
 from ...slow_flow import m
 from ...symbols import F_0, A, Omega, h, zeta
@@ -63,6 +86,26 @@ def off_centre_module(results: Results) -> Module:
                 "The second of what vanishes at a fold over c_1; resists = (c_1^2 - s_1^2)/c_1.",
                 "(30)",
                 "A > 0, |t| <= 1",
+                **wanted,
+            ),
+            plain(
+                "past",
+                (A, root, edge, D_0, C_1, S_1),
+                of.past,
+                "(c_1^2 - s_1^2)/c_1 where the motion passes a step at which the force gains D_0, with C_1 and S_1 of "
+                "all else; edge = a/A, of the other sign on the left.",
+                "the mean of (3)",
+                "A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0",
+                **wanted,
+            ),
+            plain(
+                "beside",
+                (B, c[3], s[2]),
+                of.beside,
+                "(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of "
+                "some B between 0 and there.",
+                "the mean of (3)",
+                "c_3 other than 0",
                 **wanted,
             ),
             plain(

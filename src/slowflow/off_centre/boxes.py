@@ -27,8 +27,8 @@ AROUND = 0.125
 NARROW = 2.0**-42
 #: half the width below which a box is not made narrower
 THIN = 2.0**-43
-#: boxes that are looked at for one system: usual questions take hundreds, hard ones thousands; this many take two
-#: seconds. And for each of many, on the average
+#: boxes that are looked at for one system: usual questions take hundreds, hard ones some ten thousand; this many take
+#: some seconds. And for each of many, on the average
 MOST_BOXES, MOST_EACH = 100_000, 4_000
 
 
@@ -41,7 +41,10 @@ class Equations(Protocol):
     positive: bool
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
-        """Values (2, d, n) and slopes (2, d, d, n), lower and upper ends, on boxes x +- r of shape (d, n)."""
+        """Values (2, d, n) and slopes (2, d, d, n), lower and upper ends, on boxes x +- r of shape (d, n).
+
+        Further rows of values may follow, of what vanishes at a solution too.
+        """
         ...
 
     def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
@@ -86,7 +89,7 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
             np.concatenate((wide, np.zeros_like(wide)), axis=1),
             np.concatenate((of, of)),
         )
-        middle, values, slopes = values[..., of.size :], values[..., : of.size], slopes[..., : of.size]
+        middle, values, slopes = values[:, :d, of.size :], values[..., : of.size], slopes[..., : of.size]
         none = ((values[0] > 0) | (values[1] < 0)).any(axis=0)
         # by how much slopes can move the value in the middle
         reach = np.einsum("ijn,jn->in", np.max(np.abs(slopes), axis=0), wide) * (1 + 2.0**-48)

@@ -2,6 +2,7 @@
 
 State      f_0 = F = 0              in A and B, at frequencies and a forcing
 Fold       f_0 = c_1 F_A = F = 0    in A, B and t, at a forcing; Omega follows
+Touching   f_0 = F = 0              in A and t, at a forcing, of motions that just touch a jump of the force
 Resting    f_0 = 0                  in B, at A = 0
 Detaching  f_0 = 0                  in A, where the motion comes to an end of the first piece
 """
@@ -15,7 +16,7 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
-from slowflow.off_centre.means import Steps
+from slowflow.off_centre.means import ALL, Means, Steps
 from slowflow_kernels import off_centre, off_centre_intervals
 
 
@@ -113,12 +114,16 @@ class Detaching:
 
 
 class Fold:
-    """At forcings (k,); system i is that of forcing i."""
+    """At forcings (k,); system i is that of forcing i. What is just at a jump of the force is left to `Touching`.
+
+    centred -- whether motions about the centre, which have solvers of their own, are left out: of an odd force without
+               a load. Where those lose their stability others begin, and all three equations vanish
+    """
 
     positive = True
 
-    def __init__(self, steps: Steps, m: float, zeta: float, F_0: Floats) -> None:
-        self.steps, self.m, self.zeta, self.F_0 = steps, m, zeta, F_0
+    def __init__(self, steps: Steps, m: float, zeta: float, F_0: Floats, *, centred: bool) -> None:
+        self.steps, self.m, self.zeta, self.F_0, self.centred = steps, m, zeta, F_0, centred
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `boxes.Equations`."""
@@ -127,13 +132,66 @@ class Fold:
         F_0 = Interval(np.array((self.F_0[of],) * 2))
         m, zeta, load = (Interval.point(value) for value in (self.m, self.zeta, self.steps.load))
         values, slopes = _ends(off_centre_intervals.fold(t, A, F_0, m, zeta, load, *means.c, *means.s), 3, of.size)
-        # where c_1 has no bound its multiple is not known, but there need be no zero
-        turns = off_centre_intervals.turns(t, A, F_0, m, self.steps.resists(A, B, means), means.s[0])
-        values[:, 1] = np.where(turns.has_sign & ~np.isfinite(values[:, 1]).all(axis=0), turns.ends, values[:, 1])
-        return values, slopes
+        resists: tuple[Interval, ...] = self.steps.resists(A, B, means)
+        none = np.zeros(of.size, dtype=bool)
+        if self.centred:
+            beside, none = self._beside_centre(A, B, means)
+            resists = tuple(one.both(beside) for one in resists)
+        turns = [
+            off_centre_intervals.turns(t, A, F_0, m, one, means.s[0]).ends.reshape(2, -1) + np.zeros((2, of.size))
+            for one in resists
+        ]
+        none |= np.logical_and.reduce([(one[0] > 0) | (one[1] < 0) for one in turns])
+        last = np.where(none, 1.0, ALL)
+        return np.concatenate((values, last[:, np.newaxis]), axis=1), slopes
+
+    def _beside_centre(self, A: Interval, B: Interval, means: Means) -> tuple[Interval, Any]:
+        """What `resists` is off the centre on boxes that touch it, and which of these hold no motion off it.
+
+        Where f_0/B vanishes, c_1 between 0 and B has no sign.
+        """
+        ends = np.full((2, A.lo.size), ALL)
+        touches = (B.lo <= 0) & (B.hi >= 0)
+        some = np.flatnonzero(touches & ~means.c[1].has_sign)
+        if some.size:
+            A_, B_ = A.take(some), B.take(some)
+            near = self.steps.on(A_, B_, 3)
+            beside = off_centre_intervals.beside(B_, near.c[3], near.s[2])
+            ends[:, some] = np.where(near.c[3].has_sign, beside.ends, ends[:, some])
+        return Interval(ends), touches & means.c[1].has_sign
 
     def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `boxes.Equations`."""
         means = self.steps.at(x[0], x[1], 2)
         given = (self.F_0[of], self.m, self.zeta, self.steps.load)
         return _numbers(off_centre.fold(x[2], x[0], *given, *means.c, *means.s), 3, of.size)
+
+
+class Touching:
+    """At one forcing, of motions that come to one step and no farther: in A and t, B follows."""
+
+    positive = True
+
+    def __init__(self, steps: Steps, step: int, m: float, zeta: float, F_0: float) -> None:
+        self.steps, self.m, self.zeta, self.F_0 = steps.touching(step), m, zeta, F_0
+        self.place, self.side = float(steps.places[step]), float(steps.sides[step])
+
+    def offset(self, A: Any) -> Any:
+        """B there."""
+        return (self.place - A) * self.side
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        A, t = _interval(x[0], r[0]), _interval(x[1], r[1])
+        means = self.steps.on(A, self.offset(A), 2)
+        given = (Interval.point(value) for value in (self.F_0, self.m, self.zeta, self.steps.load))
+        values, slopes = _ends(off_centre_intervals.fold(t, A, *given, *means.c, *means.s), 3, of.size)
+        by_A = [(Interval(slopes[:, i, 0]) - Interval(slopes[:, i, 1]) * self.side).ends for i in (0, 2)]
+        return values[:, ::2], np.stack((np.stack(by_A, axis=1), slopes[:, ::2, 2]), axis=2)
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        means = self.steps.at(x[0], self.offset(x[0]), 2)
+        given = (self.F_0, self.m, self.zeta, self.steps.load)
+        values, slopes = _numbers(off_centre.fold(x[1], x[0], *given, *means.c, *means.s), 3, of.size)
+        return values[::2], np.stack((slopes[::2, 0] - self.side * slopes[::2, 1], slopes[::2, 2]), axis=1)

@@ -10,6 +10,7 @@ hold them on all of it, as tightly as can be.
 
 from __future__ import annotations
 
+import copy
 import math
 from dataclasses import dataclass
 from typing import Any
@@ -25,6 +26,8 @@ from slowflow_kernels import off_centre, off_centre_intervals
 ORDERS = 3
 #: by how much recursion and angle may err, over (A + |a|)^k/k!: some ten times what is seen against 50 digits
 DOUBT = 2.0**-48
+#: of an interval that holds all numbers
+ALL = np.array([[-np.inf], [np.inf]])
 #: places at which a piece is looked at to bound it
 GRID = 64
 
@@ -151,6 +154,19 @@ class Steps:
         odd = self._last - self._even
         return float(total - sum(odd[k] * at ** (k - n) / math.factorial(k - n) for k in range(n, odd.size)))
 
+    @property
+    def jumps(self) -> list[int]:
+        """The steps at which the force itself jumps."""
+        return [int(step) for step in 1 + np.flatnonzero(self.gains[1:, 0])]
+
+    def touching(self, step: int) -> Steps:
+        """The same for motions that just touch that step, which they have nothing of."""
+        other = copy.copy(self)
+        other.gains = self.gains.copy()
+        other.gains[step] = 0.0
+        other._of_c, other._of_s = other._weights()
+        return other
+
     def at(self, A: Floats, B: Floats, orders: int) -> Means:
         """At numbers A > 0 and B of one shape (n,)."""
         L, M = self._ladders(A, B)
@@ -184,35 +200,34 @@ class Steps:
         s = (self._held(self._of_s[k], ends[1]).both(self._roughly(A, B, k, ends[1], 1)) for k in range(orders + 1))
         return Means(tuple(c), tuple(s), ends)
 
-    def resists(self, A: Interval, B: Interval, means: Means) -> Interval:
+    def resists(self, A: Interval, B: Interval, means: Means) -> tuple[Interval, Interval]:
         """(c_1^2 - s_1^2)/c_1 on the boxes of `on`, which stays finite where a motion comes to a jump of the force.
 
-        Beyond a jump c_1 = C + l and s_1 = S + x l with l = D_0/(pi sqrt(A^2 - a^2)), x = a/A, and this lies between
-        C - S^2/C and what it tends to for a large l, 2 (C - x S) + D_0 M_0/A, as long as C and D_0 are positive.
+        Twice: where a box has motions that do not reach one jump and others that do, the one and the other; there are
+        none between, but for those that just touch it.
         """
-        C, S = means.c[1], means.s[1]
-        found = C - S.square() / C
-        known = C.lo > 0
-        ends = np.where(known, found.ends, np.array([[-np.inf], [np.inf]]))
+        ends = _along(means.c[1], means.s[1]).ends
+        short, past = ends.copy(), ends.copy()
         for step in range(1, self.places.size):
-            gain, below_zero = self.gains[step, 0], means.ladders[0, :, step, ORDERS - 1]
-            jumps = (below_zero[1] > 0) & (gain > 0)
-            if not jumps.any():
+            below_zero = means.ladders[0, :, step, ORDERS - 1]
+            some = np.flatnonzero((below_zero[1] > 0) & (self.gains[step, 0] != 0))
+            if not some.size:
                 continue
-            some = np.flatnonzero(jumps)
             rest = means.ladders[..., some].copy()
             rest[:, :, step, :ORDERS] = 0.0
-            A_, B_ = A.take(some), B.take(some)
             C, S = (self._held(of[1], one) for of, one in ((self._of_c, rest[0]), (self._of_s, rest[1])))
-            x = (self.places[step] - B_ * self.sides[step]) / A_ * self.sides[step]
-            x = Interval(np.clip(x.ends, -1.0, 1.0))
-            M_0 = Interval(rest[1, :, step, ORDERS])
-            above = 2 * (C - x * S) + M_0 * gain / A_
-            below = C - S.square() / C
-            both = np.array((np.fmin(below.lo, above.lo), np.fmax(below.hi, above.hi)))
-            both = np.where(C.lo > 0, both, np.array([[-np.inf], [np.inf]]))
-            ends[:, some] = np.fmax(ends[0, some], both[0]), np.fmin(ends[1, some], both[1])
-        return Interval(ends)
+            side, A_ = self.sides[step], A.take(some)
+            a = self.places[step] - B.take(some) * side
+            root = Interval(np.sqrt(np.maximum(((A_ - a) * (A_ + a)).ends, 0.0)) * (1 + np.array([[-DOUBT], [DOUBT]])))
+            x = Interval(np.clip((a / A_ * side).ends, -1.0, 1.0))
+            D_0 = Interval.point(self.gains[step, 0])
+            beyond = off_centre_intervals.past(A_, root, x, D_0, C, S)
+            known = (D_0 + root * C * np.pi).has_sign
+            within = np.where(known & np.isfinite(beyond.ends).all(axis=0), beyond.ends, ALL)
+            passes = below_zero[0, some] > 0
+            for found, held in ((short, np.where(passes, within, _along(C, S).ends)), (past, within)):
+                found[:, some] = np.fmax(found[0, some], held[0]), np.fmin(found[1, some], held[1])
+        return Interval(short), Interval(past)
 
     def _roughly(self, A: Interval, B: Interval, n: int, ends: Floats, family: int) -> Interval:
         """c_n or s_n by the base alone, and what the force has beside it as something bounded.
@@ -220,7 +235,7 @@ class Steps:
         The steps of a motion that is large beside the breakpoints cancel, and with them what is known of their sum.
         """
         if self.places.size == 1 or not self.odd:
-            return Interval(np.full((2, A.lo.size), np.array([[-np.inf], [np.inf]])))
+            return Interval(np.full((2, A.lo.size), ALL))
         jumps = (self._of_c, self._of_s)[family][n].copy()
         jumps[:, ORDERS:] = 0.0
         base = self._held(self._base[n], ends[:, 0])
@@ -328,6 +343,11 @@ class Steps:
     def _needs_below_zero(self) -> bool:
         """Whether the force or a derivative that is asked for jumps at a breakpoint."""
         return bool(np.any(self.gains[1:, :ORDERS]))
+
+
+def _along(C: Interval, S: Interval) -> Interval:
+    """C - S^2/C; all numbers where C has no sign."""
+    return Interval(np.where(C.has_sign, (C - S.square() / C).ends, ALL))
 
 
 def _hull_of_inverse(root: Interval) -> Floats:

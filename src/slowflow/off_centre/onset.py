@@ -267,7 +267,9 @@ class Search:
             sharper = sharper + slope * Interval(np.stack((-r, r)))
         # what is not known is NaN there
         p = Interval(np.stack((np.fmax(p.lo, sharper.lo), np.fmin(p.hi, sharper.hi))))
-        e = (self.steps.resists(A, B, means) - p) * 2.0
+        short, past = self.steps.resists(A, B, means)
+        # on a corner F_A passes all between
+        e = (Interval(np.stack((np.minimum(short.lo, past.lo), np.maximum(short.hi, past.hi)))) - p) * 2.0
         away |= ~(self._may(A, p, e.hi, below, 1.0) | self._may(A, p, -e.lo, below, -1.0))
         return np.stack((low[0], B_low))[:, ~away], np.stack((high[0], B_high))[:, ~away]
 

@@ -30,7 +30,7 @@ from slowflow.off_centre.answers import (
 )
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.curve import Curves, Slow, curves
-from slowflow.off_centre.equations import Detaching, Fold, Resting, State
+from slowflow.off_centre.equations import Detaching, Fold, Resting, State, Touching
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.results import SaddleNodes, joined
@@ -42,8 +42,6 @@ BELOW, ABOVE = 4, 8
 PARTS = 8
 #: frequencies that are looked at together
 TOGETHER = 64
-#: how near, relatively, a fold is to a breakpoint that cannot be told from it
-AT_CORNER = 1e-6
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
 
@@ -314,10 +312,11 @@ class OffCentre:
         if centred is not None and self._keeps_centre:
             return self._folds_with(centred, None, F_0, centred.message)
         found = self._all_folds(np.array([F_0]))
-        corners, open_ = self._corners(found.undecided, F_0)
-        x = np.concatenate((found.x, corners), axis=1)
+        corners, undecided = self._corners(F_0)
+        x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         corner = np.arange(x.shape[1]) >= found.x.shape[1]
-        message = "" if x.size or open_.size else NO_FOLD.format(F_0)
+        some = x.size or open_.size or (centred is not None and len(centred))
+        message = "" if some else NO_FOLD.format(F_0)
         if open_.size:
             message = joined(message, UNDECIDED_FOLDS.format(_listed(np.unique(np.round(open_[0], 12)))))
         if centred is None:
@@ -394,28 +393,36 @@ class OffCentre:
         of: list[int] = []
         for i, forcing in enumerate(F_0.tolist()):
             plane_low, plane_high = self._plane(forcing)
-            # I >= m: beyond it the phase belongs to no Omega
-            most = math.sqrt((forcing - self._m) / (forcing + self._m)) * (1 + 2.0**-40)
-            phases = np.linspace(-most, most, 5)
+            phases = self._phases(forcing)
             for a, b in zip(plane_low.T, plane_high.T, strict=True):
                 low += [(*a, t) for t in phases[:-1]]
                 high += [(*b, t) for t in phases[1:]]
             of += [i] * (len(low) - len(of))
-        equations = Fold(self._steps, self._m, self._zeta, F_0)
+        equations = Fold(self._steps, self._m, self._zeta, F_0, centred=self._has_centre)
         return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
 
-    def _corners(self, undecided: Floats, F_0: float) -> tuple[Floats, Floats]:
-        """Of what is undecided the folds that sit on a breakpoint where the force jumps, each once; and the rest."""
-        corners: list[Floats] = []
-        open_: list[Floats] = []
-        for x in undecided.T:
-            A, B, t = x
-            edges = np.abs(np.abs(self._steps.sides[1:] * self._steps.places[1:] - B) - A)
-            near = edges <= AT_CORNER * A
-            if not (near.any() and self._turns_at_corner(A, B, t, F_0, 1 + int(np.argmin(edges)))):
-                open_.append(x)
-            elif not any(np.abs(x - other).max() <= AT_CORNER for other in corners):
-                corners.append(x)
+    def _phases(self, F_0: float) -> Floats:
+        """Ends of parts of all t."""
+        # I >= m: beyond it the phase belongs to no Omega
+        most = math.sqrt((F_0 - self._m) / (F_0 + self._m)) * (1 + 2.0**-40)
+        return np.linspace(-most, most, 5)
+
+    def _corners(self, F_0: float) -> tuple[Floats, Floats]:
+        """The folds that sit where a motion just touches a jump of the force, and where there may be others."""
+        corners: list[tuple[float, ...]] = []
+        open_: list[tuple[float, ...]] = []
+        edges = np.concatenate(([0.0], self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)))
+        boxes = [(*A, *t) for A in pairwise(edges.tolist()) for t in pairwise(self._phases(F_0).tolist())]
+        low, high = np.array(boxes).T.reshape(2, 2, -1).swapaxes(0, 1)
+        for step in self._steps.jumps:
+            equations = Touching(self._steps, step, self._m, self._zeta, F_0)
+            found = solve(equations, low, high, np.zeros(low.shape[1], dtype=np.intp))
+            for points, kept in ((found.x, corners), (found.undecided, open_)):
+                for A, t in points.T.tolist():
+                    B = equations.offset(A)
+                    centred = self._has_centre and abs(B) <= AT_CENTRE
+                    if not centred and (kept is open_ or self._turns_at_corner(A, B, t, F_0, step)):
+                        kept.append((A, B, t))
         return np.array(corners).reshape(-1, 3).T, np.array(open_).reshape(-1, 3).T
 
     def _turns_at_corner(self, A: float, B: float, t: float, F_0: float, step: int) -> bool:
