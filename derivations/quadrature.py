@@ -199,25 +199,31 @@ def rule() -> tuple[tuple[sp.Rational, sp.Rational], ...]:
     return gauss(NODES // 2)
 
 
-class _Sech2(sp.Function):
-    """1/cosh^2, in which the derivatives of tanh have no difference 1 - tanh^2."""
+class _Tanh(sp.Function):
+    """tanh, whose derivatives have no difference 1 - tanh^2."""
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
-        return -2 * sp.tanh(self.args[0]) * self
+        return _Sech2(self.args[0])
+
+
+class _Sech2(sp.Function):
+    """1/cosh^2"""
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return -2 * _Tanh(self.args[0]) * self
 
 
 def derivatives(piece: sp.Expr, count: int) -> list[sp.Expr]:
     """A piece and its derivatives, in forms in which little cancels."""
-    found, current = [piece], piece
+    current = piece.replace(sp.tanh, _Tanh)
+    found = [current]
     for _ in range(count):
         current = sp.powsimp(sp.diff(current, v))
-        for argument in sorted({one.args[0] for one in current.atoms(sp.tanh)}, key=str):
-            current = current.subs(1 - sp.tanh(argument) ** 2, _Sech2(argument))
         if any(power.exp.is_Rational and not power.exp.is_Integer for power in current.atoms(sp.Pow)):
             # v^2/r^3 - 1/r of a root r
             current = min(current, sp.factor(current), key=sp.count_ops)
         found.append(current)
-    return [one.replace(_Sech2, lambda argument: sp.cosh(argument) ** -2) for one in found]
+    return [one.replace(_Tanh, sp.tanh).replace(_Sech2, lambda argument: sp.cosh(argument) ** -2) for one in found]
 
 
 def lost_at(difference: sp.Expr, end: sp.Expr, order: int) -> sp.Expr:

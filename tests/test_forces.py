@@ -413,3 +413,17 @@ def test_the_compiled_solvers_know_what_a_preload_does_to_the_onset(preloaded):
         assert "every F_0 > 4 mu/pi = 0 has a fold" in made(c=0.0077, k=1.883).saddle_node_onset().message
     with pytest.raises(ArithmeticError, match="with a preload, and without viscous damping"):
         preloaded(c=0.05, k=1.0).saddle_node_onset()
+
+
+def test_where_a_hyperbolic_tangent_saturates_nothing_cancels(folder):
+    """1 - tanh^2 in its derivatives is 1/cosh^2: as a difference it kept sums from settling at all at A = 3."""
+    pad = derive.mechanism("saturates", [(c * u + k * sp.tanh(3 * u), None)], {"k": {}, "c": ABOVE_0})
+    found = pad(k=0.99, c=1.41).model.averaged(3.0)
+    with mp.workdps(30):
+        force = lambda x: mp.mpf(1.41) * x + mp.mpf(0.99) * mp.tanh(3 * x)  # noqa: E731
+        for order, value in enumerate(found):
+            exact = mp.quad(
+                lambda t, n=order: mp.diff(force, 3 * mp.sin(t), n) * mp.sin(t) ** (n + 1),
+                [0, 0.05, 0.1, 0.2, 0.4, 0.8, mp.pi / 2],
+            )
+            assert float(value) == pytest.approx(float(-4 / mp.pi * exact), rel=1e-13)
