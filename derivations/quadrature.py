@@ -106,7 +106,7 @@ class Quadrature:
 
     def integrands(self, piece: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
         """Under the integral, at u = A s: of h and its derivatives, of h - A h_A, of the harmonics."""
-        slopes = derivatives(piece, ORDERS)
+        slopes = [without_constants(piece), *derivatives(piece, ORDERS)[1:]]
         averaged, *further = (
             tuple(value * s**order * chebyshev(n, s) for order, value in enumerate(slopes)) for n in (1, *HARMONICS)
         )
@@ -165,8 +165,8 @@ class Quadrature:
         if singular_at(piece, sp.Integer(0)):
             scaled = sp.powsimp(sp.expand(fourth * v**order))
             powers = sorted((power for power in scaled.atoms(sp.Pow) if power.base == v), key=str)
-            return nested(piece) * s, sp.collect(scaled, powers, sp.factor) * s / A**order
-        return nested(piece) * s, nested(fourth) * s ** (order + 1)
+            return nested(without_constants(piece)) * s, sp.collect(scaled, powers, sp.factor) * s / A**order
+        return nested(without_constants(piece)) * s, nested(fourth) * s ** (order + 1)
 
     def bends(self, count: int) -> tuple[sp.Expr, sp.Expr]:
         """h and h_AAAA in their integrals where A exceeds `count` breakpoints.
@@ -224,6 +224,43 @@ def derivatives(piece: sp.Expr, count: int) -> list[sp.Expr]:
             current = min(current, sp.factor(current), key=sp.count_ops)
         found.append(current)
     return [one.replace(_Tanh, sp.tanh).replace(_Sech2, lambda argument: sp.cosh(argument) ** -2) for one in found]
+
+
+def without_constants(piece: sp.Expr) -> sp.Expr:
+    """A piece in a form that keeps its digits where it begins at 0: exp(v) - 1, for one, as 2 exp(v/2) sinh(v/2).
+
+    Where a sum is 0 there whose terms are not, these are rewritten: exponentials, hyperbolic and circular cosines,
+    logarithms and roots.
+    """
+
+    def vanishes(part: sp.Expr) -> bool:
+        return bool(sp.simplify(part.subs(v, 0)) == 0)
+
+    def opened(part: sp.Expr) -> sp.Expr:
+        start = part.args[0].subs(v, 0)
+        w = part.args[0] - start
+        if isinstance(part, sp.exp):
+            return sp.exp(start) * (1 + 2 * sp.exp(w / 2) * sp.sinh(w / 2))
+        if isinstance(part, sp.log) and start.is_positive:
+            return sp.log(start) + 2 * sp.atanh(w / (2 * start + w))
+        if isinstance(part, (sp.cosh, sp.cos)) and start == 0:
+            half = sp.sinh(w / 2) ** 2 if isinstance(part, sp.cosh) else -(sp.sin(w / 2) ** 2)
+            return 1 + 2 * half
+        if isinstance(part, sp.Pow) and part.exp == sp.Rational(1, 2) and start.is_positive:
+            return sp.sqrt(start) + w / (part + sp.sqrt(start))
+        return part
+
+    def summed(*terms: sp.Expr) -> sp.Expr:
+        whole = sp.Add(*terms)
+        if not vanishes(whole) or all(map(vanishes, terms)):
+            return whole
+        kinds = (sp.exp, sp.log, sp.cosh, sp.cos, sp.Pow)
+        apart = sp.Add(*(sp.expand_mul(term.replace(lambda one: isinstance(one, kinds), opened)) for term in terms))
+        constant, rest = apart.as_independent(v, as_Add=True)
+        return rest if sp.simplify(constant) == 0 and not rest.has(sp.zoo, sp.nan) else whole
+
+    found = piece.replace(sp.Add, summed)
+    return found.replace(lambda one: isinstance(one, sp.log) and one.args[0].subs(v, 0) == 1, opened)
 
 
 def lost_at(difference: sp.Expr, end: sp.Expr, order: int) -> sp.Expr:

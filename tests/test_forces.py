@@ -369,7 +369,8 @@ def test_within_a_play_no_mean_is_singled_out_and_that_is_said(folder):
     assert swept.A == pytest.approx([A, F_0 / (0.7 * np.hypot(0.7, 2 * zeta))], rel=1e-7)
 
 
-@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("compiled", [False, True])
 def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(folder, compiled):
     """The second stop inside the first, both at one place, and a gap below 0: no piece lies there."""
     if compiled and backend.SOLVER is None:
@@ -427,3 +428,38 @@ def test_where_a_hyperbolic_tangent_saturates_nothing_cancels(folder):
                 [0, 0.05, 0.1, 0.2, 0.4, 0.8, mp.pi / 2],
             )
             assert float(value) == pytest.approx(float(-4 / mp.pi * exact), rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("force", "value"),
+    [
+        (sp.exp(u) - 1, mp.expm1),
+        (sp.log(1 + u), mp.log1p),
+        (sp.sqrt(1 + u) - 1, lambda x: mp.sqrt(1 + x) - 1),
+        (sp.cosh(u) - 1, lambda x: mp.cosh(x) - 1),
+    ],
+    ids=str,
+)
+def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(folder, force, value):
+    """exp(u) - 1 for u > 0, and the like: as a difference no sum settled next to rest, and no question was answered."""
+    made = derive.mechanism("cancels", [(k * force, None)], {"k": ABOVE_0}, reach=5, reach_reason="it is no longer")
+    one = made(k=1.0, mu=0.01, zeta=0.05)
+    with mp.workdps(40):
+        for A in (2.0**-40, 2.0**-10, 0.7):
+            h = -4 / mp.pi * mp.quad(lambda t, A=A: value(A * mp.sin(t)) * mp.sin(t), [0, mp.pi / 2])
+            assert float(one.model.averaged(A)[0]) == pytest.approx(float(h), rel=1e-14)
+    assert len(one.amplitudes(Omega=0.9, F_0=0.05)) == 1
+
+
+@pytest.mark.parametrize("force", [sp.sin(u), sp.tan(u)], ids=str)
+def test_a_force_that_does_not_hold_motions_of_any_size_asks_for_its_reach(folder, force):
+    stated = "endless", [(k * force, None)], {"k": ABOVE_0}
+    with pytest.raises(OverflowError, match=r"does not hold motions of any size.*`reach`, a number > 0"):
+        derive.mechanism(*stated)(k=1.0, zeta=0.05).saddle_nodes(0.05)
+    assert derive.mechanism(*stated, reach=1.5)(k=1.0, zeta=0.05).saddle_node_onset().kind == "cusp"
+
+
+def test_nothing_is_asked_beyond_the_reach(folder):
+    """u/(1 - u), infinite at 1: whether it is linear was asked there."""
+    made = derive.mechanism("pole", [(k * u / (1 - u), None)], {"k": ABOVE_0}, reach=0.95)
+    assert made(k=1.0, mu=0.01, zeta=0.05).saddle_node_onset().kind == "cusp"

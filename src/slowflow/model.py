@@ -222,7 +222,7 @@ class Model:
         """Whether the averaged force is proportional to the amplitude."""
         if self.breakpoints or self.preload != 0:
             return False
-        return bool(self.averaged(1.0)[2] == 0)
+        return bool(self.averaged(min(1.0, 0.5 * self.reach))[2] == 0)
 
     @cached_property
     def preload(self) -> float:

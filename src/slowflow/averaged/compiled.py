@@ -36,7 +36,7 @@ def _check(status: int, model: Model, F_0: float | None = None) -> None:
     if status == Status.NO_MEMORY:
         raise MemoryError
     if status == Status.NO_BOUND:
-        raise OverflowError("no amplitude bounds the response" + ("" if F_0 is None else f" at F_0 = {F_0:.17g}"))
+        raise OverflowError(words.unbounded(model, F_0))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):
         raise ArithmeticError("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
 

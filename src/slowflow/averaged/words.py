@@ -68,6 +68,18 @@ def _or_not_known(model: Model) -> str:
     return ", or the average does not settle at some amplitude" if model.mechanism.enclosed is not None else ""
 
 
+def unbounded(model: Model, F_0: float | None) -> str:
+    """That no amplitude was found that bounds the response, and what helps a force that is not known far away."""
+    said = "no amplitude bounds the response" + ("" if F_0 is None else f" at F_0 = {F_0:.17g}")
+    if model.mechanism.enclosed is None or math.isfinite(model.reach):
+        return said
+    return (
+        f"{said}: the force of {model.mechanism.name} does not hold motions of any size, or is beyond the range of "
+        "doubles there; its `reach`, a number > 0, the largest |u| that makes sense, ends the search: "
+        "mechanism(..., reach=...)"
+    )
+
+
 def unresolved_onset(model: Model) -> str:
     """That rounding may decide where folds are born, and next to which amplitudes."""
     if model.zeta == 0 and model.preload > 0:

@@ -50,7 +50,7 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
         found = dissipated.bound(model, F_0, rungs)
         if found < np.inf:
             return found, ""
-        raise OverflowError(f"no amplitude bounds the response at F_0 = {F_0:.17g}")
+        raise OverflowError(words.unbounded(model, F_0))
     if model.inertial:
         closed = inertia.bound(model, F_0, rungs)
         return (closed, "") if closed is not None else words.does_not_close(inertia.cut(model, F_0, rungs))
@@ -67,7 +67,7 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
         rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
         bounds = rises & (np.abs(at.h) > most)
     if not bounds.any():
-        raise OverflowError(f"no amplitude bounds the response at F_0 = {F_0:.17g}")
+        raise OverflowError(words.unbounded(model, F_0))
     return float(rungs[np.argmax(bounds)]), ""
 
 
