@@ -231,9 +231,9 @@ def test_exact_motions_are_those_of_an_independent_integration_and_near_the_aver
         assert state.A > osc.breakpoints[0]
 
 
-#: of a batch: arrays of what laws there are; the last has none, the one before is no design
-MANY = {"lam": 3.0, "r": [2.0, 0.5, 2.0, 2.0], "delta_h": [0.08, 0.02, 0.08, 0.08], "mu": 0.02}
-MANY |= {"zeta": [0.04, 0.03, 0.0, 0.04], "eta": [0.01, 0.0, -1.0, 0.0], "c_2": [0.1, 0.0, 0.2, 0.0]}
+#: of a batch: arrays of what laws there are; the second has none, the last is no design
+MANY = {"lam": 3.0, "r": [2.0, 0.5, 2.0], "delta_h": [0.08, 0.02, 0.08], "mu": 0.02}
+MANY |= {"zeta": [0.04, 0.03, 0.0], "eta": [0.01, 0.0, -1.0], "c_2": [0.1, 0.0, 0.2]}
 
 
 @pytest.mark.parametrize(
@@ -254,7 +254,7 @@ def test_a_batch_has_the_digits_of_single_answers_and_their_remarks(more):
         "isolation": (designs.isolation(F_0), {"F_0": F_0}, ("Omega", "A")),
     }
     bands = designs.hysteresis(F_0)
-    for k in (0, 1, 3):
+    for k in (0, 1):
         values = {name: value[k] if isinstance(value, list) else value for name, value in MANY.items()}
         one = Isolator(**values, **more)
         for question, (many, asked, names) in batch.items():
@@ -270,7 +270,7 @@ def test_a_batch_has_the_digits_of_single_answers_and_their_remarks(more):
         assert bands.count[k] == len(one.hysteresis(F_0))
     for many, *_ in batch.values():
         assert many.status[2] == Status.INVALID
-    assert designs.margins(F_0).status.tolist() == [0, 0, 1, 0]
+    assert designs.margins(F_0).status.tolist() == [0, 0, 1]
 
 
 def test_laws_are_columns_of_a_batch_and_of_a_map():
@@ -325,13 +325,12 @@ LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attache
     ("osc", "questions"),
     [
         (LOOSE.replace(eta=0.001, c_2=0.02), ("detachment",)),
-        pytest.param(LOOSE.replace(eta=0.001, c_2=0.02), ("states", "peak"), marks=pytest.mark.slow),
         # folds on the corner that friction makes, where it ends; an isola's birth
-        pytest.param(LOOSE.replace(eta=0.0005, c_2=0.001), ("folds", "onset", "peak"), marks=pytest.mark.slow),
-        pytest.param(RUBBING.replace(force="truncated", mu=0.02), ("folds", "onset", "states"), marks=pytest.mark.slow),
+        pytest.param(LOOSE.replace(eta=0.0005, c_2=0.001), ("folds", "onset"), marks=pytest.mark.slow),
+        pytest.param(RUBBING.replace(force="truncated", mu=0.02), ("folds", "states"), marks=pytest.mark.slow),
         pytest.param(
             Duffing(1.0, 2.0, 0.003, 0.01, eta=0.01, c_2=0.05),
-            ("states", "folds", "onset", "peak"),
+            ("states", "peak"),
             marks=pytest.mark.slow,
         ),
     ],
