@@ -294,7 +294,8 @@ def average(
     """(20)-(22), (31): the average of a piecewise force where A exceeds `count` breakpoints, and its derivatives.
 
     The first `far` of these it exceeds `FAR` times: there the moments are the series'. `jumps` are names for what the
-    force loses at the breakpoints, where these stand for numbers of their own; `orders`, how many derivatives are wanted.
+    force loses at the breakpoints, where these stand for numbers of their own; `orders` is how many derivatives are
+    wanted.
     """
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
