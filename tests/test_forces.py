@@ -463,3 +463,9 @@ def test_nothing_is_asked_beyond_the_reach(folder):
     """u/(1 - u), infinite at 1: whether it is linear was asked there."""
     made = derive.mechanism("pole", [(k * u / (1 - u), None)], {"k": ABOVE_0}, reach=0.95)
     assert made(k=1.0, mu=0.01, zeta=0.05).saddle_node_onset().kind == "cusp"
+
+
+def test_motions_of_a_force_with_no_finite_stiffness_at_rest_are_refused(folder):
+    root = derive.mechanism("root", [(k * sp.sqrt(u), None)], {"k": ABOVE_0})(k=1.0, zeta=0.05)
+    with pytest.raises(ValueError, match="its stiffness is infinite at u = 0"):
+        root.steady_state(Omega=0.6, F_0=0.05)

@@ -433,6 +433,13 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     assert len(sticks) == 0 and "sticks" in sticks.message
 
 
+def test_what_lies_beyond_the_reach_is_said_off_the_centre_too(loaded):
+    heavy = loaded.replace(load=0.9)
+    for found in (heavy.amplitudes(Omega=1.0, F_0=0.05), loaded.replace(load=1.2).rest()):
+        assert "above 1 are not reached: the push-rod stands vertical" in found.message
+    assert loaded.rest().message == heavy.rest().message == loaded.amplitudes(Omega=1.0, F_0=0.05).message == ""
+
+
 def test_a_load_is_part_of_what_an_oscillator_is(loaded):
     assert pickle.loads(pickle.dumps(loaded)) == loaded != loaded.replace(load=0.02)
     assert repr(loaded).endswith("load=0.03)") and "load" not in repr(loaded.replace(load=0.0))

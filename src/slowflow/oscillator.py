@@ -6,9 +6,12 @@ The averaged questions come from `Averaged`; the second approximation and the ex
 from __future__ import annotations
 
 import dataclasses
+import math
 import warnings
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
 
 from slowflow import validate
 from slowflow.averaged import many
@@ -285,12 +288,19 @@ class Oscillator(Averaged):
         """Equation (3) without its forcing, the force as in `restoring_force`.
 
         Structural damping is (eta/Omega) u' at the frequency of the motion, and so needs that. Raises ValueError as
-        `restoring_force`, for a force that jumps at u = 0, and for eta > 0 without Omega.
+        `restoring_force`, for a force that jumps at u = 0 or has no stiffness there that is finite, and for eta > 0
+        without Omega.
         """
         laws, force = self.model.laws, self.restoring_force(which)
         if force.odd and force.value(0.0) != 0:
             raise ValueError(
                 f"motions of {self.model.mechanism.name} are not followed: its force jumps at u = 0, where a mass rests"
+            )
+        with np.errstate(all="ignore"):
+            stiffness = force.pieces[0].slope(0.0) if force.odd else 0.0
+        if not math.isfinite(stiffness):
+            raise ValueError(
+                f"motions of {self.model.mechanism.name} are not followed: its stiffness is infinite at u = 0"
             )
         if laws.eta > 0 and Omega is None:
             raise validate.NotAvailable(

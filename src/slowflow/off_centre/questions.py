@@ -33,7 +33,7 @@ from slowflow.off_centre.curve import Curves, Slow, curves
 from slowflow.off_centre.equations import Detaching, Fold, Resting, State, Touching
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.onset import Lowest, Search
-from slowflow.results import SaddleNodes, joined
+from slowflow.results import Remark, SaddleNodes, joined
 from slowflow_kernels import off_centre, slow_flow
 
 #: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
@@ -96,7 +96,7 @@ class OffCentre:
         message = ""
         if found.undecided_of.size:
             message = f"whether there are others is undecided next to u = {_listed(found.undecided[0])}"
-        return RestPositions(u, stable, self.load, message)
+        return RestPositions(u, stable, self.load, joined(message, self._beyond_reach(0.0, u)))
 
     def detachment(self) -> OffCentreDetachment:
         """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side.
@@ -445,7 +445,7 @@ class OffCentre:
             bends = np.asarray(slow_flow.F_AA(Omega, A, self._m, self._zeta, h, h_A, h_AA))
         kind = np.where(bends < 0, "jump-up", "jump-down")
         kind = np.where(means.c[1] > 0, kind, "unstable")
-        order = np.argsort(Omega, kind="stable")
+        order, message = np.argsort(Omega, kind="stable"), joined(message, self._beyond_reach(A, B))
         return OffCentreFolds(Omega[order], A[order], B[order], kind[order], corner[order], F_0, self.load, message)
 
     def _frequency(self, A: Floats, t: Floats, F_0: Any) -> Floats:
@@ -462,8 +462,15 @@ class OffCentre:
     ) -> OffCentreStates:
         Omega = at[of]
         stable, h = self._stability(Omega, A, B)
-        damping = self._m, self._zeta
+        damping, message = (self._m, self._zeta), joined(message, self._beyond_reach(A, B))
         return OffCentreStates(Omega, A, B, stable, F_0, self.load, message, h, damping, Omega_undecided=undecided)
+
+    def _beyond_reach(self, A: Any, B: Floats) -> str:
+        """That displacements |B| + A are beyond what the mechanism reaches, and why; empty where none is."""
+        reach, reason = self._model.reach, self._model.mechanism.reach_reason
+        if not (np.abs(B) + A > reach).any():
+            return ""
+        return remarks.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason)
 
     def _stability(self, Omega: Floats, A: Floats, B: Floats) -> tuple[Any, Floats]:
         """Where states are stable, and h there."""
@@ -476,7 +483,7 @@ class OffCentre:
     def _response(self, found: Curves, F_0: float, message: str) -> OffCentreResponse:
         stable, h = self._stability(found.Omega, found.A, found.B)
         columns = found.Omega, found.A, found.B, stable
-        damping = self._m, self._zeta
+        damping, message = (self._m, self._zeta), joined(message, self._beyond_reach(found.A, found.B))
         return OffCentreResponse(*columns, F_0, self.load, message, h, damping, found.branch, found.closed)
 
     def _damped(self, question: str) -> None:
