@@ -133,7 +133,7 @@ class Oscillator(Averaged):
     @property
     def _off_centre_by(self) -> str:
         """What takes motions off the centre, in words; "" for nothing."""
-        return off_centre_by(self.model.mechanism, self.load)
+        return off_centre_by(self.model.mechanism, self.load) if isinstance(self.model, Loaded) else ""
 
     @property
     def mu_s(self) -> float:

@@ -400,7 +400,7 @@ class Averaged:
         if self.model.sticks(F_0):
             return found
         beside = remarks.of_one(self.model, F_0, *_states(found))
-        if not (beside or found.remarks):
+        if beside is remarks.NOTHING and found.remarks is remarks.NOTHING:
             return found
         beside |= found.remarks
         said = remarks.in_words(beside, self.model, F_0)
@@ -417,10 +417,10 @@ def _in_range(what: str, values: Any) -> Floats:
 
 def _states(found: Any) -> tuple[Any, Any, Any]:
     """Omega and A of an answer's states, NaN for none, and of folds which sit on a corner, None of others."""
+    if isinstance(found, SaddleNodeOnset) and found.A is not None:
+        return found.Omega, found.A, found.kind == "corner"
     if isinstance(found, SaddleNodes):
         return found.Omega, found.A, found.corner
     if isinstance(found, Detachment):
         return (np.nan, np.nan, None) if found.F_cr is None else (found.Omega_cr, found.u_cr, None)
-    if found.A is None:
-        return np.nan, np.nan, None
-    return found.Omega, found.A, found.kind == "corner" if isinstance(found, SaddleNodeOnset) else None
+    return (np.nan, np.nan, None) if found.A is None else (found.Omega, found.A, None)

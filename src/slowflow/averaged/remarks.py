@@ -115,11 +115,13 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None) -> 
 
 def _is_next_to_jump(model: Model, A: Any) -> bool:
     """Whether any of a few amplitudes is `_next_to_jump`; those are looked for first by what takes less time."""
-    few = A.tolist() if isinstance(A, np.ndarray) else [A]
-    if not any(0 < one - end <= NEXT_TO_JUMP * end for end in model.breakpoints for one in few):
-        return False
-    jumps = zip(model.breakpoints, model.jumps, strict=True)
-    return bool(_next_to_jump(model.mechanism, model.parameters, jumps, A).any())
+    few = A.tolist() if isinstance(A, np.ndarray) else (A,)
+    for end in model.breakpoints:  # loops take half the time of `any`
+        for one in few:
+            if 0 < one - end <= NEXT_TO_JUMP * end:
+                jumps = zip(model.breakpoints, model.jumps, strict=True)
+                return bool(_next_to_jump(model.mechanism, model.parameters, jumps, A).any())
+    return False
 
 
 def _next_to_jump(mechanism: Mechanism, parameters: tuple[Any, ...], jumps: Iterable[tuple[Any, Any]], A: Any) -> Flags:
