@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -104,7 +104,17 @@ def quartics(size: Size) -> list[Target]:
                 "quartic",
             )
         )
+    boost = [of[scene, bench_roots.BOOST] for scene in bench_roots.SCENES if (scene, bench_roots.BOOST) in of]
+    if boost:
+        out[0] = replace(out[0], ratio=f"{out[0].ratio}; {_boost(boost, size)}")
     return out
+
+
+def _boost(rows: list[dict[str, Any]], size: Size) -> str:
+    """Boost.Math's quartic on the same scenes."""
+    least, most = (quantity(pick(row["ns"] for row in rows) * 1e-9, "s") for pick in (min, max))
+    wrong = sum(row["wrong_counts"] for row in rows)
+    return f"Boost.Math {least} to {most}, {wrong} wrong counts of {size.quartics * len(rows)}"
 
 
 def kernels(size: Size) -> list[Target]:
