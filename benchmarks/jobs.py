@@ -126,6 +126,7 @@ def prepare() -> dict[str, Job]:
         for question in ("detachment", "saddle_node_onset"):
             for family in FAMILIES:
                 jobs[f"{family} {question} {count}"] = batch(question, family, count), of_batch
+        jobs[f"cores saddle_node_onset {count}"] = batch("saddle_node_onset", "random", count, workers=-1), of_batch
         for question in ("saddle_nodes", "peak"):
             jobs[f"random {question} {count}"] = batch(question, "random", count, above=0.03), of_batch
             jobs[f"second {question} {count}"] = batch(question, "random", count, above=0.03, second=True), of_batch
@@ -150,9 +151,12 @@ def states(count: int) -> Callable[[], Any]:
 
 
 def batch(
-    question: str, family: str, count: int, *, above: float | None = None, second: bool = False
+    question: str, family: str, count: int, *, above: float | None = None, second: bool = False, **given: Any
 ) -> Callable[[], Any]:
-    """A question to so many designs, which are made when it is first asked; its forcing is so much above sticking."""
+    """A question to so many designs, which are made when it is first asked; its forcing is so much above sticking.
+
+    given -- further arguments of the question
+    """
     made: list[Any] = []
 
     def ask() -> Any:
@@ -161,6 +165,6 @@ def batch(
             made.append(designs.second_approximation if second else designs)
             if above is not None:
                 made.append(4 / np.pi * designs.values["mu"] + above)
-        return getattr(made[0], question)(*made[1:])
+        return getattr(made[0], question)(*made[1:], **given)
 
     return ask

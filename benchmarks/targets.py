@@ -6,6 +6,7 @@ Out: one dictionary for each target: job, target, measured, reached; `ratio` and
 from __future__ import annotations
 
 import json
+import os
 import sys
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
@@ -254,8 +255,19 @@ def rates(size: Size) -> list[Target]:
         "amplitudes": ("states at (Ω, F_0)", 2e6),
     }
     names: list[tuple[str, str | None]] = [(f"random {name} {size.onsets}", f"random {name} 10") for name in wanted]
-    answers = both([*names, ("curve", None)], min(size.rounds, 3))
-    out = []
+    on_all = f"cores saddle_node_onset {size.onsets}"
+    alone = f"random saddle_node_onset {size.onsets}"
+    answers = both([*names, ("curve", None), (alone, None), (on_all, None)], min(size.rounds, 3))
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    taken, one = answers[on_all]["here"]["seconds"], answers[alone]["here"]["seconds"]
+    out = [
+        Target(
+            f"F_SN of {size.onsets} designs on {cores} cores over one, near-linear",
+            *(0.8 * cores, one / taken, "×", False),
+            f"{quantity(size.onsets / taken, 'a second')} by workers=-1",
+            *("", "cores"),
+        )
+    ]
     for name, (title, least) in wanted.items():
         answer = answers[f"random {name} {size.onsets}"]
         out.append(
