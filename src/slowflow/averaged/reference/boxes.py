@@ -25,6 +25,16 @@ from slowflow_kernels.conventions import FIRST, NARROW
 
 Ints = NDArray[np.intp]
 
+#: two functions and their slopes, at points and on boxes, by what the system looks for
+SYSTEMS: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    "folds": (dissipation.folds, dissipation_intervals.folds),
+    "peaks": (dissipation.peaks, dissipation_intervals.peaks),
+    "cusps": (dissipation.cusps, dissipation_intervals.cusps),
+    "isolas": (dissipation.isolas, dissipation_intervals.isolas),
+    "turns": (dissipation.turns, dissipation_intervals.turns),
+    "rest": (dissipation.rest, dissipation_intervals.rest),
+    "stiffness": (dissipation.stiffness, dissipation_intervals.stiffness),
+}
 #: systems with F, with F_A, and with F_Omega
 FORCED, FOLDED, PEAKED = (
     {"folds", "peaks", "rest"},
@@ -100,8 +110,7 @@ class Searched:
     def __init__(self, model: Model, system: str, F_0: float, pieces: Sequence[Stretch], most: float) -> None:
         self.model, self.system, self.F_0, self.most = model, system, F_0, most
         self.beyond = np.array([piece.base > 0 for piece in pieces])
-        self.at_points: Callable[..., Any] = getattr(dissipation, system)
-        self.on_boxes: Callable[..., Any] = getattr(dissipation_intervals, system)
+        self.at_points, self.on_boxes = SYSTEMS[system]
         self.names = tuple(inspect.signature(self.on_boxes).parameters)
         self.zeta, self.d = Interval.point(model.zeta), Interval.point(model.d)
 
