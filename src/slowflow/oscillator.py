@@ -20,6 +20,7 @@ from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import (
+    Certificate,
     Measured,
     MeasuredFolds,
     Remark,
@@ -184,6 +185,11 @@ class Oscillator(Averaged):
         if self._off_centre_by:
             return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
         return super().frequency_response(F_0, samples=samples, Omega=Omega)
+
+    def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
+        """What is proved at F_0, see `Averaged.certify`; of motions about the centre."""
+        self.at_centre("certify")
+        return super().certify(F_0, Omega=Omega)
 
     def detachment(self) -> Any:
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""

@@ -29,7 +29,7 @@ NARROW = 2.0**-42
 THIN = 2.0**-43
 #: boxes that are looked at for one system: usual questions take hundreds, hard ones some ten thousand; this many take
 #: some seconds. And for each of many, on the average
-MOST_BOXES, MOST_EACH = 100_000, 4_000
+MOST_BOXES, MOST_EACH = 150_000, 4_000
 
 
 class Equations(Protocol):
