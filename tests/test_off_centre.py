@@ -290,7 +290,10 @@ def test_a_response_off_the_centre_has_the_states_and_folds_that_are_asked_for_o
     near = loaded.amplitudes(Omega=found.Omega[100], F_0=0.04)
     k = int(np.argmin(np.abs(near.A - found.A[100])))
     assert (near.phi[k], near.stable[k]) == (pytest.approx(found.phi[100], rel=1e-9), found.stable[100])
-    assert found.plot(of="B").get_ylabel() == "mean displacement $B$" and loaded.plot(0.04) is not None
+    assert (
+        found.plot(of="B").get_ylabel() == "mean displacement $B$"
+        and Duffing(1.0, 0.5, 0.0, 0.05, load=0.3).plot(0.2) is not None
+    )
 
 
 def test_two_wells_have_their_responses_beside_that_about_the_centre():
