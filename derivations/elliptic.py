@@ -124,7 +124,8 @@ def attached(a: sp.Expr, b: sp.Expr, steps: int, end: Corner | None = None) -> R
     m, k_c, k = sp.symbols("m k_c k", positive=True)
     B, C, P, e, tau = sp.symbols("B C P e tau", positive=True)
     a_n, b_n, e_n = (sp.symbols(f"{name}_1:{steps + 1}", positive=True) for name in "abe")
-    beside = (1 - A) * (1 + A)
+    # up to FEW a rounding of m moves 1 - m by less than its own
+    beside = 1 - m if steps == STEPS else (1 - A) * (1 + A)
     lets: list[Let] = [(m, A**2)]
     lets += [(k_c, end.height), (k, k_c**2)] if end else [(k_c, sp.sqrt(beside)), (k, beside)]
     # e_n = c_n/m

@@ -126,10 +126,11 @@ def smoothed(sharp: Motion) -> Smoothed:
     force = outer + weight * (inner - outer)
     acceleration = sharp.acceleration.subs({f: force, friction: mu * slip})
     along_u = {inner: inner_u, outer: outer_u, weight: weight_u}
+    weight_slope = sum(sp.diff(phi_2, step) * value for step, value in slopes.items())
     by_u = sum(sp.diff(force, name) * value for name, value in along_u.items()) * sp.diff(sharp.acceleration, f)
     by_v = sp.diff(acceleration, v) + sp.diff(acceleration, slip) * of_slip
     return Smoothed(
-        lets=((weight, phi_2), (weight_u, sum(sp.diff(phi_2, step) * value for step, value in slopes.items()))),
+        lets=((weight, phi_2), (weight_u, sp.factor(weight_slope).subs(phi_2, weight))),
         rates=(v, acceleration),
         by_state=(sp.Integer(0), sp.Integer(1), by_u, by_v),
     )

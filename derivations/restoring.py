@@ -19,7 +19,10 @@ terms of size theta). There its power series in sin^2(theta/2) serves for the hi
 
     (n - 1) int sin^(n-2) t dt  =  n int sin^n t dt + sin^(n-1) theta cos theta
 
-for the lower ones: positive terms only.
+for the lower ones: positive terms only. Once A exceeds all breakpoints by far, the last piece is averaged over the whole
+cycle, in exact numbers, and each breakpoint b adds what it changes, power by power, dc A^n int_0^theta sin^(n+1) t dt
+where the coefficient falls by dc. The two parts of the derivatives of that, integral and boundary, nearly cancel; by the
+same relation, read upwards, the integral gives up its leading part to the boundary, and what is left is small.
 """
 
 from __future__ import annotations
@@ -36,8 +39,9 @@ from .symbols import A, u
 # h_A ... h_AAA: what a fold, a cusp and a condition number need
 ORDERS = 3
 
-# A exceeds a breakpoint by far beyond this multiple of it: there sin^2(theta/2) < 1/5
-FAR = sp.Rational(5, 4)
+# A exceeds a breakpoint by far beyond this multiple of it: there sin^2(theta/2) < 0.35, and the closed form of the
+# moments is a difference of numbers three times as large
+FAR = sp.Rational(21, 20)
 # the series ends where its terms fall below this share of the first
 NEGLIGIBLE = sp.Rational(1, 2**57)
 
@@ -134,7 +138,7 @@ def quarter_moment(power: int) -> sp.Expr:
 
 
 def moment_series(power: int) -> sp.Poly:
-    """The polynomial P with int_0^theta sin^power t dt = s^(power + 1) P(s^2), s = sin(theta/2), for s^2 <= 1/5.
+    """The polynomial P with int_0^theta sin^power t dt = s^(power + 1) P(s^2), s = sin(theta/2), for A >= FAR b.
 
     With q = sin^2(t/2), sin t = 2 sqrt(q (1 - q)) and dt = dq/sqrt(q (1 - q)): the integrand is a power of q times a
     binomial series, which ends for odd powers: for these P holds everywhere.
@@ -217,6 +221,8 @@ class End:
             (x, self.b / A),
             (y, root / A),
         ]
+        if self.far:
+            lets.append((self.symbol("z"), (x / y) ** 2))
         even, odd = ([power for power in powers if power % 2 == parity] for parity in (0, 1))
         if not self.far:
             theta = self.symbol("theta")
@@ -258,6 +264,34 @@ class End:
         x, y = self.symbol("x"), self.symbol("y")
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 
+    def changes(self, n: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+        """What A^n int_0^theta sin^(n+1) t dt is by A^n, its j-th derivative by A^(n-j); and the value less A its slope.
+
+        Beyond linear terms by (n + 2) int sin^(n+1) t dt = (n + 3) int sin^(n+3) t dt + sin^(n+2) theta cos theta.
+        """
+        x, y = self.symbol("x"), self.symbol("y")
+        power = n + 1 if n < 2 else n + 3
+        moment = self.from_zero(power)
+        values = [A**n * (moment if n < 2 else ((n + 3) * moment + x ** (n + 2) * y) / (n + 2))]
+        for _ in range(ORDERS):
+            value = values[-1]
+            of_angle = sp.diff(value, x) * y - sp.diff(value, y) * x + sp.diff(value, moment) * x**power
+            values.append(sp.expand(sp.diff(value, A) - of_angle * x / (A * y)))
+        slopes = [self._gathered(value / A ** (n - j), moment, n) for j, value in enumerate(values)]
+        intercept = self._gathered((values[0] - A * values[1]) / A**n, moment, n)
+        return (self.from_zero(n + 1), *slopes[1:]), intercept
+
+    def _gathered(self, value: sp.Expr, moment: sp.Symbol, n: int) -> sp.Expr:
+        """A multiple of a moment, and x^(n+2)/y times a polynomial in x^2 = 1 - y^2 and z = 1/y^2 - 1, which are small."""
+        x, y, z = self.symbol("x"), self.symbol("y"), self.symbol("z")
+        value, over = sp.expand(value), sp.Symbol("over", positive=True)
+        of_moment = value.coeff(moment) * moment
+        rest = sp.expand((value - of_moment) * y / x ** (n + 2)).subs(x, sp.sqrt(1 - y**2))
+        rest = sp.expand(sp.expand(rest).subs(y, 1 / sp.sqrt(over)))
+        under = rest.coeff(over, -1)
+        polynomial = sp.expand((rest - under / over).subs(over, 1 + z) + under * (1 - x**2))
+        return of_moment + x ** (n + 2) / y * sp.horner(polynomial, z)
+
 
 def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     """A long polynomial at a point as two nested ones of its square: half as many operations wait for one another."""
@@ -281,6 +315,29 @@ def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
     if k == len(ends):
         return ends[-1].to_quarter(power)
     return ends[k].from_zero(power) - ends[k - 1].from_zero(power)
+
+
+def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End]) -> list[sp.Expr]:
+    """The average and its derivatives, and what it is less A times its slope, where A exceeds every breakpoint by far."""
+    passed, last = pieces[: len(ends)], pieces[len(ends)]
+    whole = -4 / sp.pi * sum(c * A**n * quarter_moment(n + 1) for (n,), c in sp.Poly(last, u).terms())
+    totals = [sp.diff(whole, A, j) for j in range(ORDERS + 1)] + [whole - A * sp.diff(whole, A)]
+    totals = [sp.horner(sp.expand(total), A) for total in totals]
+    for end, piece, following in zip(ends, passed, (*passed[1:], last), strict=True):
+        terms = sorted((n, c) for (n,), c in sp.Poly(piece - following, u).terms() if c != 0)
+        changes = [(n, c, end.changes(n)) for n, c in terms]
+        for j in range(ORDERS + 1):
+            totals[j] += -4 / sp.pi * _nested([(n, c * slopes[j]) for n, c, (slopes, _) in changes], j)
+        totals[-1] += -4 / sp.pi * _nested([(n, c * intercept) for n, c, (_, intercept) in changes], 0)
+    return totals
+
+
+def _nested(terms: Sequence[tuple[int, sp.Expr]], order: int) -> sp.Expr:
+    """The sum of A^(n - order) times a value over some n, which rise: nested."""
+    total, above = sp.Integer(0), 0
+    for n, value in reversed(terms):
+        total, above = value + A ** (above - n) * total, n
+    return A ** (above - order) * total
 
 
 def average(
@@ -334,15 +391,19 @@ def average(
     # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
     bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
     intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
-    used = set().union(*(value.free_symbols for value in moments.values()))
-    powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 2)
+    intercept = times_factor(intercept)
+    if count and far == count and not jumps:
+        *derivatives, intercept = _beyond_all(pieces, ends)
+        moments = {}
+    used = set().union(*(value.free_symbols for value in (*moments.values(), *derivatives, intercept)))
+    powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 4)
     of_ends = [(end, [power for power in powers if end.from_zero(power) in used]) for end in ends]
     lets = [let for end, wanted in of_ends for let in end.lets(wanted)]
     remainders = tuple(remainder for end, wanted in of_ends for remainder in end.remainders(wanted))
     if count:
         lets += moments.items()
     passed, passed_far = tuple(breakpoints[:count]), tuple(breakpoints[:far])
-    return Regime(passed, passed_far, tuple(lets), tuple(derivatives), times_factor(intercept), remainders)
+    return Regime(passed, passed_far, tuple(lets), tuple(derivatives), intercept, remainders)
 
 
 def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Restoring:

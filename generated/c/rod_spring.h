@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
+   Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
@@ -26,7 +26,7 @@
    Operations where passed_0: 28 structured, 19 common subexpressions, 19 power chains
    Proved where passed_0, error / u (1 + kappa): 5.51, 4.51, 2.34, 1.51
    Operations where passed_1: 249 structured, 123 common subexpressions, 116 power chains
-   Operations where passed_1_far_1: 336 structured, 168 common subexpressions, 154 power chains
+   Operations where passed_1_far_1: 313 structured, 182 common subexpressions, 167 power chains
  */
 static inline void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
@@ -106,57 +106,49 @@ static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p,
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
+    const double x2 = x * x;
+    const double z = x2 / (y * y);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
+    const double s8 = s4 * s4;
+    const double s9 = s * s8;
+    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
+        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
+        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
+        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
+        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
+        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
+        172.30769230769232) + 56.888888888888886);
+    const double x3 = x * x2;
+    const double x6 = x3 * x3;
+    const double x7 = x * x6;
+    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = -M2 + 0.78539816339744828;
-    const double A2 = A * A;
-    const double t1 = M4 * beta;
-    const double A4 = A2 * A2;
-    const double t2 = M6 * gamma;
-    const double t3 = A4 * t2;
-    const double t4 = M2 * alpha + S2_2;
-    const double t5 = 3.0 * beta;
-    const double t6 = 1.0 / A2;
-    const double t7 = 1.0 / root;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    const double t8 = gamma * u_cr2;
-    const double t9 = alpha - 1.0;
-    const double t10 = t9 + u_cr2 * (beta + t8);
-    const double t11 = 6.0 * t1;
-    const double A3 = A * A2;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double t12 = u_cr3 / root3;
-    const double t13 = t10 * t12;
-    const double t14 = t7 * u_cr3;
-    const double t15 = t14 / A3;
-    const double t16 = -t9 - u_cr2 * (t5 + 5.0 * t8);
-    const double t17 = 1.0 / A4;
-    const double t18 = t14 * t17;
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
-    out[0] = -1.2732395447351628 * A * (A2 * t1 + t3 + t4);
-    out[1] = 1.2732395447351628 * (-A2 * M4 * t5 + t10 * t6 * t7 * u_cr3 - 5.0 * t3 - t4);
-    out[2] = -1.2732395447351628 * (A * t11 + 20.0 * A3 * t2 + t0 * t13 + 2.0 * t10 * t15 + t15 * t16);
-    out[3] = 1.2732395447351628 * (-60.0 * A2 * t2 + t10 * t12 * t6 + 6.0 * t10 * t18 - t11 + t12 * t16 * t6 + t13
-        * (2.0 * t6 + 3.0 / root2) + 3.0 * t16 * t18 + 2.0 * t17 * t7 * u_cr5 * (t5 + 10.0 * t8));
+    const double t1 = alpha - 1.0;
+    const double t2 = A * A;
+    const double t3 = gamma * t2;
+    const double t4 = 1.0 / y;
+    const double t5 = t4 * x3;
+    const double t6 = t4 * x5;
+    const double t7 = t4 * x7;
+    const double t8 = t1 * t5;
+    const double t9 = 7.2000000000000002 * M6;
+    const double t10 = 1.2 * x2;
+    const double t11 = 3.0 * z;
+    out[0] = -1.2732395447351628 * A * (M2 * t1 + t2 * (M4 * beta + M6 * t3)) - A;
+    out[1] = -1.2732395447351628 * (t1 * (M2 - t5) + t2 * (beta * (3.6000000000000001 * M6 + t6 *
+        (-0.59999999999999998 * x2 - 0.40000000000000002)) + t3 * (5.7142857142857144 * M8 + t7 *
+        (-0.7142857142857143 * x2 - 0.2857142857142857)))) - 1.0;
+    out[2] = -1.2732395447351628 * t0 * (t2 * (beta * (t6 * (-t10 + z + 1.2) + t9) + t3 * (22.857142857142858 * M8
+        + t7 * (-2.8571428571428572 * x2 + z + 0.8571428571428571))) + t8 * (z + 2.0));
+    out[3] = -1.2732395447351628 * (t2 * (beta * (t6 * (-t10 + z * (-t11 - 6.0) - 4.7999999999999998) + t9) + t3 *
+        (68.571428571428569 * M8 + t7 * (-8.5714285714285712 * x2 + z * (-t11 - 4.0) - 3.4285714285714284))) + t8 *
+        (z * (-t11 - 8.0) - 8.0)) / t2;
 }
 
 static inline void rod_spring_averaged(double A, const double *p, double *out)
@@ -166,7 +158,7 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
         rod_spring_averaged_passed_0(A, p, out);
         return;
     }
-    if (A <= 1.25 * u_cr) {
+    if (A <= 1.05 * u_cr) {
         rod_spring_averaged_passed_1(A, p, out);
         return;
     }
@@ -178,7 +170,7 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
    Operations where passed_0: 17 structured, 13 common subexpressions, 13 power chains
    Proved where passed_0, error / u (1 + kappa): 5.51, 4.51
    Operations where passed_1: 76 structured, 59 common subexpressions, 56 power chains
-   Operations where passed_1_far_1: 163 structured, 104 common subexpressions, 94 power chains
+   Operations where passed_1_far_1: 214 structured, 132 common subexpressions, 117 power chains
  */
 static inline void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
@@ -236,32 +228,33 @@ static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
+    const double s8 = s4 * s4;
+    const double s9 = s * s8;
+    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
+        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
+        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
+        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
+        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
+        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
+        172.30769230769232) + 56.888888888888886);
     const double x2 = x * x;
+    const double x3 = x * x2;
+    const double x6 = x3 * x3;
+    const double x7 = x * x6;
+    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
-    const double S2_2 = -M2 + 0.78539816339744828;
-    const double A2 = A * A;
-    const double t1 = A2 * M4 * beta;
-    const double A4 = A2 * A2;
-    const double t2 = A4 * M6 * gamma;
-    const double t3 = M2 * alpha + S2_2;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    out[0] = -1.2732395447351628 * A * (t1 + t2 + t3);
-    out[1] = 1.2732395447351628 * (-3.0 * t1 - 5.0 * t2 - t3 + u_cr3 * (alpha + u_cr2 * (beta + gamma * u_cr2) -
-        1.0) / (A2 * root));
+    const double t1 = alpha - 1.0;
+    const double t2 = A * A;
+    const double t3 = gamma * t2;
+    const double t4 = 1.0 / y;
+    out[0] = -1.2732395447351628 * A * (M2 * t1 + t2 * (M4 * beta + M6 * t3)) - A;
+    out[1] = -1.2732395447351628 * (t1 * (M2 - t4 * x3) + t2 * (beta * (3.6000000000000001 * M6 + t4 * x5 *
+        (-0.59999999999999998 * x2 - 0.40000000000000002)) + t3 * (5.7142857142857144 * M8 + t4 * x7 *
+        (-0.7142857142857143 * x2 - 0.2857142857142857)))) - 1.0;
 }
 
 static inline void rod_spring_averaged_2(double A, const double *p, double *out)
@@ -271,7 +264,7 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
         rod_spring_averaged_2_passed_0(A, p, out);
         return;
     }
-    if (A <= 1.25 * u_cr) {
+    if (A <= 1.05 * u_cr) {
         rod_spring_averaged_2_passed_1(A, p, out);
         return;
     }
@@ -283,7 +276,7 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
    Operations where passed_0: 19 structured, 14 common subexpressions, 14 power chains
    Proved where passed_0, error / u (1 + kappa): 7.67, 6.34
    Operations where passed_1: 71 structured, 55 common subexpressions, 52 power chains
-   Operations where passed_1_far_1: 162 structured, 102 common subexpressions, 92 power chains
+   Operations where passed_1_far_1: 212 structured, 130 common subexpressions, 115 power chains
  */
 static inline void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
 {
@@ -339,32 +332,33 @@ static inline void rod_spring_averaged_H_passed_1_far_1(double A, const double *
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
+    const double s8 = s4 * s4;
+    const double s9 = s * s8;
+    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
+        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
+        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
+        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
+        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
+        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
+        172.30769230769232) + 56.888888888888886);
     const double x2 = x * x;
+    const double x3 = x * x2;
+    const double x6 = x3 * x3;
+    const double x7 = x * x6;
+    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
     const double t1 = alpha - 1.0;
-    const double t2 = M2 * t1;
-    const double A2 = A * A;
-    const double t3 = A2 * M4 * beta;
-    const double A4 = A2 * A2;
-    const double t4 = A4 * M6 * gamma;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
-    out[0] = -1.2732395447351628 * A * (t2 + t3 + t4);
-    out[1] = 1.2732395447351628 * (-t2 - 3.0 * t3 - 5.0 * t4 + u_cr3 * (t1 + u_cr2 * (beta + gamma * u_cr2)) / (A2
-        * root));
+    const double t2 = A * A;
+    const double t3 = gamma * t2;
+    const double t4 = 1.0 / y;
+    out[0] = -1.2732395447351628 * A * (M2 * t1 + t2 * (M4 * beta + M6 * t3));
+    out[1] = -1.2732395447351628 * (t1 * (M2 - t4 * x3) + t2 * (beta * (3.6000000000000001 * M6 + t4 * x5 *
+        (-0.59999999999999998 * x2 - 0.40000000000000002)) + t3 * (5.7142857142857144 * M8 + t4 * x7 *
+        (-0.7142857142857143 * x2 - 0.2857142857142857))));
 }
 
 static inline void rod_spring_averaged_H(double A, const double *p, double *out)
@@ -374,7 +368,7 @@ static inline void rod_spring_averaged_H(double A, const double *p, double *out)
         rod_spring_averaged_H_passed_0(A, p, out);
         return;
     }
-    if (A <= 1.25 * u_cr) {
+    if (A <= 1.05 * u_cr) {
         rod_spring_averaged_H_passed_1(A, p, out);
         return;
     }
@@ -386,7 +380,7 @@ static inline void rod_spring_averaged_H(double A, const double *p, double *out)
    Operations where passed_0: 8 structured, 8 common subexpressions, 7 power chains
    Proved where passed_0, error / u (1 + kappa): 4.61
    Operations where passed_1: 51 structured, 48 common subexpressions, 45 power chains
-   Operations where passed_1_far_1: 140 structured, 92 common subexpressions, 83 power chains
+   Operations where passed_1_far_1: 186 structured, 114 common subexpressions, 99 power chains
  */
 static inline double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -427,34 +421,35 @@ static inline double rod_spring_intercept_passed_1_far_1(double A, double alpha,
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
+    const double s8 = s4 * s4;
+    const double s9 = s * s8;
+    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
+        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
+        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
+        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
+        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
+        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
+        172.30769230769232) + 56.888888888888886);
     const double x2 = x * x;
+    const double x3 = x * x2;
+    const double x6 = x3 * x3;
+    const double x7 = x * x6;
+    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
+    const double t1 = 1.0 / y;
+    const double t2 = A * A;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
-    const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double u_cr2 = u_cr * u_cr;
-    const double A2 = A * A;
-    const double A3 = A * A2;
-    const double A4 = A2 * A2;
-    const double A5 = A * A4;
-    const double u_cr3 = u_cr * u_cr2;
-    return 1.2732395447351628 * (2.0 * A3 * M4 * beta + 4.0 * A5 * M6 * gamma - t0 * u_cr3 * (alpha + u_cr2 *
-        (beta + gamma * u_cr2) - 1.0) / root);
+    return -1.2732395447351628 * A * (t1 * x3 * (alpha - 1.0) + t2 * (beta * (-2.3999999999999999 * M6 + t1 * x5
+        * (0.40000000000000002 * x2 + 0.59999999999999998)) + gamma * t2 * (-4.5714285714285712 * M8 + t1 * x7 *
+        (0.5714285714285714 * x2 + 0.42857142857142855))));
 }
 
 static inline double rod_spring_intercept(double A, double alpha, double beta, double gamma, double u_cr)
 {
     if (A <= u_cr)
         return rod_spring_intercept_passed_0(A, alpha, beta, gamma, u_cr);
-    if (A <= 1.25 * u_cr)
+    if (A <= 1.05 * u_cr)
         return rod_spring_intercept_passed_1(A, alpha, beta, gamma, u_cr);
     return rod_spring_intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr);
 }
@@ -464,7 +459,7 @@ static inline double rod_spring_intercept(double A, double alpha, double beta, d
    Operations where passed_0: 44 structured, 32 common subexpressions, 26 power chains
    Proved where passed_0, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
    Operations where passed_1: 975 structured, 291 common subexpressions, 278 power chains
-   Operations where passed_1_far_1: 1074 structured, 351 common subexpressions, 319 power chains
+   Operations where passed_1_far_1: 1104 structured, 363 common subexpressions, 331 power chains
  */
 static inline void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
 {
@@ -600,12 +595,13 @@ static inline void rod_spring_harmonics_passed_1_far_1(double A, const double *p
     const double s5 = s * s4;
     const double s10 = s5 * s5;
     const double s11 = s * s10;
-    const double M10 = s11 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00029172897338867185 * s4 -
-        0.00072125690739329265) - 0.0020784945101351353) - 0.007457386363636364) - 0.037715517241379309) -
+    const double M10 = s11 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (-3.4702182012168982e-05 * s4 - 6.5400985614308773e-05) - 0.00013219458716256277) - 0.00029172897338867185)
+        - 0.00072125690739329265) - 0.0020784945101351353) - 0.007457386363636364) - 0.037715517241379309) -
         0.35999999999999999) - 24.0) - 790.58823529411768) - 708.92307692307691) + s4 * (s4 * (s4 * (s4 * (s4 * (s4
-        * (s4 * (-0.00045130973638490189 * s4 - 0.0011972280649038462) - 0.0038085937499999999) -
-        0.015877016129032258) - 0.10416666666666667) - 1.826086956521739) + 265.26315789473682) + 1075.2) +
-        186.18181818181819);
+        * (s4 * (s4 * (s4 * (s4 * (-4.7267075966704972e-05 * s4 - 9.2082602136275347e-05) - 0.00019396873230629778)
+        - 0.00045130973638490189) - 0.0011972280649038462) - 0.0038085937499999999) - 0.015877016129032258) -
+        0.10416666666666667) - 1.826086956521739) + 265.26315789473682) + 1075.2) + 186.18181818181819);
     const double x2 = x * x;
     const double x4 = x2 * x2;
     const double x8 = x4 * x4;
@@ -705,7 +701,7 @@ static inline void rod_spring_harmonics(double A, const double *p, double *out)
         rod_spring_harmonics_passed_0(A, p, out);
         return;
     }
-    if (A <= 1.25 * u_cr) {
+    if (A <= 1.05 * u_cr) {
         rod_spring_harmonics_passed_1(A, p, out);
         return;
     }
@@ -717,7 +713,7 @@ static inline void rod_spring_harmonics(double A, const double *p, double *out)
    Operations where passed_0: 18 structured, 16 common subexpressions, 10 power chains
    Proved where passed_0, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51, 0.84, 0.81, 0.76, 0.0, 0.0, 0.0
    Operations where passed_1: 207 structured, 131 common subexpressions, 109 power chains
-   Operations where passed_1_far_1: 298 structured, 178 common subexpressions, 149 power chains
+   Operations where passed_1_far_1: 321 structured, 188 common subexpressions, 159 power chains
  */
 static inline void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
@@ -809,56 +805,62 @@ static inline void rod_spring_by_parameter_passed_1_far_1(double A, double h, do
     const double t0 = 1.0 / A;
     const double x = t0 * u_cr;
     const double y = root * t0;
+    const double x2 = x * x;
+    const double z = x2 / (y * y);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
-    const double s3 = s * s2;
-    const double s6 = s3 * s3;
-    const double s7 = s * s6;
-    const double M6 = s7 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00021441317186122989 * s4 -
-        0.00038296467549092059) - 0.000746755888967803) - 0.0016416352370689656) - 0.0042968750000000003) -
-        0.01488095238095238) - 0.088235294117647065) - 3.0769230769230771) - 35.555555555555557) + s4 * (s4 * (s4 *
-        (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00016468815332235291 * s4 - 0.00028384801668998523) -
-        0.00052806309291294638) - 0.0010878039944556453) - 0.0025860821759259261) - 0.007642663043478261) -
-        0.032894736842105261) - 0.33333333333333331) + 21.818181818181817) + 18.285714285714285);
-    const double x2 = x * x;
+    const double s8 = s4 * s4;
+    const double s9 = s * s8;
+    const double M8 = s9 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (3.6963081749325447e-05
+        * s4 + 6.2301919302519632e-05) + 0.00011102157704373623) + 0.00021201233531153478) + 0.00044230925731169869)
+        + 0.00103759765625) + 0.0028666834677419355) + 0.010127314814814815) + 0.05434782608695652) +
+        0.73684210526315785) - 74.666666666666671) - 162.90909090909091) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (2.8978731853911948e-05 * s4 + 4.7688218677100145e-05) + 8.2529815179961072e-05) +
+        0.00015194217363993326) + 0.00030240198461020863) + 0.00066602552259290536) + 0.0016830906723484848) +
+        0.0051858836206896556) + 0.021874999999999999) + 0.16666666666666666) + 8.235294117647058) +
+        172.30769230769232) + 56.888888888888886);
+    const double x3 = x * x2;
+    const double x6 = x3 * x3;
+    const double x7 = x * x6;
+    const double M6 = 1.1428571428571428 * M8 + 0.14285714285714285 * x7 * y;
     const double x4 = x2 * x2;
     const double x5 = x * x4;
     const double M4 = 1.2 * M6 + 0.20000000000000001 * x5 * y;
-    const double x3 = x * x2;
     const double M2 = 1.3333333333333333 * M4 + 0.33333333333333331 * x3 * y;
+    const double t1 = 1.2732395447351628 * A;
+    const double t2 = 1.0 / y;
+    const double t3 = t2 * x3;
+    const double t4 = 1.2732395447351628 * t0;
     const double A2 = A * A;
-    const double t1 = 1.0 / A2;
-    const double t2 = 1.0 / root;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
     const double A3 = A * A2;
-    const double t3 = 1.0 / A3;
-    const double root2 = root * root;
-    const double root3 = root * root2;
-    const double t4 = 1.0 / root3;
-    const double t5 = t0 * t4;
-    const double u_cr4 = u_cr2 * u_cr2;
-    const double u_cr5 = u_cr * u_cr4;
+    const double t5 = 1.2732395447351628 * A3;
+    const double t6 = t2 * x5;
     const double A4 = A2 * A2;
-    const double u_cr6 = u_cr3 * u_cr3;
-    const double u_cr7 = u_cr * u_cr6;
-    const double t6 = 1.2732395447351628 * u_cr2 * (alpha + beta * u_cr2 + gamma * u_cr4 - 1.0);
+    const double t7 = t2 * x7;
+    const double u_cr2 = u_cr * u_cr;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double t8 = u_cr2 * (alpha + beta * u_cr2 + gamma * u_cr4 - 1.0);
+    const double root2 = root * root;
+    const double t9 = 1.2732395447351628 * t8;
     const double A5 = A * A4;
+    const double root3 = root * root2;
     const double root4 = root2 * root2;
     const double root5 = root * root4;
-    out[0] = -1.2732395447351628 * A * M2;
-    out[1] = 1.2732395447351628 * (-M2 + t1 * t2 * u_cr3);
-    out[2] = 1.2732395447351628 * (-t2 * t3 * u_cr3 - t5 * u_cr3);
-    out[3] = -1.2732395447351628 * A3 * M4;
-    out[4] = 1.2732395447351628 * (-3.0 * A2 * M4 + t1 * t2 * u_cr5);
-    out[5] = 1.2732395447351628 * (-6.0 * A * M4 + t2 * t3 * u_cr5 - t5 * u_cr5);
+    out[0] = -M2 * t1;
+    out[1] = -1.2732395447351628 * (M2 - t3);
+    out[2] = -t3 * t4 * (z + 2.0);
+    out[3] = -M4 * t5;
+    out[4] = -1.2732395447351628 * A2 * (3.6000000000000001 * M6 + t6 * (-0.59999999999999998 * x2 -
+        0.40000000000000002));
+    out[5] = -t1 * (7.2000000000000002 * M6 + t6 * (-1.2 * x2 + z + 1.2));
     out[6] = -1.2732395447351628 * A5 * M6;
-    out[7] = 1.2732395447351628 * (-5.0 * A4 * M6 + t1 * t2 * u_cr7);
-    out[8] = 1.2732395447351628 * (-20.0 * A3 * M6 + 3.0 * t2 * t3 * u_cr7 - t5 * u_cr7);
-    out[9] = -t0 * t2 * t6;
-    out[10] = t1 * t4 * t6 * (A2 + root2);
-    out[11] = -t3 * t6 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / root5;
+    out[7] = -1.2732395447351628 * A4 * (5.7142857142857144 * M8 + t7 * (-0.7142857142857143 * x2 -
+        0.2857142857142857));
+    out[8] = -t5 * (22.857142857142858 * M8 + t7 * (-2.8571428571428572 * x2 + z + 0.8571428571428571));
+    out[9] = -t4 * t8 / root;
+    out[10] = t9 * (A2 + root2) / (A2 * root3);
+    out[11] = -t9 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / (A3 * root5);
 }
 
 static inline void rod_spring_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
@@ -868,7 +870,7 @@ static inline void rod_spring_by_parameter(double A, double h, double h_A, doubl
         rod_spring_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
         return;
     }
-    if (A <= 1.25 * u_cr) {
+    if (A <= 1.05 * u_cr) {
         rod_spring_by_parameter_passed_1(A, h, h_A, h_AA, p, out);
         return;
     }

@@ -5,7 +5,7 @@
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
-   Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
+   Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
    where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
 
@@ -315,7 +315,7 @@ static inline void rod_spring_untruncated_tangent_node(double X2, double K2, dou
 /* h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
    Operations where passed_0_end: 184 structured, 155 common subexpressions, 154 power chains
-   Operations where passed_0: 120 structured, 99 common subexpressions, 98 power chains
+   Operations where passed_0: 115 structured, 95 common subexpressions, 94 power chains
    Operations where passed_0_steep: 176 structured, 147 common subexpressions, 146 power chains
    Operations where passed_1_far: 715 structured, 715 common subexpressions, 655 power chains
    Operations where passed_1: 675 structured, 675 common subexpressions, 615 power chains
@@ -398,48 +398,46 @@ static inline void rod_spring_untruncated_averaged_all_passed_0(double A, const 
     const double alpha = p[0];
     const double beta = p[1];
     const double m = A * A;
-    const double t0 = A + 1.0;
-    const double t1 = 1.0 - A;
-    const double k_c = sqrt(t0) * sqrt(t1);
-    const double k = t0 * t1;
+    const double t0 = 1.0 - m;
+    const double k_c = sqrt(t0);
     const double a_1 = 0.5 * k_c + 0.5;
     const double b_1 = sqrt(k_c);
     const double e_1 = 0.25 / a_1;
     const double a_2 = 0.5 * a_1 + 0.5 * b_1;
     const double b_2 = sqrt(a_1) * sqrt(b_1);
-    const double t2 = e_1 * e_1;
-    const double t3 = 0.25 * m;
-    const double e_2 = t2 * t3 / a_2;
+    const double t1 = e_1 * e_1;
+    const double t2 = 0.25 * m;
+    const double e_2 = t1 * t2 / a_2;
     const double a_3 = 0.5 * a_2 + 0.5 * b_2;
     const double b_3 = sqrt(a_2) * sqrt(b_2);
-    const double t4 = e_2 * e_2;
-    const double e_3 = t3 * t4 / a_3;
+    const double t3 = e_2 * e_2;
+    const double e_3 = t2 * t3 / a_3;
     const double a_4 = 0.5 * a_3 + 0.5 * b_3;
-    const double t5 = e_3 * e_3;
-    const double t6 = 1.0 / a_4;
-    const double t7 = m * t6;
-    const double e_4 = 0.25 * t5 * t7;
+    const double t4 = e_3 * e_3;
+    const double t5 = 1.0 / a_4;
+    const double t6 = m * t5;
+    const double e_4 = 0.25 * t4 * t6;
     const double e = e_1 + e_2 + e_3 + e_4;
-    const double tau = 16.0 * e_4 * e_4 + 2.0 * t2 + 4.0 * t4 + 8.0 * t5;
-    const double P = t7 * (e + tau);
-    const double B = t6 * (-m * tau + 1.0);
-    const double C = 2.0 * t6 * tau;
-    const double t8 = 2.0 * beta;
-    const double t9 = A * t8;
-    const double t10 = P * t9;
-    const double t11 = 1.0 / k;
-    const double t12 = B * t11;
-    const double t13 = alpha + t8 * (-C * m + P + m * t12);
-    const double k2 = k * k;
-    const double t14 = 1.0 / k2;
-    const double k3 = k * k2;
-    out[0] = -A * alpha - t10;
-    out[1] = -t13;
-    out[2] = -t9 * (2.0 * B * t14 + C * t11);
-    out[3] = -t8 * (B * (5.0 * m + 3.0) / k3 + C * t14 * (7.0 * m - 3.0));
-    out[4] = -A * (alpha - 1.0) - t10;
-    out[5] = 1.0 - t13;
-    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t12);
+    const double tau = 16.0 * e_4 * e_4 + 2.0 * t1 + 4.0 * t3 + 8.0 * t4;
+    const double P = t6 * (e + tau);
+    const double B = t5 * (-m * tau + 1.0);
+    const double C = 2.0 * t5 * tau;
+    const double t7 = 2.0 * beta;
+    const double t8 = A * t7;
+    const double t9 = P * t8;
+    const double t10 = 1.0 / t0;
+    const double t11 = B * t10;
+    const double t12 = alpha + t7 * (-C * m + P + m * t11);
+    const double k2 = t0 * t0;
+    const double t13 = 1.0 / k2;
+    const double k3 = k2 * t0;
+    out[0] = -A * alpha - t9;
+    out[1] = -t12;
+    out[2] = -t8 * (2.0 * B * t13 + C * t10);
+    out[3] = -t7 * (B * (5.0 * m + 3.0) / k3 + C * t13 * (7.0 * m - 3.0));
+    out[4] = -A * (alpha - 1.0) - t9;
+    out[5] = 1.0 - t12;
+    out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t11);
 }
 
 static inline void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out)
@@ -1516,7 +1514,7 @@ static inline void rod_spring_untruncated_harmonics(double A, const double *p, d
    Operations where passed_0: 6 structured, 7 common subexpressions, 7 power chains
    Proved where passed_0, error / u (1 + kappa): 0.0, 0.0, 0.0, 2.34, 3.01, 0.67, 0.0, 0.0, 0.0
    Operations where passed_1: 48 structured, 44 common subexpressions, 44 power chains
-   Operations where passed_1_far_1: 148 structured, 90 common subexpressions, 87 power chains
+   Operations where passed_1_far_1: 190 structured, 104 common subexpressions, 100 power chains
  */
 static inline void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
@@ -1575,23 +1573,26 @@ static inline void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, 
     const double t1 = 1.0 / A;
     const double x = t1 * u_cr;
     const double y = root * t1;
+    const double x2 = x * x;
+    const double z = x2 / (y * y);
     const double s = x / sqrt(2.0 * y + 2.0);
     const double s2 = s * s;
     const double s4 = s2 * s2;
     const double s3 = s * s2;
-    const double M2 = s3 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00067810320704266795 * s4 -
-        0.00088998368261633694) - 0.001207644289190119) - 0.0017101353612439386) - 0.0025628662109375001) -
-        0.0041562034970238099) - 0.0075827205882352941) - 0.016826923076923076) - 0.055555555555555552) -
-        0.80000000000000004) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00059807125876960886 * s4 -
-        0.0007739815359505323) - 0.0010318889149597713) - 0.0014283964710850869) - 0.0020763962357132522) -
-        0.0032255753226902175) - 0.0055124383223684207) - 0.010937499999999999) - 0.028409090909090908) -
-        0.14285714285714285) + 2.6666666666666665);
+    const double M2 = s3 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (-0.00024001561371391354 * s4 - 0.00028620151974909129) - 0.00034586114026712993) - 0.00042450462722033023)
+        - 0.00053066957722573227) - 0.00067810320704266795) - 0.00088998368261633694) - 0.001207644289190119) -
+        0.0017101353612439386) - 0.0025628662109375001) - 0.0041562034970238099) - 0.0075827205882352941) -
+        0.016826923076923076) - 0.055555555555555552) - 0.80000000000000004) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.0002616872854606552 * s4 - 0.00031405642701878893) -
+        0.0003823663002536063) - 0.00047344553674152619) - 0.00059807125876960886) - 0.0007739815359505323) -
+        0.0010318889149597713) - 0.0014283964710850869) - 0.0020763962357132522) - 0.0032255753226902175) -
+        0.0055124383223684207) - 0.010937499999999999) - 0.028409090909090908) - 0.14285714285714285) +
+        2.6666666666666665);
     const double t2 = 1.0 / beta;
     const double t3 = 2.5464790894703255 * beta * inner;
-    const double t4 = 1.0 / (A * A);
-    const double t5 = 1.0 / root;
-    const double u_cr2 = u_cr * u_cr;
-    const double u_cr3 = u_cr * u_cr2;
+    const double x3 = x * x2;
+    const double t4 = x3 / y;
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = 0.0;
@@ -1599,8 +1600,8 @@ static inline void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, 
     out[4] = t2 * (h_A + 1.0);
     out[5] = h_AA * t2;
     out[6] = -A * M2 * t3;
-    out[7] = t3 * (-M2 + t4 * t5 * u_cr3);
-    out[8] = -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root));
+    out[7] = -t3 * (M2 - t4);
+    out[8] = -t1 * t3 * t4 * (z + 2.0);
 }
 
 static inline void rod_spring_untruncated_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
@@ -1610,7 +1611,7 @@ static inline void rod_spring_untruncated_by_parameter(double A, double h, doubl
         rod_spring_untruncated_by_parameter_passed_0(A, h, h_A, h_AA, p, out);
         return;
     }
-    if (A <= 1.25 * sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
+    if (A <= 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
         rod_spring_untruncated_by_parameter_passed_1(A, h, h_A, h_AA, p, out);
         return;
     }

@@ -51,7 +51,7 @@ static SF_WIDE void rod_spring_averaged_regime(ptrdiff_t n, const double *const 
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.25 * u_cr ? 1 : 2;
+        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
     }
 }
 
@@ -654,7 +654,7 @@ static SF_WIDE void rod_spring_F_regime(ptrdiff_t n, const double *const *in, un
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.25 * u_cr ? 1 : 2;
+        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
     }
 }
 
@@ -704,7 +704,7 @@ static SF_WIDE void rod_spring_F_A_regime(ptrdiff_t n, const double *const *in, 
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.25 * u_cr ? 1 : 2;
+        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
     }
 }
 
@@ -1030,7 +1030,7 @@ static SF_WIDE void rod_spring_response_quartic_regime(ptrdiff_t n, const double
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.25 * u_cr ? 1 : 2;
+        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
     }
 }
 
@@ -1089,7 +1089,7 @@ static SF_WIDE void rod_spring_fold_quartic_regime(ptrdiff_t n, const double *co
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.25 * u_cr ? 1 : 2;
+        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
     }
 }
 

@@ -143,16 +143,21 @@ static inline void rod_spring_intervals_known_passed_1_far_1(sf_interval A, sf_i
     const sf_interval s7 = sfi_mul(s, s6);
     const sf_interval M6 = sfi_within(sfi_mul(s7, sfi_add(sfi_add(sfi_mul(s2, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
         sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
-        sfi_sub(sfi_neg(sfi_mul(sfi_around(0.00021441317186122989), s4)), sfi_around(0.00038296467549092059))),
+        sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
+        sfi_sub(sfi_neg(sfi_mul(sfi_around(3.6492503041747691e-05), s4)), sfi_around(5.3427095924732542e-05))),
+        sfi_around(8.10560684803189e-05))), sfi_around(0.00012837971250216165))),
+        sfi_around(0.00021441317186122989))), sfi_around(0.00038296467549092059))),
         sfi_around(0.000746755888967803))), sfi_around(0.0016416352370689656))),
         sfi_around(0.0042968750000000003))), sfi_around(0.01488095238095238))), sfi_around(0.088235294117647065))),
         sfi_around(3.0769230769230771))), sfi_around(35.555555555555557))), sfi_mul(s4, sfi_add(sfi_mul(s4,
         sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
-        sfi_sub(sfi_mul(s4, sfi_sub(sfi_neg(sfi_mul(sfi_around(0.00016468815332235291), s4)),
+        sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4, sfi_sub(sfi_mul(s4,
+        sfi_sub(sfi_neg(sfi_mul(sfi_around(4.3976166456228718e-05), s4)), sfi_around(6.5487812903216656e-05))),
+        sfi_around(0.00010140631546048408))), sfi_around(0.00016468815332235291))),
         sfi_around(0.00028384801668998523))), sfi_around(0.00052806309291294638))),
         sfi_around(0.0010878039944556453))), sfi_around(0.0025860821759259261))),
         sfi_around(0.007642663043478261))), sfi_around(0.032894736842105261))), sfi_around(0.33333333333333331))),
-        sfi_around(21.818181818181817)))), sfi_around(18.285714285714285))), 8.6736173798840355e-19);
+        sfi_around(21.818181818181817)))), sfi_around(18.285714285714285))), 8.6736173798840355e-18);
     const sf_interval x2 = sfi_square(x);
     const sf_interval x4 = sfi_square(x2);
     const sf_interval x5 = sfi_mul(x, x4);
@@ -213,7 +218,7 @@ static inline void rod_spring_intervals_known(int passed, sf_interval A, sf_inte
         rod_spring_intervals_known_passed_0(A, beyond, p, out);
         return;
     }
-    if (passed == 1 && A.lo <= sfi_times(1.25, u_cr).hi) {
+    if (passed == 1 && A.lo <= sfi_mul(sfi_around(1.05), u_cr).hi) {
         rod_spring_intervals_known_passed_1(A, beyond, p, out);
         return;
     }

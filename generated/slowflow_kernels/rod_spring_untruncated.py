@@ -7,7 +7,7 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain and the operations after each pass.
-Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 5/4 times.
+Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
 """
 
 # a formatter would spread each polynomial over a page
@@ -438,51 +438,49 @@ def _averaged_all_passed_0_end(A, alpha, beta, delta_h):
 
 
 def _averaged_all_passed_0(A, alpha, beta, delta_h):
-    # operations: 120 structured, 99 common subexpressions, 98 power chains
+    # operations: 115 structured, 95 common subexpressions, 94 power chains
     m = A * A
-    t0 = A + 1.0
-    t1 = 1.0 - A
-    k_c = np.sqrt(t0) * np.sqrt(t1)
-    k = t0 * t1
+    t0 = 1.0 - m
+    k_c = np.sqrt(t0)
     a_1 = 0.5 * k_c + 0.5
     b_1 = np.sqrt(k_c)
     e_1 = 0.25 / a_1
     a_2 = 0.5 * a_1 + 0.5 * b_1
     b_2 = np.sqrt(a_1) * np.sqrt(b_1)
-    t2 = e_1 * e_1
-    t3 = 0.25 * m
-    e_2 = t2 * t3 / a_2
+    t1 = e_1 * e_1
+    t2 = 0.25 * m
+    e_2 = t1 * t2 / a_2
     a_3 = 0.5 * a_2 + 0.5 * b_2
     b_3 = np.sqrt(a_2) * np.sqrt(b_2)
-    t4 = e_2 * e_2
-    e_3 = t3 * t4 / a_3
+    t3 = e_2 * e_2
+    e_3 = t2 * t3 / a_3
     a_4 = 0.5 * a_3 + 0.5 * b_3
-    t5 = e_3 * e_3
-    t6 = 1.0 / a_4
-    t7 = m * t6
-    e_4 = 0.25 * t5 * t7
+    t4 = e_3 * e_3
+    t5 = 1.0 / a_4
+    t6 = m * t5
+    e_4 = 0.25 * t4 * t6
     e = e_1 + e_2 + e_3 + e_4
-    tau = 16.0 * e_4 * e_4 + 2.0 * t2 + 4.0 * t4 + 8.0 * t5
-    P = t7 * (e + tau)
-    B = t6 * (-m * tau + 1.0)
-    C = 2.0 * t6 * tau
-    t8 = 2.0 * beta
-    t9 = A * t8
-    t10 = P * t9
-    t11 = 1.0 / k
-    t12 = B * t11
-    t13 = alpha + t8 * (-C * m + P + m * t12)
-    k2 = k * k
-    t14 = 1.0 / k2
-    k3 = k * k2
+    tau = 16.0 * e_4 * e_4 + 2.0 * t1 + 4.0 * t3 + 8.0 * t4
+    P = t6 * (e + tau)
+    B = t5 * (-m * tau + 1.0)
+    C = 2.0 * t5 * tau
+    t7 = 2.0 * beta
+    t8 = A * t7
+    t9 = P * t8
+    t10 = 1.0 / t0
+    t11 = B * t10
+    t12 = alpha + t7 * (-C * m + P + m * t11)
+    k2 = t0 * t0
+    t13 = 1.0 / k2
+    k3 = k2 * t0
     return (
-        -A * alpha - t10,
-        -t13,
-        -t9 * (2.0 * B * t14 + C * t11),
-        -t8 * (B * (5.0 * m + 3.0) / k3 + C * t14 * (7.0 * m - 3.0)),
-        -A * (alpha - 1.0) - t10,
-        1.0 - t13,
-        4.0 * A * beta * m * (-0.5 * C + 0.5 * t12),
+        -A * alpha - t9,
+        -t12,
+        -t8 * (2.0 * B * t13 + C * t10),
+        -t7 * (B * (5.0 * m + 3.0) / k3 + C * t13 * (7.0 * m - 3.0)),
+        -A * (alpha - 1.0) - t9,
+        1.0 - t12,
+        4.0 * A * beta * m * (-0.5 * C + 0.5 * t11),
     )
 
 
@@ -1577,7 +1575,7 @@ def _by_parameter_passed_1(A, h, h_A, h_AA, alpha, beta, delta_h):
 
 
 def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, delta_h):
-    # operations: 148 structured, 90 common subexpressions, 87 power chains
+    # operations: 190 structured, 104 common subexpressions, 100 power chains
     u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
     t0 = 1.0 - delta_h
     inner = -1.0 / (t0 * t0)
@@ -1585,25 +1583,28 @@ def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, delta_h):
     t1 = 1.0 / A
     x = t1 * u_cr
     y = root * t1
+    x2 = x * x
+    z = x2 / (y * y)
     s = x / np.sqrt(2.0 * y + 2.0)
     s2 = s * s
     s4 = s2 * s2
     s3 = s * s2
     M2 = (
-        s3 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00067810320704266795 * s4 -
-        0.00088998368261633694) - 0.001207644289190119) - 0.0017101353612439386) - 0.0025628662109375001) -
-        0.0041562034970238099) - 0.0075827205882352941) - 0.016826923076923076) - 0.055555555555555552) -
-        0.80000000000000004) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.00059807125876960886 * s4 -
-        0.0007739815359505323) - 0.0010318889149597713) - 0.0014283964710850869) - 0.0020763962357132522) -
-        0.0032255753226902175) - 0.0055124383223684207) - 0.010937499999999999) - 0.028409090909090908) -
-        0.14285714285714285) + 2.6666666666666665)
+        s3 * (s2 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (-0.00024001561371391354 * s4 - 0.00028620151974909129) - 0.00034586114026712993) - 0.00042450462722033023)
+        - 0.00053066957722573227) - 0.00067810320704266795) - 0.00088998368261633694) - 0.001207644289190119) -
+        0.0017101353612439386) - 0.0025628662109375001) - 0.0041562034970238099) - 0.0075827205882352941) -
+        0.016826923076923076) - 0.055555555555555552) - 0.80000000000000004) + s4 * (s4 * (s4 * (s4 * (s4 * (s4 *
+        (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (s4 * (-0.0002616872854606552 * s4 - 0.00031405642701878893) -
+        0.0003823663002536063) - 0.00047344553674152619) - 0.00059807125876960886) - 0.0007739815359505323) -
+        0.0010318889149597713) - 0.0014283964710850869) - 0.0020763962357132522) - 0.0032255753226902175) -
+        0.0055124383223684207) - 0.010937499999999999) - 0.028409090909090908) - 0.14285714285714285) +
+        2.6666666666666665)
     )
     t2 = 1.0 / beta
     t3 = 2.5464790894703255 * beta * inner
-    t4 = 1.0 / (A * A)
-    t5 = 1.0 / root
-    u_cr2 = u_cr * u_cr
-    u_cr3 = u_cr * u_cr2
+    x3 = x * x2
+    t4 = x3 / y
     return (
         0.0,
         0.0,
@@ -1612,8 +1613,8 @@ def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, delta_h):
         t2 * (h_A + 1.0),
         h_AA * t2,
         -A * M2 * t3,
-        t3 * (-M2 + t4 * t5 * u_cr3),
-        -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root)),
+        -t3 * (M2 - t4),
+        -t1 * t3 * t4 * (z + 2.0),
     )
 
 
@@ -1624,7 +1625,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta, delta_h):
     """
     arguments = floats(A, h, h_A, h_AA, alpha, beta, delta_h)
     A, h, h_A, h_AA, alpha, beta, delta_h = arguments
-    guards = (A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h), A <= 1.25 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h),)
+    guards = (A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h), A <= 1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h),)
     bodies = (_by_parameter_passed_0, _by_parameter_passed_1, _by_parameter_passed_1_far_1)
     return by_regime(guards, bodies, arguments, 9)
 
