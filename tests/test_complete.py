@@ -37,11 +37,11 @@ def samples(model, A):
     return A, model.flow.level(Omega, A[:, np.newaxis], model.m, model.zeta, h[:, np.newaxis]), count
 
 
-def oscillators(rows):
+def oscillators(rows, force="truncated"):
     for lam, r, delta_h, mu, zeta, F_0 in rows:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            yield Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta), F_0
+            yield Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, force=force), F_0
 
 
 def assert_folds_of_samples(oscillator, F_0):
@@ -63,8 +63,10 @@ def test_no_fold_is_missed_that_dense_samples_show():
         assert_folds_of_samples(oscillator, F_0)
 
 
-def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_are_born_there():
-    for oscillator, _ in oscillators(random_designs(1, MANY)):
+@pytest.mark.parametrize(("force", "share"), [("truncated", 1), ("untruncated", 10)])
+def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_are_born_there(force, share):
+    """A seventh of them have negative stiffness at rest."""
+    for oscillator, _ in oscillators(random_designs(1, MANY // share), force):
         onset = oscillator.saddle_node_onset()
         lowest = math.inf if onset.F_SN is None else onset.F_SN
         top = max(10 * oscillator.sticking_forcing, 1.0) if onset.F_SN is None else 2 * onset.F_SN
@@ -209,6 +211,63 @@ def test_isola_points_at_low_frequency_have_their_digits():
             exact = mpmath.findroot(both, (mpmath.mpf(A), mpmath.mpf(Omega)))
             assert abs(Omega / exact[1] - 1) < 1e-14 and abs(A / exact[0] - 1) < 1e-15
     assert found.Omega[0] == pytest.approx(1.569e-5, rel=1e-3)
+
+
+# ---- the onset without viscous damping -------------------------------------------------------------------------------
+
+
+def undamped():
+    """Oscillators without viscous damping, half of them of negative stiffness at rest."""
+    rng = np.random.default_rng(15)
+    for k in range(MANY // 4):
+        mu = float(rng.choice([0.0, 10 ** rng.uniform(-4, -1)]))
+        if k % 2:
+            yield Duffing(float(rng.uniform(-1, 1)), float(rng.uniform(-1, 2)), mu, 0.0)
+        else:
+            design = {"lam": float(rng.integers(1, 5)), "r": 10 ** rng.uniform(-1, 1)}
+            delta_h = min(0.95, rng.uniform(0.05, 2) / (design["lam"] * design["r"]))
+            force = ("truncated", "untruncated")[k % 4 // 2]
+            yield Isolator(**design, delta_h=delta_h, mu=mu, zeta=0.0, force=force)
+
+
+@pytest.mark.filterwarnings("ignore:.*negative stiffness")
+def test_without_viscous_damping_folds_begin_where_the_onset_says():
+    """Next to 4 mu/pi, if only at ever larger amplitudes, at F_SN, or where they end at Omega = 0; below is none."""
+    seen = set()
+    for oscillator in undamped():
+        onset, least = oscillator.saddle_node_onset(), oscillator.sticking_forcing
+
+        def count(F_0, oscillator=oscillator):
+            return len(oscillator.saddle_nodes(F_0))
+
+        if "no lowest forcing" in onset.message:
+            seen.add("none is lowest" if oscillator.alpha > 0 else "none beyond reach")
+            assert oscillator.alpha <= 0 or count(least * (1 + 1e-9) + (1e-9 if least == 0 else 0)) > 0, oscillator
+            h, h_A, *_ = oscillator.model.averaged(1e3)
+            assert oscillator.alpha > 0 or (h_A < 0 and abs(h - 1e3 * h_A) < 1e-4), oscillator
+            continue
+        at_rest = float(onset.message.partition("from F_0 = ")[2].partition(" on")[0] or "inf")
+        first = min(at_rest, math.inf if onset.F_SN is None else onset.F_SN)
+        seen.add("lowest" if first == onset.F_SN else "at rest" if first < math.inf else "none")
+        for share in (1e-6, 1e-3, 0.1, 0.5, 0.9):  # six digits of it are said
+            F_0 = least + share * (min(first, 10.0) - least)
+            assert F_0 > first * (1 - 1e-5) or count(F_0) == 0, oscillator
+        assert first == math.inf or count(first * (1 + 1e-5)) > 0, oscillator
+    assert {"none is lowest", "none beyond reach", "at rest"} <= seen
+
+
+@pytest.mark.filterwarnings("ignore:.*negative stiffness")
+def test_a_softening_spring_without_viscous_damping_has_folds_from_friction_on():
+    """By hand: Omega^2 = 1 - 9/8 A^2 and R = 3/4 A^3 in size, so that A^6 = (F_0^2 - m^2) 16/9; and 0.0127 < F_0 < 0.63."""
+    spring = Duffing(1.0, -0.5, 0.01, 0.0)
+    onset, F_0 = spring.saddle_node_onset(), 0.1
+    assert onset.F_SN is None and "no lowest forcing" in onset.message and "every F_0" not in onset.message
+    A = (16 / 9 * (F_0**2 - spring.sticking_forcing**2)) ** (1 / 6)
+    assert spring.saddle_nodes(F_0).A.tolist() == pytest.approx([A], rel=1e-14)
+    assert len(spring.saddle_nodes(0.7)) == 0
+    buckled = Duffing(-0.5, 1.0, 0.01, 0.0).saddle_node_onset()
+    level = math.hypot(0.04 / math.pi, 1.5 * (0.5 / 2.25) ** 1.5)
+    assert buckled.F_SN is None and f"that end at Omega = 0, from F_0 = {level:g} on" in buckled.message
 
 
 # ---- points along a curve --------------------------------------------------------------------------------------------

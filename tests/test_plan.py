@@ -71,7 +71,7 @@ def test_questions_about_all_forcings_are_explained():
     assert "explicit in A" in str(whole.explain("saddle_node_onset"))
     assert not runs(linear.explain("saddle_node_onset"))["folds"]
     assert linear.explain("saddle_node_onset").model is None and linear.saddle_node_onset().F_SN is None
-    assert "4 mu/pi" in str(undamped.explain("saddle_node_onset"))
+    assert "Omega^2 = -h_A" in str(undamped.explain("saddle_node_onset"))
     assert "lowest forcing" in undamped.saddle_node_onset().message
     assert not runs(linear.explain("detachment"))["detachment"] and linear.detachment().F_cr is None
     assert "A = u_cr only" in str(whole.explain("detachment"))

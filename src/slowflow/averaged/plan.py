@@ -195,6 +195,6 @@ def plan_of_all(question: str, whole: Model) -> Plan:
         return Plan(question, None, whole, False, (Step("force", True, "its first piece, at A = u_cr only"), flow))
     force = Step("force", True, "all its pieces" if whole.breakpoints else "one piece: no angles, no corner")
     if question == "saddle_node_onset" and whole.zeta == 0 and not whole.laws.any:
-        search = Step("fold locus", False, "zeta = 0: folds at one forcing tell whether they come down to 4 mu/pi")
+        search = Step("fold locus", True, "zeta = 0: Omega^2 = -h_A, so that the level says h - A h_A")
         return Plan(question, None, whole, True, (force, flow, search))
     return Plan(question, None, whole, True, (force, flow, LOCUS[question]))

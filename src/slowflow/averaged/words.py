@@ -13,7 +13,7 @@ import numpy as np
 
 from slowflow.model import Floats, Model
 from slowflow.results import Remark, SaddleNodeOnset, joined
-from slowflow_kernels.conventions import CLOSE, STATIC_MULTIPLE
+from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE
 
 #: frequencies that a message names
 MOST_NAMED = 3
@@ -26,7 +26,7 @@ NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
 AT_JUMP = ", unless it lies within rounding of A = {:g}, where the force jumps"
 NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
 NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
-NO_LOWEST = "no lowest forcing: without viscous damping every F_0 > 4 mu/pi = {:g} has a fold"
+NO_LOWEST = "no lowest forcing: without viscous damping there are folds as near above 4 mu/pi = {:g} as one asks"
 NO_ONSET = "no saddle node"
 AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
 OF_PRELOAD = "below it there are folds down to 4 mu/pi = {:g}, at which motions end beside a mass that a preload holds"
@@ -100,12 +100,19 @@ def no_locus(model: Model, A_max: float) -> str:
 def cut(model: Model, F_0: float) -> tuple[float, str]:
     """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
 
-    That is at the mechanism's reach, or at a multiple of the static deflection.
+    That is at the mechanism's reach, or at a multiple of the static deflection, doubled until the fold Omega^2 = -h_A,
+    whose level is hypot(m, h - A h_A), has passed F_0 or has ended for good.
     """
     words = "unbounded without viscous damping: cut at A = "
     if np.isfinite(model.reach):
         return model.reach, f"{words}{model.reach:g}, {model.mechanism.reach_reason}"
     A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
+    for _ in range(0 if model.inertial else RUNGS):
+        h, h_A, h_AA, h_AAA = map(float, model.averaged(A_max))
+        passed = math.hypot(model.m, h - A_max * h_A) > F_0 if h_A < 0 else h_AA >= 0
+        if passed or h_AA == h_AAA == 0:
+            break
+        A_max *= 2
     return A_max, f"{words}{A_max:g}"
 
 

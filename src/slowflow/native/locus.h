@@ -145,16 +145,26 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
 
-/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0, or, with
- * SF_UNBOUNDED, where a response is cut that does not close. */
+/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is doubled
+ * until the fold, of level hypot(m, h - A h_A), has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
+ * is cut that does not close. */
 static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
+    int i;
     if (model->zeta > 0)
         return sf_amplitude_bound(model, F_0, A_max);
     *A_max = model->mechanism->reach;
-    if (!(*A_max < HUGE_VAL)) {
-        *A_max = SF_STATIC_MULTIPLE * F_0;
-        if (model->breaks > 0)
-            *A_max = fmax(*A_max, 2 * model->b[model->breaks - 1]);
+    if (*A_max < HUGE_VAL)
+        return SF_OK;
+    *A_max = SF_STATIC_MULTIPLE * F_0;
+    if (model->breaks > 0)
+        *A_max = fmax(*A_max, 2 * model->b[model->breaks - 1]);
+    for (i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, *A_max *= 2) {
+        sf_sample at;
+        sf_sample_at(model, *A_max, &at);
+        if (at.h_A < 0 ? hypot(model->m, at.h - at.A * at.h_A) > F_0 : at.h_AA >= 0)
+            break;
+        if (at.h_AA == 0 && at.h_AAA == 0)
+            break;
     }
     return SF_OK;
 }

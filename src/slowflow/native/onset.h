@@ -169,21 +169,116 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
     return best->F_SN <= F_0 ? SF_OK : SF_NONE;
 }
 
-/* A fold has R = k, so that where k passes 0 every F_0 > m has one; k is 0 at rest, but with a preload it is -preload there:
- * then it passes 0 between folds of both signs of k. */
-static sf_status sf_onset_undamped(const sf_model *model, const sf_sample *rest, sf_work *work) {
-    const int preloaded = rest->h < 0;
-    const double F_0 = preloaded ? hypot(model->m, 0.5 * rest->h) : 2 * model->m + 1;
-    const sf_status status = sf_saddle_nodes(model, F_0, work, &work->folds);
+/* For zeta = 0 folds lie at Omega^2 = -h_A and their level is hypot(m, k), with R = k there. This says where a forcing is
+ * the least inside a piece, and whether k tends to 0 there, so that the level only tends to m. */
+static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
+    int i, tends = 0;
+    sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
+    sf_ask_all(model, SF_UNDAMPED, 0, piece, zeros);
+    for (i = 0; i < zeros->n; i++) {
+        const sf_zero *zero = &zeros->at[i];
+        sf_sample at;
+        sf_sample_at(model, zero->A, &at);
+        if (zero->question == SF_UNDAMPED && zero->channel == 1)
+            tends = 1;
+        else if (zero->question == SF_UNDAMPED && at.k * at.h_AAA < 0)
+            sf_consider(hypot(model->m, at.k), zero->Omega, zero->A, SF_CUSP_KIND, best);
+        else if (zero->question == SF_STIFFNESS && zero->channel == 1)
+            best->rest = fmin(best->rest, hypot(model->m, at.h));
+    }
+    return tends;
+}
+
+/* The same on a breakpoint. Where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below. */
+static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_sample *above, double J, sf_onset *best) {
+    const int moves = at->h_A < 0, falls = moves && at->k * at->h_AA > 0;
+    const double at_rest = hypot(model->m, at->h);
+    int turns;
+    if (J == 0) {
+        turns = falls && at->k * above->h_AA < 0;
+    } else if (J < 0) {
+        if ((moves ? at->k : at->h) <= 0)
+            return 1;
+        turns = falls;
+        if (!moves)
+            best->rest = fmin(best->rest, at_rest);
+    } else {
+        if (moves && at->h <= 0 && at->k >= 0)
+            return 1;
+        turns = falls && at->k < 0;
+        if (moves && at->h > 0)
+            best->rest = fmin(best->rest, at_rest);
+    }
+    if (turns)
+        sf_consider(hypot(model->m, at->k), slow_flow_zeta0_undamped_Omega(at->h_A), at->A, SF_CORNER_KIND, best);
+    return 0;
+}
+
+static int sf_is_bent(const sf_stretch *piece) {
+    return piece->first.h_AA != 0 || piece->first.h_AAA != 0 || piece->last.h_AA != 0 || piece->last.h_AAA != 0;
+}
+
+/* What the level does as A grows without end: 1 if it tends to m, -1 if it falls to another limit, which is no answer. */
+static int sf_undamped_beyond(const sf_model *model) {
+    sf_sample near, far;
+    sf_sample_at(model, SF_ENDLESS * 0x1p-30, &near);
+    sf_sample_at(model, SF_ENDLESS, &far);
+    if (!(far.h_A < 0 && fabs(far.k) < fabs(near.k)))
+        return 0;
+    return fabs(far.k) < 0x1p-20 * fabs(near.k) ? 1 : -1;
+}
+
+/* With a preload k is negative at rest: where folds of both signs of k are found it passes 0 between them, and folds come as
+ * near to m as one asks. */
+static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *work) {
+    const sf_status status = sf_saddle_nodes(model, hypot(model->m, 0.5 * h), work, &work->folds);
     int i, signs = 0;
-    if (status != SF_OK || !preloaded)
-        return status != SF_OK ? status : work->folds.n > 0 ? SF_UNBOUNDED : SF_NONE;
+    if (status != SF_OK)
+        return status;
     for (i = 0; i < work->folds.n; i++) {
         sf_sample at;
         sf_sample_at(model, work->folds.at[i].A, &at);
         signs |= at.k < 0 ? 1 : 2;
     }
     return signs == 3 ? SF_UNBOUNDED : SF_UNRESOLVED;
+}
+
+/* The lowest forcing without viscous damping. Where k tends to 0 on the way, as to A = 0 with a positive stiffness, or as A
+ * grows where springs have left, there are folds as near to m as one asks, and no lowest. */
+static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onset *best) {
+    sf_stretch piece;
+    sf_sample at;
+    int k, tends = 0;
+    sf_sample_at(model, 0, &piece.first);
+    if (piece.first.h < 0)
+        return sf_onset_of_preload(model, piece.first.h, work);
+    if (sf_inertial(model)) {
+        const sf_status status = sf_saddle_nodes(model, 2 * model->m + 1, work, &work->folds);
+        return status != SF_OK ? status : work->folds.n > 0 ? SF_UNBOUNDED : SF_NONE;
+    }
+    at = piece.first;
+    for (k = 0; !tends && k <= model->breaks; k++) {
+        sf_sample_at(model, k < model->breaks ? model->b[k] : SF_ENDLESS, &piece.last);
+        if (sf_is_bent(&piece)) {
+            tends = at.k == 0 && at.h_A < 0 && !(k > 0 && model->jump[k - 1] != 0);
+            sf_clear_zeros(&work->zeros);
+            tends |= !tends && sf_undamped_in(model, &piece, &work->zeros, best);
+            if (work->zeros.status != SF_OK)
+                return work->zeros.status;
+        }
+        if (k < model->breaks) {
+            at = piece.last;
+            sf_sample_above(model, k, &piece.first);
+            tends |= sf_undamped_on(model, &at, &piece.first, model->jump[k], best);
+        }
+    }
+    if (!tends)
+        tends = sf_undamped_beyond(model);
+    if (tends) {
+        best->kind = SF_NO_KIND, best->rest = HUGE_VAL;
+        return tends > 0 ? SF_UNBOUNDED : SF_UNRESOLVED;
+    }
+    return best->kind != SF_NO_KIND ? SF_OK : SF_NONE;
 }
 
 /* Whether there is no onset, or one so near to a breakpoint that few doubles lie between. */
@@ -219,8 +314,10 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
     best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
     sf_sample_at(model, 0, &rest);
     if (model->zeta == 0) {
-        best->F_SN = NAN;
-        return sf_onset_undamped(model, &rest, work);
+        status = sf_onset_undamped(model, work, best);
+        if (best->kind == SF_NO_KIND)
+            best->F_SN = best->Omega = best->A = NAN;
+        return status;
     }
     if (rest.h < 0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
         best->rest = model->m;

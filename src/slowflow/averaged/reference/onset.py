@@ -13,7 +13,16 @@ import numpy as np
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated
-from slowflow.averaged.reference.along import Cusp, InertiaIsola, InertiaPeak, Isola, Peak, Rest, Stiffness
+from slowflow.averaged.reference.along import (
+    Cusp,
+    InertiaIsola,
+    InertiaPeak,
+    Isola,
+    Peak,
+    Rest,
+    Stiffness,
+    Undamped,
+)
 from slowflow.averaged.reference.bounds import amplitude_bound, least_forcing
 from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
@@ -27,12 +36,14 @@ from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import COINCIDE, RAISE, RAISES
+from slowflow_kernels.conventions import COINCIDE, ENDLESS, RAISE, RAISES
 
 #: of a force's size: what rounding its parameters may make of its jump
 OF_ROUNDING = 2.0**-48
 #: to either side of a frequency at which folds on a breakpoint may begin
 NEAR = 2.0**-30
+#: amplitudes that stand for endless ones, and the share by which what tends to 0 falls between them
+BEYOND, TENDS = np.array([ENDLESS * 2.0**-30, ENDLESS]), 2.0**-20
 
 
 @dataclasses.dataclass
@@ -116,16 +127,77 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
 
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
-    """zeta = 0: the fold Omega^2 = -h_A starts from F_0 = m at A = 0, which is approached, not reached."""
+    """zeta = 0: folds lie at Omega^2 = -h_A and their level is hypot(m, k), with R = k there.
+
+    Where k tends to 0 on the way, as to A = 0 with a positive stiffness, or as A grows where springs have left, there
+    are folds as near to m as one asks. Raises ArithmeticError where the level falls to another limit.
+    """
+    none = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
+    no_lowest = dataclasses.replace(none, message=words.NO_LOWEST.format(model.m))
     if model.preload > 0:
-        # R = k at a fold, and k = -preload at rest: it passes 0 between folds of both signs, so every F_0 > m has one
+        # R = k at a fold, and k = -preload at rest: it passes 0 between folds of both signs
         A = saddle_nodes(model, math.hypot(model.m, 0.5 * model.preload)).A
         h, h_A, _, _ = model.averaged(A)
-        if not len(np.unique(h - A * h_A < 0)) > 1:
-            raise ArithmeticError(words.unresolved_onset(model))
-    elif not saddle_nodes(model, 2 * model.m + 1.0).A.size:
-        return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
-    return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m))
+        if len(np.unique(h - A * h_A < 0)) > 1:
+            return no_lowest
+        raise ArithmeticError(words.unresolved_onset(model))
+    if model.inertial:
+        return no_lowest if saddle_nodes(model, 2 * model.m + 1.0).A.size else none
+    best, at = _Best(), samples_at(model, 0.0)
+    first = at
+    for i, b in enumerate((*model.breakpoints, ENDLESS)):
+        last = samples_at(model, b)
+        if any(one[0] != 0 for end in (first, last) for one in (end.h_AA, end.h_AAA)):
+            from_0 = at.k[0] == 0 and at.h_A[0] < 0 and not (i > 0 and model.jumps[i - 1] != 0)
+            if from_0 or _tends_to_friction(model, Stretch(first, last, float(first.A[0])), best):
+                return no_lowest
+        if i < len(model.breakpoints):
+            at, first = last, sample_above(model, i)
+            if _tends_to_friction_on(model, at, first, model.jumps[i], best):
+                return no_lowest
+    beyond = samples_at(model, BEYOND)
+    near, far = np.abs(beyond.k)
+    if beyond.h_A[1] < 0 and far < near:
+        if far < TENDS * near:
+            return no_lowest
+        raise ArithmeticError(words.unresolved_onset(model))
+    found = SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, "") if best.kind else none
+    return words.with_folds_at_rest(model, found, best.rest)
+
+
+def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> bool:
+    """Whether k vanishes inside of a piece; if not, the least levels there."""
+    ends, turns = find_zeros(model, [Stiffness(model), Undamped(model)], [piece])
+    if (turns.channel == 1).any():
+        return True
+    at = samples_at(model, turns.A)
+    least = at.k * at.h_AAA < 0
+    best.consider(np.hypot(model.m, at.k)[least], turns.Omega[least], turns.A[least], "cusp")
+    at_rest = model.averaged(ends.A[ends.channel == 1])[0]
+    best.rest = float(np.min(np.hypot(model.m, at_rest), initial=best.rest))
+    return False
+
+
+def _tends_to_friction_on(model: Model, at: Samples, above: Samples, jump: float, best: _Best) -> bool:
+    """The same on a breakpoint. Where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below."""
+    (h,), (h_A,), (h_AA,), (k,) = at.h, at.h_A, at.h_AA, at.k
+    moves = h_A < 0
+    turns, ends = moves and k * h_AA > 0, False
+    if jump == 0:
+        turns = turns and k * above.h_AA[0] < 0
+    elif jump < 0:
+        if (k if moves else h) <= 0:
+            return True
+        ends = not moves
+    else:
+        if moves and h <= 0 <= k:
+            return True
+        turns, ends = turns and k < 0, moves and h > 0
+    if turns:
+        best.consider(np.hypot(model.m, at.k), np.sqrt(-at.h_A), at.A, "corner")
+    if ends:
+        best.rest = min(best.rest, math.hypot(model.m, h))
+    return False
 
 
 def _lowest(model: Model) -> _Best:
