@@ -221,7 +221,7 @@ def test_where_there_is_no_proof_the_answer_says_why():
     assert iso.replace(force="untruncated").certify(0.04).saddle_nodes.message == proofs.NO_INTERVALS
     assert not iso.replace(force="untruncated").certify(0.04).saddle_nodes.proved
     undamped = iso.replace(zeta=0.0).certify(0.04)
-    assert undamped.saddle_node_onset.message == proofs.NO_LOWEST
+    assert undamped.saddle_node_onset.message == proofs.PROVED_NO_LOWEST
     assert not undamped.saddle_nodes.bounded
     stuck = iso.certify(0.9 * iso.sticking_forcing).saddle_nodes
     assert stuck.proved
@@ -229,7 +229,7 @@ def test_where_there_is_no_proof_the_answer_says_why():
     linear = iso.replace(delta_h=0.0).certify(0.04)
     assert linear.saddle_nodes.proved
     assert len(linear.saddle_nodes.A) == 0
-    assert not linear.saddle_node_onset.proved
+    assert linear.saddle_node_onset.message == proofs.PROVED_NO_ONSET
     assert str(iso.certify(0.04, Omega=0.9)).count("proved") == 4
 
 
@@ -320,7 +320,7 @@ def test_the_command_line_prints_the_certificate(capsys):
     assert cli.main(["certify", "0.04", "--Omega", "0.9"]) == 0
     printed = capsys.readouterr().out.splitlines()
     assert printed == [repr(example.isolator()), *str(example.isolator().certify(0.04, Omega=0.9)).splitlines()]
-    assert cli.main(["certify", "0.04", "--zeta", "0"]) == 1
+    assert cli.main(["certify", repr(example.isolator().saddle_node_onset().F_SN)]) == 1
     assert "not proved" in capsys.readouterr().out
     assert cli.main(["certify", "-1"]) == 2
     assert "F_0 = -1.0 is not allowed" in capsys.readouterr().err

@@ -25,8 +25,10 @@ FAILED = "not certified: the response is unresolved"
 IN_DOUBT = "doubles do not decide for A in {}"
 NO_ROOM = "there are more of them than places"
 UNBOUNDED = "only amplitudes up to {:.6g} are looked at"
-NO_LOWEST = "zeta = 0: there is no lowest forcing to certify"
-NO_ONSET = "not certified: that no forcing has a fold is not proved"
+NO_LOWEST = "not certified: that no forcing is the lowest that has a fold is not proved"
+PROVED_NO_LOWEST = "no lowest forcing: zeta = 0, and there are folds as near above 4 mu/pi as one asks"
+NO_ONSET = "not certified: that no fold is born at any forcing is not proved"
+PROVED_NO_ONSET = "no saddle node is born at any forcing"
 ONSET_IN_DOUBT = "doubles do not decide whether a lower forcing has a fold"
 NEAR_STICKING = "F_0 is so near to 4 mu/pi that doubles do not decide whether the mass moves"
 
@@ -91,9 +93,11 @@ def onset(model: Model) -> ProvedForcing:
     answer, reason = _asked(lambda solver: solver.certify_onset, model)
     if answer is None:
         return _no_forcing(reason)
-    if answer[0] != Status.OK:
-        return _no_forcing({Status.UNBOUNDED: NO_LOWEST, Status.NONE: NO_ONSET}.get(answer[0], FAILED))
-    _, *ends, kind, proved = answer
+    status, *ends, proved = answer
+    if status != Status.OK:
+        said = {Status.UNBOUNDED: (NO_LOWEST, PROVED_NO_LOWEST), Status.NONE: (NO_ONSET, PROVED_NO_ONSET)}
+        return _no_forcing(said.get(status, (FAILED, FAILED))[proved], proved=proved)
+    *ends, kind = ends
     F_SN, Omega, A = map(np.array, ends)
     word = OnsetKind(kind).name.lower() if kind != OnsetKind.NO else ""
     return ProvedForcing(proved, "" if proved else ONSET_IN_DOUBT, F_SN, Omega, A, word)

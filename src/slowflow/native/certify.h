@@ -385,9 +385,56 @@ static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
     }
 }
 
-/* The lowest forcing at which folds are born, for zeta > 0. The level's minima along the fold locus are its cusps and isola
- * points, ends of its pieces on breakpoints, and ends at Omega = 0, where no fold is born; what lies above the forcing
- * that was found is left out. */
+/* All that may be the lowest up to an amplitude, with levels up to that of the question; what is in doubt fills the list.
+ * Minima of the level along the fold locus are its cusps and isola points, ends of its pieces on breakpoints, and ends at
+ * Omega = 0, where no fold is born. */
+static void sf_enter_all(const sf_given *given, sf_proving *proving, double A_max, sf_candidates *list) {
+    sf_proof *proof = proving->out;
+    int i, k;
+    /* without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out */
+    proving->from = given->m.hi > 0 ? 0 : SF_FIRST;
+    for (i = 0; i < 2; i++) {
+        proving->range = i == 0 ? sf_isola_on : sf_cusps_on, proving->channels = 1 + i;
+        sf_prove(proving, A_max);
+        list->full |= proof->full || proof->doubts > 0;
+        for (k = 0; k < proof->n; k++)
+            if (i == 0)
+                sf_enter_isola(&proving->terms, &proof->at[k].on, list);
+            else
+                sf_enter_cusp(&proving->terms, &proof->at[k].on, proof->at[k].channel, list);
+    }
+    for (k = 0; k < given->breaks; k++)
+        sf_enter_corners(given, &proving->terms, k, list);
+}
+
+/* That no fold is born at any forcing, up to amplitudes that stand for infinite ones. */
+static void sf_certify_no_onset(const sf_given *given, sf_proof *proof, sf_proved_onset *out) {
+    sf_proving proving = sf_proving_of(given, HUGE_VAL, proof);
+    sf_candidates list;
+    list.n = list.full = 0, list.doubted = HUGE_VAL;
+    sf_enter_all(given, &proving, SF_ENDLESS, &list);
+    sf_lowest(&list, out);
+    out->proved = list.n == 0 && !list.full && list.doubted == HUGE_VAL;
+}
+
+/* Without viscous damping, whether folds come as near to m as one asks: their level is hypot(m, k), which is m at A = 0 only,
+ * and there they are as long as h_A < 0. */
+static int sf_tends_to_friction(const sf_given *given) {
+    sf_known first, last;
+    sf_cell cell;
+    double A = given->breaks > 0 ? sfi_least(given->b[0].lo, 1) : 1;
+    sf_know_at(given, 0, 0, &first);
+    for (; A > SF_FIRST; A *= 0.125) {
+        sf_know_at(given, 0, A, &last);
+        sf_make_cell_on(sfi_of(0, A), &first, &last, &cell);
+        if (cell.h_A.hi < 0)
+            return sfi_has_sign(last.k);
+    }
+    return 0;
+}
+
+/* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where there is none,
+ * as the status says, whether that is proved. For zeta = 0 a lowest one is not proved. */
 static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, sf_work *work, sf_proof *proof,
                                   sf_proved_onset *out) {
     sf_candidates list;
@@ -395,8 +442,12 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
     sf_proving proving;
     double F_0, A_max;
     sf_status status;
-    int i, k;
     status = sf_find_onset(model, work, &best);
+    out->proved = 0;
+    if (status == SF_NONE && model->zeta > 0)
+        sf_certify_no_onset(given, proof, out);
+    if (status == SF_UNBOUNDED && model->zeta == 0)
+        out->proved = sf_tends_to_friction(given);
     if (status != SF_OK)
         return status;
     F_0 = best.F_SN * (1 + SF_ABOVE_ONSET);
@@ -405,20 +456,7 @@ static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, 
         return status;
     list.n = 0, list.full = !sf_is_bounded(given, F_0, A_max), list.doubted = HUGE_VAL;
     proving = sf_proving_of(given, F_0, proof);
-    /* without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out */
-    proving.from = given->m.hi > 0 ? 0 : SF_FIRST;
-    for (i = 0; i < 2; i++) {
-        proving.range = i == 0 ? sf_isola_on : sf_cusps_on, proving.channels = 1 + i;
-        sf_prove(&proving, A_max);
-        list.full |= proof->full || proof->doubts > 0;
-        for (k = 0; k < proof->n; k++)
-            if (i == 0)
-                sf_enter_isola(&proving.terms, &proof->at[k].on, &list);
-            else
-                sf_enter_cusp(&proving.terms, &proof->at[k].on, proof->at[k].channel, &list);
-    }
-    for (k = 0; k < given->breaks; k++)
-        sf_enter_corners(given, &proving.terms, k, &list);
+    sf_enter_all(given, &proving, A_max, &list);
     sf_lowest(&list, out);
     out->proved = list.n > 0 && !list.full && list.doubted > out->F_SN.hi && out->F_SN.hi < F_0;
     return SF_OK;

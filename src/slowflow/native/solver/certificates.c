@@ -116,7 +116,7 @@ static PyObject *certify_onset(PyObject *self, PyObject *capsule)
     const sf_model *model;
     const sf_given *given;
     sf_room *room;
-    sf_proved_onset found;
+    sf_proved_onset found = {0};
     sf_status status;
     (void)self;
     const int started = start(capsule, &model, &given, &room);
@@ -127,7 +127,7 @@ static PyObject *certify_onset(PyObject *self, PyObject *capsule)
     Py_END_ALLOW_THREADS
     free(room);
     if (status != SF_OK)
-        return Py_BuildValue("(i)", (int)status);
+        return Py_BuildValue("iN", (int)status, PyBool_FromLong(found.proved));
     return Py_BuildValue("i(dd)(dd)(dd)iN", (int)status, found.F_SN.lo, found.F_SN.hi, found.Omega.lo, found.Omega.hi,
                          found.A.lo, found.A.hi, (int)found.kind, PyBool_FromLong(found.proved));
 }
@@ -153,7 +153,7 @@ static PyMethodDef functions[] = {
      "(model, F_0, A where folds are expected) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, complete; "
      "or None"},
     {"certify_states", certify_states, METH_VARARGS, "(model, F_0, Omega) -> the same, with the sign of F_A; or None"},
-    {"certify_onset", certify_onset, METH_O, "model -> status, F_SN, Omega, A, kind, whether it is proved; or None"},
+    {"certify_onset", certify_onset, METH_O, "model -> status, F_SN, Omega, A, kind, whether it is proved; or status and that, or None"},
     {"certify_detachment", certify_detachment, METH_O, "model -> status, F_cr, Omega_cr, u_cr; or None"},
     {NULL, NULL, 0, NULL},
 };
