@@ -45,6 +45,11 @@ def test_a_bad_parameter_is_named_with_its_value_and_its_range(parameter, value,
     assert parameter in text and repr(value) in text and allowed in text
 
 
+def test_numbers_that_are_not_allowed_together_are_named_together():
+    with pytest.raises(ValueError, match=r"lam = 3.0, r = 1e\+300, .* not allowed together, beta would be beyond 1e\+300"):
+        isolator(r=1e300)
+
+
 @pytest.mark.parametrize("F_0", [0.0, -0.04, math.nan, math.inf, "0.04", None, np.array([0.04, 0.05])])
 @pytest.mark.parametrize("question", ["frequency_response", "saddle_nodes"])
 def test_a_bad_forcing_is_named(question, F_0):

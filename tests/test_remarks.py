@@ -122,6 +122,7 @@ def test_folds_do_not_depend_on_what_was_asked_before():
     before = oscillator.saddle_nodes(0.015556790628234079)
     oscillator.saddle_node_onset()
     assert oscillator.saddle_nodes(0.015556790628234079) == before and len(before) == 1
+    assert {step.name: step.runs for step in oscillator.explain("saddle_nodes", 0.015556790628234079).steps}["folds"]
 
 
 def test_amplitudes_beyond_the_reach_are_said_of_a_peak():
