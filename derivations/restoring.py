@@ -19,10 +19,13 @@ terms of size theta). There its power series in sin^2(theta/2) serves for the hi
 
     (n - 1) int sin^(n-2) t dt  =  n int sin^n t dt + sin^(n-1) theta cos theta
 
-for the lower ones: positive terms only. Once A exceeds all breakpoints by far, the last piece is averaged over the whole
-cycle, in exact numbers, and each breakpoint b adds what it changes, power by power, dc A^n int_0^theta sin^(n+1) t dt
-where the coefficient falls by dc. The two parts of the derivatives of that, integral and boundary, nearly cancel; by the
-same relation, read upwards, the integral gives up its leading part to the boundary, and what is left is small.
+for the lower ones: positive terms only. Once A exceeds all breakpoints by far, the last piece is averaged over the
+whole cycle, in exact numbers, and each breakpoint b adds what it changes, power by power:
+
+    dc A^n int_0^theta sin^(n+1) t dt       where the coefficient falls by dc
+
+The two parts of the derivatives of that, integral and boundary, nearly cancel; by the same relation, read upwards, the
+integral gives up its leading part to the boundary, and what is left is small.
 """
 
 from __future__ import annotations
@@ -265,7 +268,7 @@ class End:
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 
     def changes(self, n: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
-        """What A^n int_0^theta sin^(n+1) t dt is by A^n, its j-th derivative by A^(n-j); and the value less A its slope.
+        """A^n int_0^theta sin^(n+1) t dt over A^n, its j-th derivative over A^(n-j); and the value less A its slope.
 
         Beyond linear terms by (n + 2) int sin^(n+1) t dt = (n + 3) int sin^(n+3) t dt + sin^(n+2) theta cos theta.
         """
@@ -282,7 +285,7 @@ class End:
         return (self.from_zero(n + 1), *slopes[1:]), intercept
 
     def _gathered(self, value: sp.Expr, moment: sp.Symbol, n: int) -> sp.Expr:
-        """A multiple of a moment, and x^(n+2)/y times a polynomial in x^2 = 1 - y^2 and z = 1/y^2 - 1, which are small."""
+        """A multiple of a moment, and x^(n+2)/y times a polynomial in x^2 = 1 - y^2 and z = 1/y^2 - 1, both small."""
         x, y, z = self.symbol("x"), self.symbol("y"), self.symbol("z")
         value, over = sp.expand(value), sp.Symbol("over", positive=True)
         of_moment = value.coeff(moment) * moment
@@ -318,7 +321,7 @@ def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
 
 
 def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End]) -> list[sp.Expr]:
-    """The average and its derivatives, and what it is less A times its slope, where A exceeds every breakpoint by far."""
+    """The average, its derivatives, and the average less A times its slope, where A exceeds each breakpoint by far."""
     passed, last = pieces[: len(ends)], pieces[len(ends)]
     whole = -4 / sp.pi * sum(c * A**n * quarter_moment(n + 1) for (n,), c in sp.Poly(last, u).terms())
     totals = [sp.diff(whole, A, j) for j in range(ORDERS + 1)] + [whole - A * sp.diff(whole, A)]

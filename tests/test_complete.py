@@ -258,7 +258,7 @@ def test_without_viscous_damping_folds_begin_where_the_onset_says():
 
 @pytest.mark.filterwarnings("ignore:.*negative stiffness")
 def test_a_softening_spring_without_viscous_damping_has_folds_from_friction_on():
-    """By hand: Omega^2 = 1 - 9/8 A^2 and R = 3/4 A^3 in size, so that A^6 = (F_0^2 - m^2) 16/9; and 0.0127 < F_0 < 0.63."""
+    """By hand: Omega^2 = 1 - 9/8 A^2 and R = 3/4 A^3 in size, so that A^6 = (F_0^2 - m^2) 16/9, up to F_0 = 0.63."""
     spring = Duffing(1.0, -0.5, 0.01, 0.0)
     onset, F_0 = spring.saddle_node_onset(), 0.1
     assert onset.F_SN is None and "no lowest forcing" in onset.message and "every F_0" not in onset.message
