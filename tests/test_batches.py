@@ -95,7 +95,7 @@ def test_few_designs_are_begun_after_ctrl_c(workers):
 
 @pytest.mark.both_backends
 @pytest.mark.parametrize(
-    "kind", [np.float32, np.int64, np.longdouble, ">f8", "strided", "unaligned", "read-only", "empty"]
+    "kind", [np.float32, np.int64, np.longdouble, ">f8", "strided", "unaligned", "read-only", "Fortran", "empty"]
 )
 def test_arrays_of_any_kind_are_taken_as_their_numbers(kind):
     lam = np.array([1.0, 2.0, 3.0, 4.0])
@@ -106,6 +106,9 @@ def test_arrays_of_any_kind_are_taken_as_their_numbers(kind):
     elif kind == "read-only":
         given = lam.copy()
         given.flags.writeable = False
+    elif kind == "Fortran":
+        lam = lam.reshape(2, 2)
+        given = np.asfortranarray(lam)
     elif kind == "empty":
         lam = given = np.empty((0, 3))
     else:

@@ -66,7 +66,7 @@ def arguments(function, seed: int, size: int = 3001) -> dict[str, np.ndarray]:
     given = {name: rng.uniform(*RANGES.get(name, (0.5, 2)), size) for name in inspect.signature(function).parameters}
     if "A" in given and "u_cr" in given:
         some = np.arange(0, size, 3)
-        given["A"][some] = given["u_cr"][some] * rng.choice([1, 1 + 2**-52, 1 - 2**-53, 1.25, 1.25 + 2**-52], some.size)
+        given["A"][some] = given["u_cr"][some] * rng.choice([1, 1 + 2**-52, 1 - 2**-53, 1.05, 1.05 + 2**-52], some.size)
     if "h_3" in given:  # within the domain: off the third harmonic's resonance
         given["h"] = given["A"] * given["Omega"] ** 2 * rng.uniform(-8, 8, size)
     return given

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
+from derivations.restoring import FAR
 from tests.oracles.make_kernel_oracle import RANGES
 
 Point = dict[str, float]
@@ -195,7 +196,7 @@ def _small_amplitude(x: Point, rng: np.random.Generator) -> None:
 
 
 def _regimes_meet(x: Point, rng: np.random.Generator) -> None:
-    x["A"] = ulps(1.25 * _corner(x), few(rng))
+    x["A"] = ulps(float(FAR) * _corner(x), few(rng))
 
 
 def _displacement(x: Point, rng: np.random.Generator) -> None:
@@ -279,7 +280,7 @@ def _intercept(x: Point, rng: np.random.Generator) -> None:
 PLACES: dict[str, tuple[set[str], Callable[[Point, np.random.Generator], None]]] = {
     "A an ulp from u_cr": ({"A", "u_cr"}, _above_corner),
     "A near u_cr": ({"A", "u_cr"}, _near_corner),
-    "A = 1.25 u_cr": ({"A", "u_cr"}, _regimes_meet),
+    f"A = {float(FAR):g} u_cr": ({"A", "u_cr"}, _regimes_meet),
     "A to 0": ({"A"}, _small_amplitude),
     "u at u_cr": ({"u", "u_cr"}, _displacement),
     "on the backbone": ({"Omega", "A", "h"}, _backbone),

@@ -25,6 +25,17 @@ GROUPS = {
     "the others": lambda module: not module.startswith(("slow_flow", "rod_spring")),
 }
 U = 2.0**-53
+#: what is known of kernels that miss the target
+WHY = {
+    "slow_flow.offset_stiffness": "k_0 and k_2^2/(2 (4 Omega^2 - k_0)) are half and one and a half times the result or "
+    "more where h/A and Omega^2 are small beside h_A; over one denominator 700 u are lost where k_0 = 4 Omega^2 nearly",
+    "rod_spring_untruncated.averaged_2": "just above u_cr between 0.75 and 0.8 the average is a difference of the two "
+    "integrals that R_D says, many times as large",
+    "rod_spring_untruncated.level": "by averaged_2",
+    "rod_spring_untruncated.harmonics": "T_5 = 16 s^5 - 20 s^3 + 5 s: the fifth harmonic is a difference",
+    "rod_spring_untruncated.stability": "far above u_cr at low frequencies the product of two numbers next to -1 that "
+    "depend on no argument: seven roundings, each of one u, while kappa is next to 0",
+}
 
 HEAD = """# Numerical stability, searched
 
@@ -412,6 +423,8 @@ def page(numbers: Numbers) -> str:
         "Where the target is missed:" if misses else "Every kernel keeps to the target.",
         "",
         *(table(KERNELS, misses) if misses else []),
+        "",
+        *(f"- {row[0]}: {WHY.get(row[0], 'why is not known')}." for row in misses),
         "",
         "The domain: every argument within these sizes, of either sign or zero where it says so, and where the formula",
         "is defined; derivatives of h are free of h. Hard places are drawn on purpose: " + "; ".join(domains.PLACES),

@@ -611,7 +611,7 @@ def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
 
 
 def without_onset(oscillator: Averaged | None, found: Any) -> Status:
-    """Of a design whose single answer has no onset: whether every forcing has a fold, or none."""
+    """Of a design whose single answer has no onset: whether folds come down to 4 mu/pi, or none is born."""
     unbounded = oscillator is not None and oscillator.zeta == 0 and "no lowest forcing" in found.message
     return Status.UNBOUNDED if unbounded else Status.NONE
 
