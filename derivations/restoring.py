@@ -267,7 +267,7 @@ class End:
         x, y = self.symbol("x"), self.symbol("y")
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 
-    def changes(self, n: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+    def changes(self, n: int, orders: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
         """A^n int_0^theta sin^(n+1) t dt over A^n, its j-th derivative over A^(n-j); and the value less A its slope.
 
         Beyond linear terms by (n + 2) int sin^(n+1) t dt = (n + 3) int sin^(n+3) t dt + sin^(n+2) theta cos theta.
@@ -276,7 +276,7 @@ class End:
         power = n + 1 if n < 2 else n + 3
         moment = self.from_zero(power)
         values = [A**n * (moment if n < 2 else ((n + 3) * moment + x ** (n + 2) * y) / (n + 2))]
-        for _ in range(ORDERS):
+        for _ in range(orders):
             value = values[-1]
             of_angle = sp.diff(value, x) * y - sp.diff(value, y) * x + sp.diff(value, moment) * x**power
             values.append(sp.expand(sp.diff(value, A) - of_angle * x / (A * y)))
@@ -320,16 +320,16 @@ def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
     return ends[k].from_zero(power) - ends[k - 1].from_zero(power)
 
 
-def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End]) -> list[sp.Expr]:
+def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int) -> list[sp.Expr]:
     """The average, its derivatives, and the average less A times its slope, where A exceeds each breakpoint by far."""
     passed, last = pieces[: len(ends)], pieces[len(ends)]
     whole = -4 / sp.pi * sum(c * A**n * quarter_moment(n + 1) for (n,), c in sp.Poly(last, u).terms())
-    totals = [sp.diff(whole, A, j) for j in range(ORDERS + 1)] + [whole - A * sp.diff(whole, A)]
+    totals = [sp.diff(whole, A, j) for j in range(orders + 1)] + [whole - A * sp.diff(whole, A)]
     totals = [sp.horner(sp.expand(total), A) for total in totals]
     for end, piece, following in zip(ends, passed, (*passed[1:], last), strict=True):
         terms = sorted((n, c) for (n,), c in sp.Poly(piece - following, u).terms() if c != 0)
-        changes = [(n, c, end.changes(n)) for n, c in terms]
-        for j in range(ORDERS + 1):
+        changes = [(n, c, end.changes(n, orders)) for n, c in terms]
+        for j in range(orders + 1):
             totals[j] += -4 / sp.pi * _nested([(n, c * slopes[j]) for n, c, (slopes, _) in changes], j)
         totals[-1] += -4 / sp.pi * _nested([(n, c * intercept) for n, c, (_, intercept) in changes], 0)
     return totals
@@ -396,7 +396,7 @@ def average(
     intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
     intercept = times_factor(intercept)
     if count and far == count and not jumps:
-        *derivatives, intercept = _beyond_all(pieces, ends)
+        *derivatives, intercept = _beyond_all(pieces, ends, orders)
         moments = {}
     used = set().union(*(value.free_symbols for value in (*moments.values(), *derivatives, intercept)))
     powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 4)
