@@ -38,17 +38,17 @@ print(iso.steady_state(Omega=0.9, F_0=0.04).A)
 
 def answers(oscillator):
     """What an oscillator says to several questions, the cached ones among them, as text with all digits."""
-    with np.printoptions(floatmode="unique"):
-        return repr(
-            (
-                oscillator.saddle_node_onset(),
-                oscillator.saddle_nodes(0.04),
-                oscillator.detachment(),
-                oscillator.peak(0.04),
-                oscillator.frequency_response(0.04, samples=60).A.tolist(),
-                oscillator.second_approximation.saddle_nodes(0.04).Omega.tolist(),
-            )
+    # lists: how NumPy prints arrays is one setting for all threads before its version 2.2
+    return repr(
+        (
+            oscillator.saddle_node_onset(),
+            oscillator.saddle_nodes(0.04).to_dict(),
+            oscillator.detachment(),
+            oscillator.peak(0.04),
+            oscillator.frequency_response(0.04, samples=60).A.tolist(),
+            oscillator.second_approximation.saddle_nodes(0.04).Omega.tolist(),
         )
+    )
 
 
 def test_sixteen_threads_share_one_oscillator():
