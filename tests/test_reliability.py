@@ -38,7 +38,7 @@ print(iso.steady_state(Omega=0.9, F_0=0.04).A)
 
 def answers(oscillator):
     """What an oscillator says to several questions, the cached ones among them, as text with all digits."""
-    # lists: how NumPy prints arrays is one setting for all threads before its version 2.2
+    # lists: how NumPy prints arrays is one setting for all threads in NumPy 2.0
     return repr(
         (
             oscillator.saddle_node_onset(),
