@@ -438,7 +438,7 @@ def test_where_a_hyperbolic_tangent_saturates_nothing_cancels(folder):
         (sp.sqrt(1 + u) - 1, lambda x: mp.sqrt(1 + x) - 1),
         (sp.cosh(u) - 1, lambda x: mp.cosh(x) - 1),
     ],
-    ids=str,
+    ids=["exp(u) - 1", "log(1 + u)", "sqrt(1 + u) - 1", "cosh(u) - 1"],
 )
 def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(folder, force, value):
     """exp(u) - 1 for u > 0, and the like: as a difference no sum settled next to rest, and no question was answered."""
