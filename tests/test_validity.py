@@ -7,7 +7,7 @@ import pytest
 
 from benchmarks import validity
 from slowflow import Duffing, Isolator
-from slowflow.backend import EXACT
+from slowflow.backend import EXACT, SOLVER
 from slowflow.measured import table as validity_table
 from slowflow.measured.validity import near_sticking
 from slowflow.paper.example import isolator
@@ -40,6 +40,7 @@ def test_the_table_is_the_measured_one():
     assert validity.TABLE.read_text(encoding="utf-8") == validity.table(numbers)
 
 
+@pytest.mark.skipif(SOLVER is None, reason="the answers are compared elsewhere, these numbers take 10 s")
 def test_every_critical_forcing_is_compared():
     """A dot in the figure is a corner's onset that the untruncated force does not have; averaging (5) agrees."""
     numbers = json.loads(validity.RESULTS.read_text(encoding="utf-8"))
