@@ -469,3 +469,24 @@ def test_motions_of_a_force_with_no_finite_stiffness_at_rest_are_refused(folder)
     root = derive.mechanism("root", [(k * sp.sqrt(u), None)], {"k": ABOVE_0})(k=1.0, zeta=0.05)
     with pytest.raises(ValueError, match="its stiffness is infinite at u = 0"):
         root.steady_state(Omega=0.6, F_0=0.05)
+
+
+@pytest.mark.parametrize(
+    ("force", "numbers"),
+    [
+        (u + k * u ** sp.Rational(3, 2), {"k": 0.5}),
+        (u + k * u ** sp.Rational(6, 5), {"k": 0.5}),
+    ],
+    ids=str,
+)
+def test_an_onset_is_found_where_h_bends_without_bound_at_rest(folder, force, numbers):
+    """It satisfies F = F_A = F_AA = 0, and two folds are born there."""
+    one = derive.mechanism("onset", [(force, None)], {name: {} for name in numbers})(**numbers, **DAMPING)
+    onset = one.saddle_node_onset()
+    h, h_A, h_AA, _ = one.model.averaged(onset.A)
+    R, X, T = onset.A * onset.Omega**2 + h, onset.Omega**2, onset.Omega**2 + h_A
+    sine = 2 * one.zeta * onset.A * onset.Omega + one.model.m
+    assert np.hypot(R, sine) == pytest.approx(onset.F_SN, rel=1e-12)
+    assert R * T + 2 * one.zeta * onset.Omega * sine == pytest.approx(0, abs=1e-12)
+    assert T**2 + R * h_AA + 4 * one.zeta**2 * X == pytest.approx(0, abs=1e-11)
+    assert [len(one.saddle_nodes(onset.F_SN * factor)) for factor in (1 - 1e-6, 1 + 1e-6)] == [0, 2]

@@ -1,9 +1,10 @@
 /* Averages of forces of any kind between two amplitudes: in goes an interval of A, out comes what h and h_AAAA are there.
  *
  * The quarter cycle is divided at displacements, each piece of the force for itself: at fixed ones where the amplitude
- * exceeds the piece, at fixed shares of the last piece. On each part u, sine and the angle that it takes are known on an
- * interval of A by their values at its ends, as each is monotone in A; what stands under the integrals is generated. As
- * slowflow/averaged/reference/enclosed.py.
+ * exceeds the piece, at fixed shares of the last piece. The first share of a long piece is halved again and again, down to
+ * displacements of the size of the spring: all that a force does lies there. On each part u, sine and the angle that it
+ * takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands under the
+ * integrals is generated. As slowflow/averaged/reference/enclosed.py.
  */
 #ifndef SF_BENT_H
 #define SF_BENT_H
@@ -11,9 +12,13 @@
 #include "elementary.h"
 #include "mechanism.h"
 
-enum { SF_PARTS = 24 /* of the quarter cycle, of each piece */ };
+enum {
+    SF_PARTS = 24, /* of the quarter cycle, of each piece */
+    SF_HALVED = 64 /* how often the first of them is halved at most */
+};
 /* an angle's relative error, and its least */
 #define SF_ANGLE 0x1p-48
+#define SF_LARGEST_SUM 0x1p960
 
 typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sine, const sf_interval *p, sf_interval *out);
 typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const sf_interval *sums, const sf_interval *p,
@@ -26,14 +31,22 @@ typedef struct {
     const sf_bent_closing *closing;
 } sf_bent;
 
-static inline double sf_share(int part) { return part == SF_PARTS ? 1 : sin(part * (0.5 * SFI_PI / SF_PARTS)); }
+/* How often the first part of a piece of that length is halved. */
+static inline int sf_halved(double length) { return length > 1 ? (int)fmin(ceil(log2(length)), SF_HALVED) : 0; }
 
-/* The sine at share number `part` of a piece at an amplitude, which exceeds it or ends in it. */
-static inline double sf_sine_at(double start, double end, int last, int part, double A) {
-    const double share = sf_share(part);
+/* Where part number `part` of a piece begins whose first part is halved so often. */
+static inline double sf_share(int part, int halved) {
+    const int whole = part - halved;
+    if (whole < 1)
+        return part == 0 ? 0 : ldexp(sin(0.5 * SFI_PI / SF_PARTS), whole - 1);
+    return whole == SF_PARTS ? 1 : sin(whole * (0.5 * SFI_PI / SF_PARTS));
+}
+
+/* The sine at such a share at an amplitude, which exceeds the piece or ends in it. */
+static inline double sf_sine_at(double start, double end, int last, double share, double A) {
     if (last)
         return A > 0 ? share + (1 - share) * start / A : share;
-    return fmin((part == SF_PARTS ? end : start + (end - start) * share) / A, 1);
+    return fmin((share == 1 ? end : start + (end - start) * share) / A, 1);
 }
 
 static inline sf_interval sf_wider(double lo, double hi) {
@@ -42,20 +55,21 @@ static inline sf_interval sf_wider(double lo, double hi) {
 
 /* A sum that is too large for a double is at least this large. */
 static inline sf_interval sf_no_larger(sf_interval x) {
-    return sfi_of(x.lo > SFI_LARGEST ? SFI_LARGEST : x.lo, x.hi < -SFI_LARGEST ? -SFI_LARGEST : x.hi);
+    return sfi_of(x.lo > SF_LARGEST_SUM ? SF_LARGEST_SUM : x.lo, x.hi < -SF_LARGEST_SUM ? -SF_LARGEST_SUM : x.hi);
 }
 
 /* One piece's integrals, added: on its parts sines and angles rise or fall with A. */
 static inline void sf_add_bent(const sf_bent *of, int piece, double start, double end, int last, sf_interval A,
                                const sf_interval *p, sf_interval sums[2]) {
     sf_interval total[2] = {{0, 0}, {0, 0}}, values[2];
+    const int halved = sf_halved(last ? A.hi - start : end - start), parts = SF_PARTS + halved;
     double low_sine = sf_sine_at(start, end, last, 0, A.lo), high_sine = sf_sine_at(start, end, last, 0, A.hi);
     double low_angle = asin(fmin(low_sine, 1)), high_angle = asin(fmin(high_sine, 1));
     int part, k;
-    for (part = 0; part < SF_PARTS; part++) {
-        const double share = sf_share(part), next = sf_share(part + 1);
-        const double low_next = sf_sine_at(start, end, last, part + 1, A.lo);
-        const double high_next = sf_sine_at(start, end, last, part + 1, A.hi);
+    for (part = 0; part < parts; part++) {
+        const double share = sf_share(part, halved), next = sf_share(part + 1, halved);
+        const double low_next = sf_sine_at(start, end, last, next, A.lo);
+        const double high_next = sf_sine_at(start, end, last, next, A.hi);
         const double low_angle_next = asin(fmin(low_next, 1)), high_angle_next = asin(fmin(high_next, 1));
         const double one = low_angle_next - low_angle, other = high_angle_next - high_angle;
         const sf_interval angle = sfi_of(sfi_most(sfi_least(one, other) - SF_ANGLE, 0), sfi_most(one, other) + SF_ANGLE);

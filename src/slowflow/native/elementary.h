@@ -9,8 +9,8 @@
 
 /* what a function of the C library may err by, relatively; it is known to err by some ulps */
 #define SFI_FUNCTION 0x1p-46
-/* what is too large for a double is at least this large */
-#define SFI_LARGEST 0x1p960
+/* what stands for any larger value at the lower end: products of six of them are doubles */
+#define SFI_LARGEST 0x1p160
 #define SFI_PI 3.14159265358979312
 
 static inline sf_interval sfi_unknown(void) { return sfi_of(NAN, NAN); }

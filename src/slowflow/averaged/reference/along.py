@@ -266,6 +266,7 @@ class Cusp(Asked):
         There F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the other sign.
         """
         alike = ((cells.h_AA.lo >= 0) & (cells.k.lo >= 0)) | ((cells.h_AA.hi <= 0) & (cells.k.hi <= 0))
+        free = self._is_free_of_folds(cells)
         a, b, c, d, square = slow_flow_intervals.cusps(cells.A, self.zeta, cells.h, cells.h_A, cells.h_AA, cells.k)
         root, ranges = square.sqrt(), []
         for larger in (True, False):
@@ -276,9 +277,22 @@ class Cusp(Asked):
             y, less, dy, level = slow_flow_intervals.cusp(
                 cells.A, self.m, self.zeta, cells.h_AA, cells.h_AAA, cells.k, X, T, by_tangent.both(by_F_AA), signed
             )
-            where = np.where(alike | (square.hi < 0) | (level.lo > self.F_0), NOWHERE, where)
+            where = np.where(alike | free | (square.hi < 0) | (level.lo > self.F_0), NOWHERE, where)
             ranges.append(_range(cells, where, y.both(less), dy))
         return ranges
+
+
+    def _is_free_of_folds(self, cells: Cells) -> Bools:
+        """Whether F_A > 0 next to A = 0, where h_AA may be infinite, at all frequencies; known without a preload only.
+
+        With X = Omega^2 it is no less than 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X], whose discriminant is (h/A - h_A)^2
+        + 8 zeta^2 (h/A + h_A) + 16 zeta^4; as h = 0 at A = 0, h/A is a slope of h.
+        """
+        if self.model.preload != 0:
+            return np.zeros(cells.A.lo.shape, dtype=bool)
+        of_damping = 16.0 * self.zeta.square()
+        discriminant = (cells.h_A - cells.h_A).square() + of_damping * (cells.h_A + self.zeta.square())
+        return np.asarray((cells.A.lo == 0) & (discriminant.hi < 0))
 
 
 def _over_A(cells: Cells) -> tuple[Interval, Interval]:

@@ -1,8 +1,10 @@
 """Averages of forces of any kind between two amplitudes: in go intervals of A, out comes what h and h_AAAA are there.
 
 The quarter cycle is divided at displacements, each piece of the force for itself: at fixed ones where the amplitude
-exceeds the piece, at fixed shares of the last piece. On each part u, sine and the angle that it takes are known on an
-interval of A by their values at its ends, as each is monotone in A; what stands under the integrals is generated.
+exceeds the piece, at fixed shares of the last piece. The first share of a long piece is halved again and again, down to
+displacements of the size of the spring: all that a force does lies there. On each part u, sine and the angle that it
+takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands under the
+integrals is generated.
 """
 
 from __future__ import annotations
@@ -14,8 +16,8 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Elementary, Interval
 from slowflow.model import Floats, Model
 
-#: parts of the quarter cycle, of each piece
-PARTS = 24
+#: parts of the quarter cycle, of each piece, and how often the first of them is halved at most
+PARTS, HALVED = 24, 64
 #: shares of a piece at which it is divided: of equal angles where it begins at u = 0
 _SHARES = np.sin(np.linspace(0.0, 0.5 * np.pi, PARTS + 1))
 _SHARES[-1] = 1.0
@@ -47,22 +49,31 @@ def _enclosed(model: Model, ends: Floats, low: Floats, high: Floats) -> tuple[Fl
     for number, start in enumerate(starts):
         last = number == len(ends)
         if last:
-            beyond, sine, angle = _last_piece(start, low, high)
+            shares = _shares(np.max(high) - start)
+            beyond, sine, angle = _last_piece(shares, start, low, high)
         elif ends[number] > start:
-            beyond, sine, angle = _passed_piece(start, ends[number], low, high)
+            shares = _shares(ends[number] - start)
+            beyond, sine, angle = _passed_piece(shares, start, ends[number], low, high)
         else:
             continue
-        amplitudes = Elementary.of(np.tile(low, PARTS), np.tile(high, PARTS))
+        parts_of = shares.size - 1
+        amplitudes = Elementary.of(np.tile(low, parts_of), np.tile(high, parts_of))
         values = record.terms[number](Elementary.point, amplitudes, beyond, sine, *given)
         for k, value in enumerate(values):
             parts = _interval(value, angle) * angle
-            added = sums[k] + Interval(parts.ends.reshape(2, PARTS, -1).sum(axis=1))
+            added = sums[k] + Interval(parts.ends.reshape(2, parts_of, -1).sum(axis=1))
             # a sum that is too large for a double is at least this large
             sums[k] = Interval(np.clip(added.ends, [[-np.inf], [-_LARGEST]], [[_LARGEST], [np.inf]]))
     roots = [_root(end, low, high) for end in ends]
     A = Elementary.of(low, high)
     h, bend = record.closing[len(ends)](Elementary.point, A, *roots, *sums, *given)
     return _interval(h, A).ends, _interval(bend, A).ends
+
+
+def _shares(length: float) -> Floats:
+    """Of a piece of that length."""
+    halved = int(np.clip(np.ceil(np.log2(length)), 0, HALVED)) if length > 0 else 0
+    return np.concatenate(([0.0], _SHARES[1] * 0.5 ** np.arange(halved, 0, -1), _SHARES[1:]))
 
 
 def _interval(value: Any, like: Interval) -> Interval:
@@ -88,9 +99,11 @@ def _parts(lower: Floats, upper: Floats) -> Elementary:
     return Elementary(wider + np.array([[-_ANGLE], [_ANGLE]]) * np.abs(wider))
 
 
-def _passed_piece(start: float, end: float, low: Floats, high: Floats) -> tuple[Elementary, Elementary, Interval]:
+def _passed_piece(
+    shares: Floats, start: float, end: float, low: Floats, high: Floats
+) -> tuple[Elementary, Elementary, Interval]:
     """u less its begin, sine and angles on the parts of a piece that the amplitude exceeds: angles fall as it rises."""
-    beyond = ((end - start) * _SHARES)[:, np.newaxis]
+    beyond = ((end - start) * shares)[:, np.newaxis]
     at = start + beyond
     at[-1] = end
     whole = np.ones(low.size)
@@ -102,9 +115,9 @@ def _passed_piece(start: float, end: float, low: Floats, high: Floats) -> tuple[
     )
 
 
-def _last_piece(start: float, low: Floats, high: Floats) -> tuple[Elementary, Elementary, Interval]:
+def _last_piece(shares: Floats, start: float, low: Floats, high: Floats) -> tuple[Elementary, Elementary, Interval]:
     """The same on the piece that the amplitude ends in: there the angles rise with it."""
-    share = _SHARES[:, np.newaxis]
+    share = shares[:, np.newaxis]
 
     def sines(A: Floats) -> Floats:
         return np.asarray(np.where(A > 0, share + (1 - share) * start / A, share))

@@ -141,13 +141,14 @@ class Interval:
         return type(self)(self.ends[:, which])
 
 
+#: what stands for any larger value of an elementary function at the lower end: products of six of them are doubles
+_LARGEST = 2.0**160
 #: what an elementary function of NumPy may err by, relatively; it is known to err by some ulps
-_LARGEST = 2.0**960
 _FUNCTION = np.array([[-(2.0**-46)], [2.0**-46]])
 
 
 def _apart(ends: Floats) -> Floats:
-    """What a function's values may be; one that is too large for a double is large at least."""
+    """What a function's values may be; one that is very large is large at least."""
     least, most = np.array([[-np.inf], [-_LARGEST]]), np.array([[_LARGEST], [np.inf]])
     return np.asarray(np.clip(ends + _FUNCTION * np.where(np.isinf(ends), 0.0, np.abs(ends)), least, most))
 
