@@ -472,16 +472,12 @@ def test_motions_of_a_force_with_no_finite_stiffness_at_rest_are_refused(folder)
 
 
 @pytest.mark.parametrize(
-    ("force", "numbers"),
-    [
-        (u + k * u ** sp.Rational(3, 2), {"k": 0.5}),
-        (u + k * u ** sp.Rational(6, 5), {"k": 0.5}),
-    ],
-    ids=str,
+    ("slope", "power", "zeta"), [(1.0, 1.5, 0.03), (1.0, 1.2, 0.03), (0.01, 1.5, 0.2), (0.0, 1.5, 0.03)]
 )
-def test_an_onset_is_found_where_h_bends_without_bound_at_rest(folder, force, numbers):
-    """It satisfies F = F_A = F_AA = 0, and two folds are born there."""
-    one = derive.mechanism("onset", [(force, None)], {name: {} for name in numbers})(**numbers, **DAMPING)
+def test_an_onset_is_found_where_h_bends_without_bound_at_rest(folder, slope, power, zeta):
+    """It satisfies F = F_A = F_AA = 0, and two folds are born there; also where damping outweighs the slope at rest."""
+    made = derive.mechanism("bends", [(c * u + k * u**p, None)], {"c": {}, "k": ABOVE_0, "p": ABOVE_0})
+    one = made(c=slope, k=0.5, p=power, mu=0.01, zeta=zeta)
     onset = one.saddle_node_onset()
     h, h_A, h_AA, _ = one.model.averaged(onset.A)
     R, X, T = onset.A * onset.Omega**2 + h, onset.Omega**2, onset.Omega**2 + h_A
@@ -490,3 +486,14 @@ def test_an_onset_is_found_where_h_bends_without_bound_at_rest(folder, force, nu
     assert R * T + 2 * one.zeta * onset.Omega * sine == pytest.approx(0, abs=1e-12)
     assert T**2 + R * h_AA + 4 * one.zeta**2 * X == pytest.approx(0, abs=1e-11)
     assert [len(one.saddle_nodes(onset.F_SN * factor)) for factor in (1 - 1e-6, 1 + 1e-6)] == [0, 2]
+
+
+def test_far_out_an_enclosure_narrows_as_what_it_encloses(derived):
+    """1 - tanh takes (4/pi) pi^2/24/(k A)^2 off h, to the order of A^-4; cosh in its derivatives exceeds doubles."""
+    stiffness, A = 3.0, 2.0 ** np.array([7, 13])
+    model = derived("saturating")(k=stiffness, **DAMPING).model
+    (_, bend), (_, further) = (enclosed(model, A[i : i + 1], 1.001 * A[i : i + 1]) for i in (0, 1))
+    value = 20 * np.pi / stiffness**2
+    for one, at in ((bend, A[0]), (further, A[1])):
+        assert one.lo[0] * at**6 < value < one.hi[0] * at**6
+    np.testing.assert_allclose(further.ends * A[1] ** 6, bend.ends * A[0] ** 6, rtol=0.01)

@@ -111,6 +111,13 @@ def test_compiled_solvers_give_the_answers_of_those_on_numpy(derived, name):
     assert one.frequency_response(0.3).message == other.frequency_response(0.3).message
 
 
+def test_compiled_onsets_are_those_of_numpy_where_h_bends_without_bound_at_rest(derived):
+    """And where there is no stiffness at rest."""
+    for damping in (DAMPING, {"mu": 0.01, "zeta": 0.2}):
+        one, other = (derived("power", compile)(k=0.5, p=1.5, **damping) for compile in (False, True))
+        same(one.saddle_node_onset(), other.saddle_node_onset())
+
+
 def test_many_designs_are_single_ones_and_have_their_gradients(derived):
     """Those of NumPy's solvers."""
     numbers = {**FORCES["soft_stop"][1], "k": np.array([2.5, 3.0])}

@@ -281,18 +281,20 @@ class Cusp(Asked):
             ranges.append(_range(cells, where, y.both(less), dy))
         return ranges
 
-
     def _is_free_of_folds(self, cells: Cells) -> Bools:
         """Whether F_A > 0 next to A = 0, where h_AA may be infinite, at all frequencies; known without a preload only.
 
-        With X = Omega^2 it is no less than 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X], whose discriminant is (h/A - h_A)^2
-        + 8 zeta^2 (h/A + h_A) + 16 zeta^4; as h = 0 at A = 0, h/A is a slope of h.
+        With X = Omega^2 it is no less than 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no
+        coefficient is negative, or where its discriminant is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4.
+        As h = 0 at A = 0, h/A is a slope of h.
         """
         if self.model.preload != 0:
             return np.zeros(cells.A.lo.shape, dtype=bool)
-        of_damping = 16.0 * self.zeta.square()
-        discriminant = (cells.h_A - cells.h_A).square() + of_damping * (cells.h_A + self.zeta.square())
-        return np.asarray((cells.A.lo == 0) & (discriminant.hi < 0))
+        slope, square = cells.h_A, self.zeta.square()
+        discriminant = (slope - slope).square() + 16.0 * square * (slope + square)
+        one_sign = (slope.lo >= 0) | (slope.hi <= 0)
+        positive = one_sign & ((slope + 2.0 * square).lo > 0)
+        return np.asarray((cells.A.lo == 0) & (positive | (discriminant.hi < 0)))
 
 
 def _over_A(cells: Cells) -> tuple[Interval, Interval]:
