@@ -88,6 +88,21 @@ def test_damping_and_friction_are_found_from_motions_on_a_base_that_shakes():
     assert again.names[0] == "Y/m"
 
 
+def test_what_is_transmitted_at_a_frequency_has_a_band_and_can_be_required():
+    found = tolerances(MOUNT, {"k_h": 0.05, "zeta": 0.2}, F=5, f=2.25, answers=["A", "transmissibility"], samples=40)
+    for k in range(40):
+        states = MOUNT.replace(k_h=found.drawn["k_h"][k], zeta=found.drawn["zeta"][k]).amplitudes(f=2.25, F=5)
+        largest = np.flatnonzero(states.stable)[-1]
+        assert found.samples["A"][k] == pytest.approx(states.A[largest], rel=1e-13)
+        of_it = 10 ** (states.transmissibility_dB[largest] / 20)
+        assert found.samples["transmissibility"][k] == pytest.approx(of_it, rel=1e-12)
+    assert MOUNT.amplitudes(f=2.25, F=5).A.size == 3 and found.unit.tolist() == ["m", ""]
+    assert tolerances(MOUNT, {"k_h": 0.05}, F=0.3, f=5, answers=["A"], samples=5).samples["A"].tolist() == [0.0] * 5
+    met = meet(MOUNT, {"k_h": (1000, 2500)}, at_most={"transmissibility": 0.22}, F=5, f=5)
+    assert met.feasible and met.reached["transmissibility"] == pytest.approx(0.22, rel=1e-6)
+    assert met.design.amplitudes(f=5, F=5).transmissibility_dB[-1] == pytest.approx(20 * np.log10(0.22), abs=1e-4)
+
+
 @pytest.mark.parametrize("name", WITHIN)
 def test_the_band_of_a_small_tolerance_is_that_of_the_gradient(name):
     part, nominal = (
@@ -147,6 +162,8 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, F_0=0.1), "the forcing of a mount is F"),
         (lambda: tolerances(isolator(), {"r": 0.1}, F=0.1), "the forcing of an isolator is F_0"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_peak"]), "A_peak needs a forcing: give F"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, F=5, answers=["A"]), "A needs a frequency: give f"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, Omega=1.0), "the frequency of a mount is f"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["peak"]), "'peak' is no answer: it must be one of F_SN"),
         (lambda: sobol(MOUNT, {"k_h": 0.1}, samples=1000), "samples must be a power of two"),
         (lambda: meet(MOUNT, {"k_h": (1, 2)}), "at least one requirement"),
@@ -205,7 +222,7 @@ def test_of_two_free_numbers_the_nearest_design_lies_where_the_answer_moves_as_t
 )
 def test_slopes_of_answers_are_those_of_their_differences(of, F, F_0):
     subject = Subject(of)
-    load = subject.load(F, F_0, None)
+    load = subject.load(F, F_0, None, None, None)
     known = 0
     for answer in subject.answered(None, load):
         found = slopes(subject, {}, answer, load)

@@ -343,7 +343,7 @@ def _map(of: Any) -> Iterator[str]:
     share = np.linspace(1 - REACH, 1 + REACH, MAPPED)
     columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
     onset = next(name for name, plain in subject.answers.items() if plain == "F_SN")
-    values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None))[onset]
+    values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None, None))[onset]
     scale = 1e3 if subject.mount else 1.0
     shown = SHOWN[subject.amplitude]
     units = ("(N/m)", "mm", shown) if subject.mount else ("", "", "")

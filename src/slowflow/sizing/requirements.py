@@ -239,6 +239,8 @@ def meet(
     at_most: Mapping[str, float] | None = None,
     F: float | None = None,
     F_0: float | None = None,
+    f: float | None = None,
+    Omega: float | None = None,
     shock: tuple[float, float] | None = None,
     seed: int = 0,
 ) -> Met:
@@ -248,6 +250,7 @@ def meet(
     free     -- by name, the lowest and the highest value of each number that may change; distances are shares of that
     at_least, at_most -- by name of an answer that `slowflow.sizing` lists, what it has to reach and not to exceed
     F, F_0   -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
+    f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock    -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
 
     An answer that a design does not have meets nothing; F_SN and F_cr are infinite where there is no such forcing.
@@ -255,7 +258,7 @@ def meet(
     what is not allowed.
     """
     subject = Subject(of)
-    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, shock), seed)
+    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock), seed)
     if not search.wanted or not free:
         raise ValueError("meet needs at least one requirement and one free number")
     # ranges as narrow as rounding, requirements as large as numbers are
@@ -278,13 +281,15 @@ def front(
     at_most: Mapping[str, float] | None = None,
     F: float | None = None,
     F_0: float | None = None,
+    f: float | None = None,
+    Omega: float | None = None,
     shock: tuple[float, float] | None = None,
     points: int = POINTS,
     seed: int = 0,
 ) -> Front:
     """The trade-off between two answers: designs none of which is better in one without being worse in the other.
 
-    of, free, at_least, at_most, F, F_0, shock -- as in `meet`; no requirement is needed
+    of, free, at_least, at_most, F, F_0, f, Omega, shock -- as in `meet`; no requirement is needed
     high, low -- names of answers that are to be high, and low: two in all
     points    -- how many designs along the front
 
@@ -292,7 +297,7 @@ def front(
     requirements there is no row, and `.message` names the binding one. Raises ValueError for what is not allowed.
     """
     subject = Subject(of)
-    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, shock), seed)
+    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock), seed)
     pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
     if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:
         raise ValueError("front needs two answers, in high or in low, and at least one free number")

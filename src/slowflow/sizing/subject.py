@@ -15,7 +15,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import frozen
-from slowflow.averaged.many import Folds
+from slowflow.averaged.many import Folds, States
 from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
@@ -31,8 +31,9 @@ from slowflow_kernels.scaling import SCALES
 OF_ALL_FORCINGS = {"F_SN": "amplitude", "F_cr": "amplitude", "rest": "frequency"}
 OF_FREQUENCIES = ("peak", "jump_up", "jump_down", "band", "isolation")
 AT_A_FORCING = {"A_peak": "length", **dict.fromkeys(OF_FREQUENCIES, "frequency")}
+AT_A_FREQUENCY = {"A": "length", "transmissibility": "ratio"}
 IN_A_SHOCK = {"A_shock": "length", "a_shock": "acceleration"}
-KIND = OF_ALL_FORCINGS | AT_A_FORCING | IN_A_SHOCK
+KIND = OF_ALL_FORCINGS | AT_A_FORCING | AT_A_FREQUENCY | IN_A_SHOCK
 
 
 @dataclass(frozen=True)
@@ -40,10 +41,12 @@ class Load:
     """What a design has to bear, None where that is not given; in SI units of a mount.
 
     forcing -- amplitude of the excitation
+    frequency -- of the excitation
     shock   -- peak acceleration and duration of a half sine of the base
     """
 
     forcing: float | None
+    frequency: float | None
     shock: tuple[float, float] | None
 
 
@@ -104,29 +107,41 @@ class Subject:
 
     def unit(self, answer: str) -> str:
         """Of an answer; "" without dimensions."""
-        return next(iter(UNITS[self.kind(answer)])) if self.mount else ""
+        kind = self.kind(answer)
+        return next(iter(UNITS[kind])) if self.mount and kind in UNITS else ""
 
-    def load(self, F: Any, F_0: Any, shock: Any) -> Load:
-        """What was given of F, of a mount, or F_0, of an isolator, and a shock. Raises ValueError for the other one."""
-        value, other, name = (F_0, F, "F_0") if self.mount is None else (F, F_0, "F")
-        if other is not None:
-            raise ValueError(f"the forcing of {'an isolator' if self.mount is None else 'a mount'} is {name}")
-        forcing = None if value is None else validate.number(name, value, above=0.0)
+    def load(self, F: Any, F_0: Any, f: Any, Omega: Any, shock: Any) -> Load:
+        """What was given of F and f, of a mount, or F_0 and Omega, of an isolator, and a shock.
+
+        Raises ValueError for those of the other one.
+        """
+        of, names = ("a mount", ("F", "f")) if self.mount else ("an isolator", ("F_0", "Omega"))
+        (forcing, frequency), others = ((F, f), (F_0, Omega)) if self.mount else ((F_0, Omega), (F, f))
+        for what, name, other in zip(("forcing", "frequency"), names, others, strict=True):
+            if other is not None:
+                raise ValueError(f"the {what} of {of} is {name}")
+        forcing, frequency = (
+            None if value is None else validate.number(name, value, above=0.0)
+            for name, value in zip(names, (forcing, frequency), strict=True)
+        )
         if shock is None:
-            return Load(forcing, None)
+            return Load(forcing, frequency, None)
         try:
             acceleration, duration = shock
         except (TypeError, ValueError):
             raise ValueError(f"shock = {shock!r} is not allowed: it must be a pair (acceleration, duration)") from None
         pulse = (validate.number("shock[0]", acceleration, above=0.0), validate.number("shock[1]", duration, above=0.0))
-        return Load(forcing, pulse)
+        return Load(forcing, frequency, pulse)
 
     def answered(self, names: Iterable[str] | None, load: Load) -> list[str]:
         """The answers that are wanted, by default all that the load allows.
 
         Raises ValueError for an unknown one, and for one that needs a forcing or a shock where there is none.
         """
-        missing = {} if load.forcing is not None else dict.fromkeys(AT_A_FORCING, "F" if self.mount else "F_0")
+        forcing, frequency = ("F", "f") if self.mount else ("F_0", "Omega")
+        missing = {} if load.frequency is not None else dict.fromkeys(AT_A_FREQUENCY, frequency)
+        if load.forcing is None:
+            missing |= dict.fromkeys((*AT_A_FORCING, *AT_A_FREQUENCY), forcing)
         missing |= {} if load.shock is not None else dict.fromkeys(IN_A_SHOCK, "shock")
         if names is None:
             return [name for name, plain in self.answers.items() if plain not in missing]
@@ -134,7 +149,7 @@ class Subject:
             if name not in self.answers:
                 raise ValueError(f"{name!r} is no answer: it must be one of {', '.join(self.answers)}")
             if needed := missing.get(self.answers[name]):
-                what = "a shock of the base" if needed == "shock" else "a forcing"
+                what = {"shock": "a shock of the base", frequency: "a frequency"}.get(needed, "a forcing")
                 raise ValueError(f"{name} needs {what}: give {needed}")
         return list(names)
 
@@ -151,10 +166,10 @@ class Subject:
         """
         given: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
-        units: dict[str, Any] = dict.fromkeys(UNITS, 1.0)
+        units: dict[str, Any] = dict.fromkeys((*UNITS, "ratio"), 1.0)
         if self.mount is not None:
             base = {name: given[name] for name in ("m", "k_v", "L")}
-            units = sizes(**base)
+            units = {**sizes(**base), "ratio": 1.0}
             names_of = (*(domain.name for domain in ROD_SPRING.design), *(domain.name for domain in DAMPING))
             given = {
                 name: given["zeta"]
@@ -164,16 +179,17 @@ class Subject:
             }
         arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in given.items()}
         F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units[self.amplitude], shape)
+        Omega = None if load.frequency is None else np.broadcast_to(load.frequency / units["frequency"], shape)
         pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
-        batch = _Batch(Designs(self.mechanism, arrays, self.excitation), F_0, pulse)
+        batch = _Batch(Designs(self.mechanism, arrays, self.excitation), F_0, Omega, pulse)
         return {name: frozen(batch.answer(self.answers[name]) * units[self.kind(name)]) for name in names}
 
 
 class _Batch:
     """Answers to a batch of designs, each question asked once."""
 
-    def __init__(self, designs: Designs, F_0: Floats | None, pulse: Any) -> None:
-        self.designs, self.F_0, self.pulse = designs, F_0, pulse
+    def __init__(self, designs: Designs, F_0: Floats | None, Omega: Floats | None, pulse: Any) -> None:
+        self.designs, self.F_0, self.Omega, self.pulse = designs, F_0, Omega, pulse
         self.asked: dict[str, Any] = {}
 
     def _ask(self, question: str, *arguments: Any) -> Any:
@@ -201,6 +217,10 @@ class _Batch:
             bands = self._ask("hysteresis", self.F_0)
             width = np.nansum(bands.Omega_high - bands.Omega_low, axis=-1)
             return np.where(np.isin(bands.status, (Status.OK, Status.STICKS)), width, np.nan)
+        if name in AT_A_FREQUENCY:
+            if "states" not in self.asked:
+                self.asked["states"] = self.designs.amplitudes(Omega=self.Omega, F_0=self.F_0)
+            return _of_the_largest(self.asked["states"], name)
         if name in IN_A_SHOCK:
             if "shock" not in self.asked:
                 acceleration, duration = self.pulse
@@ -215,6 +235,15 @@ class _Batch:
                 bounded = np.where(peaks.status == Status.NONE, self.F_0, bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask("saddle_nodes", self.F_0), name == "jump_up")
+
+
+def _of_the_largest(states: States, name: str) -> Floats:
+    """Of the stable motion with the largest amplitude; NaN where there is none, but A = 0 where the mass sticks."""
+    A = np.where(states.stable == 1, states.A, -math.inf)
+    largest = np.argmax(A, axis=-1)[..., np.newaxis]
+    found = np.take_along_axis(np.asarray(getattr(states, name)), largest, -1)[..., 0]
+    found = np.where(A.max(axis=-1) > 0, found, np.nan)
+    return np.where(states.status == Status.STICKS, 0.0, found) if name == "A" else found
 
 
 def first_jump(folds: Folds, up: bool) -> Floats:

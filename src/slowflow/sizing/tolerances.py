@@ -138,6 +138,8 @@ def tolerances(
     *,
     F: float | None = None,
     F_0: float | None = None,
+    f: float | None = None,
+    Omega: float | None = None,
     shock: tuple[float, float] | None = None,
     answers: Iterable[str] | None = None,
     samples: int = 10_000,
@@ -149,14 +151,15 @@ def tolerances(
     within  -- by name of a number: 0.05 for any value within 5 % of the nominal one, or a distribution of the value
                itself, anything with SciPy's `ppf`
     F, F_0  -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
+    f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
-    answers -- which of those that `slowflow.sizing` lists; by default all that the forcing and the shock allow
+    answers -- which of those that `slowflow.sizing` lists; by default all that forcing, frequency and shock allow
     samples, seed -- how many designs are tried, and which
 
     Raises ValueError for what is not allowed.
     """
     subject = Subject(of)
-    load = subject.load(F, F_0, shock)
+    load = subject.load(F, F_0, f, Omega, shock)
     within = _within(subject, within)
     names = subject.answered(answers, load)
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
@@ -182,6 +185,8 @@ def sobol(
     *,
     F: float | None = None,
     F_0: float | None = None,
+    f: float | None = None,
+    Omega: float | None = None,
     shock: tuple[float, float] | None = None,
     answers: Iterable[str] | None = None,
     samples: int = 1024,
@@ -193,7 +198,7 @@ def sobol(
     without SALib.
     """
     subject = Subject(of)
-    load = subject.load(F, F_0, shock)
+    load = subject.load(F, F_0, f, Omega, shock)
     within = _within(subject, within)
     names = subject.answered(answers, load)
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
