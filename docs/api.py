@@ -1,4 +1,4 @@
-"""In: the public modules. Out: docs/api.md, every public name with its signature and what it says of itself.
+"""In: the public modules, docs/api.toml. Out: docs/api.md, every public name with its signature, its words, an example.
 
     python -m docs.api
 
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
+import tomllib
 from collections.abc import Iterator
 from enum import Enum
 from functools import cached_property
@@ -18,6 +19,8 @@ from types import ModuleType
 from typing import Any
 
 PAGE = Path(__file__).with_name("api.md")
+#: examples by module and name, and under "begin" the lines that they begin with
+EXAMPLES: dict[str, Any] = tomllib.loads(PAGE.with_suffix(".toml").read_text(encoding="utf-8"))
 
 #: the public modules, in the order of the page
 MODULES = (
@@ -54,8 +57,10 @@ MODULES = (
 )
 HEAD = """# API
 
-Every public name, its signature, and the first lines of its docstring; `help(name)` has the rest. All quantities are
-dimensionless but in `slowflow.physical`. Written by `python -m docs.api`, and held to the code by a test.
+Every public name, its signature, first lines of its docstring, an example; `help(name)` has the rest. All quantities
+are dimensionless but in `slowflow.physical`. Written by `python -m docs.api`, and held to the code by a test.
+
+Examples begin with these lines, those of their module, and `from module import` what they use of it:
 """
 
 
@@ -83,17 +88,17 @@ def summary(thing: Any) -> str:
     return " ".join((inspect.getdoc(thing) or "").partition("\n\n")[0].split())
 
 
-def members(kind: type) -> Iterator[tuple[str, str]]:
-    """The public methods and properties that a class adds to its bases: how they are called, what they say."""
+def members(kind: type) -> Iterator[tuple[str, str, str]]:
+    """The public methods and properties that a class adds to its bases: name, how it is called, what it says."""
     for name, value in sorted(vars(kind).items()):
         if name.startswith("_"):
             continue
         if isinstance(value, (property, cached_property)):
-            yield name, summary(value)
+            yield name, name, summary(value)
         elif isinstance(value, (classmethod, staticmethod)):
-            yield name + signature(value.__func__, isinstance(value, classmethod)), summary(value.__func__)
+            yield name, name + signature(value.__func__, isinstance(value, classmethod)), summary(value.__func__)
         elif inspect.isfunction(value):
-            yield name + signature(value, True), summary(value)
+            yield name, name + signature(value, True), summary(value)
 
 
 def heading(name: str, value: Any) -> Iterator[str]:
@@ -111,23 +116,42 @@ def heading(name: str, value: Any) -> Iterator[str]:
     yield from ("", summary(value), "")
 
 
+def own(path: str) -> Iterator[tuple[str, Any]]:
+    """What is told of at this module: its names but those of another public module."""
+    for name, value in public(import_module(path)):
+        if value.__module__ == path or value.__module__ not in MODULES:
+            yield name, value
+
+
+def told() -> Iterator[tuple[str, str]]:
+    """Module and name of all that the page tells of, a class's methods as "Class.method"."""
+    for path in MODULES:
+        for name, value in own(path):
+            yield path, name
+            yield from ((path, f"{name}.{member}") for member, *_ in (members(value) if inspect.isclass(value) else ()))
+
+
+def block(code: str) -> list[str]:
+    """Lines of Python, as Markdown has them."""
+    return ["```python", code.strip(), "```", ""]
+
+
 def text() -> str:
     """The page."""
-    lines = [HEAD]
+    lines = [HEAD, *block(EXAMPLES["begin"])]
     for path in MODULES:
         module = import_module(path)
         lines += [f"## {path}", "", summary(module), ""]
-        own = [
-            (name, value)
-            for name, value in public(module)
-            if value.__module__ == path or value.__module__ not in MODULES
-        ]
-        others = [name for name, value in public(module) if (name, value) not in own]
+        examples = EXAMPLES.get(path, {})
+        lines += block(examples["begin"]) if "begin" in examples else []
+        here = dict(own(path))
+        others = [name for name, _ in public(module) if name not in here]
         lines += [f"Also here: {', '.join(f'`{name}`' for name in others)}.", ""] if others else []
-        for name, value in own:
-            lines += [f"### {name}", "", *heading(name, value)]
-            listed = [f"- `{called}`: {said}" for called, said in members(value)] if inspect.isclass(value) else []
-            lines += [*listed, ""] if listed else []
+        for name, value in here.items():
+            lines += [f"### {name}", "", *heading(name, value), *block(examples[name])]
+            for member, called, said in members(value) if inspect.isclass(value) else ():
+                lines.append(f"- `{called}`: {said} Example: `{examples[f'{name}.{member}']}`")
+            lines += [""] if lines[-1] else []
     return "\n".join(lines).rstrip() + "\n"
 
 

@@ -18,13 +18,21 @@ import pytest
 from scipy.integrate import quad
 
 from docs import api
-from slowflow import cli
+from slowflow import backend, cli, scenes
 from slowflow.averaged.questions import Averaged
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 #: packages of extras, by example
 NEEDED = {"stored_map": ("xarray", "dask", "zarr")}
+#: those of examples in the list of signatures, by module
+EXAMPLES_NEED = {
+    "slowflow.answer": ("pandas", "xarray"),
+    "slowflow.averaged.many": ("xarray",),
+    "slowflow.derive": ("sympy", "flint"),
+    "slowflow.grid.designs": ("xarray", "dask", "zarr"),
+    "slowflow.sizing.tolerances": ("SALib",),
+}
 DECISIONS = ROOT / "docs" / "decisions"
 LINK = re.compile(r"\]\(([^)#:]+)\)")
 #: pages whose links must lead somewhere
@@ -131,6 +139,49 @@ def test_the_list_of_signatures_has_no_gap() -> None:
             arguments = list(inspect.signature(function).parameters)[1:]
             assert any(all(argument in line for argument in arguments) for line in lines), name
     assert not re.search(r"`: *$", text, re.MULTILINE)
+
+
+def test_every_name_of_the_list_has_an_example_and_no_other() -> None:
+    stated = [(path, name) for path in api.MODULES for name in api.EXAMPLES.get(path, {}) if name != "begin"]
+    assert sorted(stated) == sorted(api.told())
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=[pytest.mark.slow] if path == "slowflow.derive" else [])
+        for path in api.EXAMPLES
+        if path != "begin"
+    ],
+)
+def test_examples_of_the_list_run(path: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An example of a class gives one, that of a function or a method names it; none warns."""
+    for package in ("matplotlib", *EXAMPLES_NEED.get(path, ())):
+        pytest.importorskip(package, reason=f"an extra is not installed: {package}")
+    if backend.SOLVER is None and path.startswith("slowflow.sizing"):
+        pytest.skip("designs by the thousand take minutes on NumPy")
+    monkeypatch.chdir(tmp_path)
+    Path("scene.toml").write_text(scenes.STARTER, encoding="utf-8")
+    examples = dict(api.EXAMPLES[path])
+    begin = api.EXAMPLES["begin"] + examples.pop("begin", "")
+    module = import_module(path)
+    names = {name: value for name, value in vars(module).items() if not name.startswith("_")}
+    exec(begin, names)
+    for name, code in examples.items():
+        *before, last = ast.parse(code).body
+        value, space = None, dict(names)
+        exec(compile(ast.Module(before, []), name, "exec"), space)
+        if isinstance(last, ast.Expr):
+            value = eval(compile(ast.Expression(last.value), name, "eval"), space)
+        else:
+            exec(compile(ast.Module([last], []), name, "exec"), space)
+        kind = getattr(module, name, None)
+        if inspect.isclass(kind) and not issubclass(kind, Exception) and not getattr(kind, "_is_protocol", False):
+            assert isinstance(value, kind), name
+        elif "." in name:
+            assert f".{name.partition('.')[2]}" in code, name
+        elif inspect.isfunction(kind):
+            assert f"{name}(" in code, name
 
 
 def test_the_list_of_kernels_is_what_mechanisms_have() -> None:

@@ -1,6 +1,7 @@
 """Docstrings as they stand in the code: in go their lines, out come lines of reStructuredText that read the same.
 
-A line `name -- what it is` becomes a field; text that is set in is shown as it is; nothing else has a meaning.
+A line `name -- what it is` becomes a field; text that is set in is shown as it is; nothing else has a meaning. Below it
+stands the example of docs/api.toml.
 """
 
 from __future__ import annotations
@@ -8,6 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from typing import Any
+
+from docs.api import EXAMPLES
 
 FIELD = re.compile(r"^(\s*)([\w., *]+?)\s+-- (.*)$")
 
@@ -50,4 +53,12 @@ def as_rst(app: Any, what: str, name: str, of: Any, options: Any, lines: list[st
     for part in re.split(r"\n\s*\n", "\n".join(lines).strip("\n")):
         if part.strip():
             found += paragraph(part.split("\n"))
-    lines[:] = found
+    lines[:] = found + list(example(name))
+
+
+def example(name: str) -> Iterator[str]:
+    """That of a name with its module before it, if it has one."""
+    for path, examples in EXAMPLES.items():
+        if path != "begin" and name.startswith(f"{path}.") and name.removeprefix(f"{path}.") in examples:
+            code = examples[name.removeprefix(f"{path}.")].strip()
+            yield from ("Example::", "", *(f"    {line}" for line in code.split("\n")), "")

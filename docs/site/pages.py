@@ -13,7 +13,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from docs.api import MODULES
+from docs.api import EXAMPLES, MODULES, block
 
 ROOT = Path(__file__).parents[2]
 #: files outside docs that are pages of the site
@@ -146,8 +146,11 @@ def reference(folder: Path) -> None:
         options = ["   :no-index:"] if twice else []
         if again := told_later(module):
             options.append(f"   :exclude-members: {', '.join(again)}")
-        lines = [f"# {module}", "", "```{eval-rst}", f".. automodule:: {module}", *options, "```", ""]
+        begin = EXAMPLES.get(module, {}).get("begin", "")
+        first = ["Examples here begin with these lines too:", "", *block(begin)] if begin else []
+        lines = [f"# {module}", "", *first, "```{eval-rst}", f".. automodule:: {module}", *options, "```", ""]
         (folder / f"{name}.md").write_text("\n".join(lines), encoding="utf-8")
     text = (Path(__file__).parent / "reference.txt").read_text(encoding="utf-8")
+    text += "\n".join(["\nExamples begin with these lines:", "", *block(EXAMPLES["begin"])])
     entries = "\n".join(module.replace(".", "_") for module in MODULES)
     (folder / "index.md").write_text(f"{text}\n```{{toctree}}\n:maxdepth: 1\n\n{entries}\n```\n", encoding="utf-8")
