@@ -122,7 +122,10 @@ def _contract(function: Callable, ball: arb) -> arb:
         slope = function(arb_series([ball, 1]))[1]
         if slope.contains(0):  # too wide for the plain enclosure of the slope: bisect
             left, right = arb(ball.lower()), arb(ball.upper())
-            ball = left.union(centre) if _sign(function, left) != _sign(function, centre) else centre.union(right)
+            try:
+                ball = left.union(centre) if _sign(function, left) != _sign(function, centre) else centre.union(right)
+            except ArithmeticError:  # as small as what is known of the function allows
+                return ball
             continue
         step = (centre - value / slope).intersection(ball)
         if arb(step.rad()) > arb(ball.rad()) * arb("0.9"):
