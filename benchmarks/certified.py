@@ -81,7 +81,7 @@ def exact_folds() -> list[Number]:
 def _exact_cases() -> list[dict[str, Any]]:
     """Motions and folds of Table 1, untruncated, to 40 digits."""
     cases = json.loads((DATA / "exact_motions.json").read_text())
-    return [case for case in cases if case["force"] == "untruncated" and case["numbers"]["mu"] == TABLE_1["mu"]]
+    return [case for case in cases if case["force"] == "untruncated" and case["numbers"] == TABLE_1]
 
 
 class Table1:

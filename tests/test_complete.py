@@ -58,6 +58,35 @@ def assert_folds_of_samples(oscillator, F_0):
         assert (surplus >= 0).all() and (surplus % 2 == 0).all(), (oscillator, F_0)
 
 
+@pytest.mark.parametrize("Omega", [1.0305899882311778, 1.0305899882312535])
+def test_a_state_next_to_a_breakpoint_at_which_the_force_hardly_jumps_is_not_missed(Omega):
+    """F passes 0 at 4e-11 above u_cr: what rounded parameters gain there moves h_A by 5e-12, k has the gain itself."""
+    numbers = {"lam": 1.0, "r": 0.15290344015313845, "delta_h": 6.879315729709914e-08}
+    iso = Isolator(**numbers, mu=4.3076596092135015e-05, zeta=0.019529834764510277)
+    F_0 = 7.348378235794517e-05
+    (A,), parameters = iso.amplitudes(Omega=Omega, F_0=F_0).A, iso.model.parameters
+    with mpmath.workdps(40):
+        alpha, beta, gamma, u_cr = map(mpmath.mpf, parameters)
+
+        def F(A):
+            passed, last = mpmath.acos(u_cr / A), mpmath.pi / 2
+            off = mpmath.quad(lambda s: A * mpmath.cos(s) ** 2, [0, passed])
+            on = mpmath.quad(
+                lambda s: (
+                    sum(f * (A * mpmath.cos(s)) ** n for f, n in ((alpha, 1), (beta, 3), (gamma, 5))) * mpmath.cos(s)
+                ),
+                [passed, last],
+            )
+            R = A * mpmath.mpf(Omega) ** 2 - 4 / mpmath.pi * (off + on)
+            return (
+                R**2
+                + (4 * mpmath.mpf(iso.mu) / mpmath.pi + 2 * mpmath.mpf(iso.zeta) * A * Omega) ** 2
+                - mpmath.mpf(F_0) ** 2
+            )
+
+        assert F(A * (1 - mpmath.mpf(10) ** -12)) < 0 < F(A * (1 + mpmath.mpf(10) ** -12))
+
+
 def test_no_fold_is_missed_that_dense_samples_show():
     for oscillator, F_0 in oscillators(random_designs(2, MANY)):
         assert_folds_of_samples(oscillator, F_0)

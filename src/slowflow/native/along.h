@@ -350,6 +350,9 @@ static inline int sf_channels(sf_question question) {
 #define SF_FLAT
 #endif
 
+/* farther from a breakpoint than this, relatively, the gains' roundings are lost in those of kernels */
+#define SF_NEXT_TO_BREAK 1.01
+
 /* ==== On a cell ==================================================================================================== */
 
 static inline sf_where sf_where_positive(sf_interval x) {
@@ -656,6 +659,22 @@ static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, cons
     out->ddy = state[2];
 }
 
+/* Parameters are rounded, and with them what the force gains at a breakpoint: next to it that moves h_A, as the inverse of the
+ * root there, by more than k, which has the gain itself. */
+static inline void sf_doubt_gains(const sf_model *model, sf_cell *cell) {
+    const double A[2] = {cell->A.lo, cell->A.hi}, size = SF_DOUBT * (A[1] + fabs(cell->h.lo));
+    double doubt[2];
+    int i, end;
+    for (i = 0; i < model->breaks; i++) {
+        const double b = model->b[i];
+        if (!(A[0] >= b && A[0] <= SF_NEXT_TO_BREAK * b))
+            continue;
+        for (end = 0; end < 2; end++)
+            doubt[end] = size / sqrt((A[end] - b) * (A[end] + b));
+        cell->h_A.lo -= doubt[cell->h_AA.hi <= 0], cell->h_A.hi += doubt[cell->h_AA.lo >= 0];
+    }
+}
+
 /* The same, F_A and F_AA only where what comes before them has no sign on the cell. Inlined, so that no call computes what is
  * not taken of it. */
 SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
@@ -740,6 +759,7 @@ static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const
         sf_range_rest(model, asked->F_0, cell, out);
         break;
     case SF_STATE:
+        sf_doubt_gains(model, cell);
         sf_range_state_in_turn(&asked->terms, sfi_point(asked->Omega), cell, out);
         break;
     }
