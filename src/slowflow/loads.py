@@ -5,7 +5,9 @@ In:  an averaged oscillator, forcings, frequencies. Out: records, from the avera
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple
@@ -22,6 +24,8 @@ from slowflow.mechanism import Floats
 from slowflow.results import Remark, joined
 
 Flags = npt.NDArray[np.bool_]
+#: Omega of every fold at a forcing
+Folds = Callable[[float], Floats]
 
 ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
 ISOLATES = "every motion transmits less than the force"
@@ -262,8 +266,13 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
     at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
     rows, said = [], []
     before: tuple[float, float] | None = None
+
+    @functools.cache  # rows share forcings, and each row ends where the next begins
+    def folds(F_0: float) -> Floats:
+        return oscillator.saddle_nodes(F_0).Omega
+
     for here in zip(at.tolist(), F.tolist(), strict=True):
-        row, message = _row(oscillator, before, here)
+        row, message = _row(oscillator, folds, before, here)
         rows.append(row)
         said.append(message)
         before = here
@@ -275,21 +284,22 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
     return Spectrum(**typed, message=words.at_several(said))
 
 
-def _sides(oscillator: Averaged, Omega: float, F_0: float) -> tuple[int, int]:
-    """How many folds at F_0 lie at or below the frequency Omega, and how many above it."""
-    below = oscillator.saddle_nodes(F_0).Omega <= Omega
+def _sides(folds: Floats, Omega: float) -> tuple[int, int]:
+    """How many folds lie at or below the frequency Omega, and how many above it."""
+    below = folds <= Omega
     return int(below.sum()), int((~below).sum())
 
 
-def _crosses(oscillator: Averaged, before: tuple[float, float], here: tuple[float, float]) -> bool:
+def _crosses(folds: Folds, before: tuple[float, float], here: tuple[float, float]) -> bool:
     """Whether a fold lies on the straight way between two (Omega, F_0).
 
     As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well,
     the way is halved until they do so on a piece too short to matter.
     """
 
-    def at(t: float) -> tuple[float, float]:
-        return before[0] + (here[0] - before[0]) * t, before[1] + (here[1] - before[1]) * t
+    def at(t: float) -> tuple[int, int]:
+        Omega, F_0 = (start + (end - start) * t for start, end in zip(before, here, strict=True))
+        return _sides(folds(F_0), Omega)
 
     def met(start: float, end: float, sides: tuple[int, int], others: tuple[int, int]) -> bool:
         if sum(sides) == sum(others):
@@ -297,19 +307,21 @@ def _crosses(oscillator: Averaged, before: tuple[float, float], here: tuple[floa
         if end - start < SHORTEST:
             return False
         middle = 0.5 * (start + end)
-        between = _sides(oscillator, *at(middle))
+        between = at(middle)
         return met(start, middle, sides, between) or met(middle, end, between, others)
 
     ways = np.linspace(0, 1, 2 if before[1] == here[1] else STEPS + 1).tolist()
-    sides = [_sides(oscillator, *at(t)) for t in ways]
+    sides = [at(t) for t in ways]
     return any(met(*way, *ends) for way, ends in zip(pairwise(ways), pairwise(sides), strict=True))
 
 
-def _row(oscillator: Averaged, before: tuple[float, float] | None, here: tuple[float, float]) -> tuple[Load, str]:
+def _row(
+    oscillator: Averaged, folds: Folds, before: tuple[float, float] | None, here: tuple[float, float]
+) -> tuple[Load, str]:
     """One row, and what is said beside it; `before` is where the one before it stands."""
     Omega, F_0 = here
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
-    crosses = before is not None and _crosses(oscillator, before, here)
+    crosses = before is not None and _crosses(folds, before, here)
     stable = np.flatnonzero(states.stable)
     sticks = not stable.size and oscillator.model.force(F_0, Omega) <= oscillator.model.held
     if not stable.size:
