@@ -52,6 +52,18 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
     return once
 
 
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """A folder of a module's own for what is derived in it."""
+    import slowflow_derived
+
+    with pytest.MonkeyPatch.context() as patch:
+        made = tmp_path_factory.mktemp("derived")
+        patch.setattr(slowflow_derived, "FOLDER", made)
+        patch.setattr(slowflow_derived, "__path__", [str(made)])
+        yield made
+
+
 @pytest.fixture(scope="session")
 def c_kernels(once: Once) -> Callable[..., np.ndarray]:
     """The functions of the generated C headers, by name."""

@@ -20,7 +20,6 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-import slowflow_derived
 from slowflow import Duffing, backend, derive
 from slowflow.cli import main
 
@@ -33,17 +32,9 @@ STOP = {
     "parameters": {"k_1": ABOVE_0, "k_2": {"above": 0, "doc": "stiffness of the stop", "unit": "k_v"}, "gap": ABOVE_0},
 }
 NUMBERS = {"k_1": 0.8, "k_2": 6.0, "gap": 0.2, "mu": 0.01, "zeta": 0.02}
+pytestmark = pytest.mark.usefixtures("folder")
+
 COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
-
-
-@pytest.fixture(scope="module", autouse=True)
-def folder(tmp_path_factory):
-    """A folder of its own for what is derived here."""
-    with pytest.MonkeyPatch.context() as patch:
-        made = tmp_path_factory.mktemp("derived")
-        patch.setattr(slowflow_derived, "FOLDER", made)
-        patch.setattr(slowflow_derived, "__path__", [str(made)])
-        yield made
 
 
 @pytest.fixture(scope="module")

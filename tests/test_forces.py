@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 import sympy as sp
 
-import slowflow_derived
 from slowflow import backend, derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
@@ -44,17 +43,9 @@ MORE = {
     "hard_stop": ([(u, gap), (u + 2 * k * sp.sinh(u - gap), None)], ("k", "gap")),
     "letting_go": ([(k * sp.sin(u), gap), (u, None)], ("k", "gap")),
 }
+pytestmark = pytest.mark.usefixtures("folder")
+
 CASES = json.loads((Path(__file__).parent / "data" / "forces.json").read_text())
-
-
-@pytest.fixture(scope="module", autouse=True)
-def folder(tmp_path_factory):
-    """A folder of its own for what is derived here."""
-    with pytest.MonkeyPatch.context() as patch:
-        made = tmp_path_factory.mktemp("derived")
-        patch.setattr(slowflow_derived, "FOLDER", made)
-        patch.setattr(slowflow_derived, "__path__", [str(made)])
-        yield made
 
 
 @pytest.fixture(scope="module")

@@ -11,13 +11,15 @@ import numpy as np
 import pytest
 import sympy as sp
 
-import slowflow_derived
 from slowflow import backend, derive
 from tests.native.headers import COMPILER
 from tests.native.records import Interval, doubles, opened
 from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, u
 
-pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
+pytestmark = [
+    pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use"),
+    pytest.mark.usefixtures("folder"),
+]
 
 #: compiled in the fast run too: one piece, two pieces, a broken power
 FEW = ("wave", "soft_stop", "power")
@@ -26,16 +28,6 @@ FEW = ("wave", "soft_stop", "power")
 def slow_beside(names, few=FEW):
     """Parameters of which all but a few are slow: each is a mechanism that is derived and compiled."""
     return [name if name in few else pytest.param(name, marks=pytest.mark.slow) for name in names]
-
-
-@pytest.fixture(scope="module", autouse=True)
-def folder(tmp_path_factory):
-    """A folder of its own for what is derived here."""
-    with pytest.MonkeyPatch.context() as patch:
-        made = tmp_path_factory.mktemp("derived")
-        patch.setattr(slowflow_derived, "FOLDER", made)
-        patch.setattr(slowflow_derived, "__path__", [str(made)])
-        yield made
 
 
 @pytest.fixture(scope="module")

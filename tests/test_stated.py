@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-import slowflow_derived
 from slowflow import backend, derive
 from slowflow.results import Remark
 
@@ -44,23 +43,19 @@ FAST = {False: "preload_power", True: "exponential"}
 
 
 @pytest.fixture(scope="module")
-def derived(tmp_path_factory):
+def derived(folder):
     """A mechanism, derived once."""
     made = {}
-    with pytest.MonkeyPatch.context() as patch:
-        folder = tmp_path_factory.mktemp("derived")
-        patch.setattr(slowflow_derived, "FOLDER", folder)
-        patch.setattr(slowflow_derived, "__path__", [str(folder)])
 
-        def get(name, compiled):
-            if (name, compiled) not in made:
-                pieces, numbers = FORCES[name]
-                given = {number: {"above": 0} for number in numbers}
-                called = f"{name}_compiled" if compiled else name
-                made[name, compiled] = derive.mechanism(called, pieces, given, compile=compiled, **REACH.get(name, {}))
-            return made[name, compiled]
+    def get(name, compiled):
+        if (name, compiled) not in made:
+            pieces, numbers = FORCES[name]
+            given = {number: {"above": 0} for number in numbers}
+            called = f"{name}_compiled" if compiled else name
+            made[name, compiled] = derive.mechanism(called, pieces, given, compile=compiled, **REACH.get(name, {}))
+        return made[name, compiled]
 
-        yield get
+    return get
 
 
 def error(found, sure, name):
