@@ -517,3 +517,19 @@ def test_many_designs_have_the_answers_of_each():
         assert np.array_equal(folds.A[k, : len(beside)], beside.A)
     assert folds.status[3] == peak.status[3] == Status.STICKS
     assert np.count_nonzero(folds.status == Status.OK) == n - 1
+
+
+@pytest.mark.parametrize("of", ["second", "load"])
+def test_states_at_pairs_are_those_of_each_pair(of):
+    """Beyond averaging too Omega and F_0 broadcast; states come in the order of the pairs."""
+    asked = isolator().second_approximation if of == "second" else isolator().replace(load=0.01)
+    Omega, F_0 = np.array([0.9, 0.7, 0.9]), np.array([[0.04], [0.01], [0.03]])
+    found = asked.amplitudes(Omega=Omega, F_0=F_0)
+    singles = [asked.amplitudes(Omega=O, F_0=F) for F in F_0.ravel() for O in Omega]
+    for name in ("Omega", "A", "stable", "phi", "transmissibility", "A_1" if of == "second" else "B"):
+        together = np.concatenate([getattr(one, name) for one in singles])
+        np.testing.assert_allclose(getattr(found, name), together, rtol=1e-11, err_msg=name)
+    assert len(found) > 6 and "sticks" in found.message
+    assert len(asked.amplitudes(Omega=0.9, F_0=[])) == 0
+    with pytest.raises(ValueError, match="shapes do not broadcast"):
+        asked.amplitudes(Omega=Omega, F_0=[0.03, 0.04])

@@ -24,7 +24,6 @@ from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
 from slowflow.averaged.plan import Plan
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
-from slowflow.results import SteadyStates
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.record import Parameter, Scale
@@ -373,7 +372,7 @@ class Scales:
         fields = dataclasses.fields(answer)  # type: ignore[arg-type]
         found = {field.name: getattr(answer, field.name) for field in fields if field.repr}
         entry = (*answer.entry._fields, *answer.beside) if isinstance(answer, Table) else ()
-        if isinstance(answer, SteadyStates) and np.ndim(answer.F_0):
+        if entry and "F_0" not in entry and np.ndim(found.get("F_0", 0.0)):
             entry += ("F_0",)
         return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
 

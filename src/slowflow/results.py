@@ -516,6 +516,7 @@ class SecondStates(SecondTable):
     A_1, phi -- amplitude of the first harmonic, and its phase in radians, in [-pi, 0]
     stable   -- True where the steady state is stable
     message  -- remarks in words; empty if there is nothing to say
+    F_0      -- the forcing, one number; an array with that of each state where several were asked for
     force    -- amplitude of the force on the mass in each state
     """
 
@@ -528,6 +529,7 @@ class SecondStates(SecondTable):
     phi: Floats
     stable: npt.NDArray[np.bool_]
     message: str
+    F_0: float | Floats = field(kw_only=True)
     force: Floats = field(kw_only=True, repr=False)
 
     @property
@@ -551,9 +553,9 @@ class SecondResponse(SecondStates):
 
     entry: ClassVar[Any] = SecondCurvePoint
 
+    F_0: float = field(kw_only=True)
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
-    F_0: float
     picture: ClassVar[str] = "response"
 
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:

@@ -17,6 +17,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.averaged import plan, proofs, remarks, solvers, words
+from slowflow.averaged.pairs import at_pairs
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import (
     DRAWN,
@@ -120,33 +121,11 @@ class Averaged:
         """
         if validate.is_single(F_0):
             return self._remarked(self.states(Omega=Omega, F_0=F_0), F_0)
-        points = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
-        shape = validate.common_shape(points)
-        return self._at_points(*(np.broadcast_to(values, shape).ravel() for values in points.values()))
-
-    def _at_points(self, Omega: Floats, F_0: Floats) -> SteadyStates:
-        """`amplitudes` at pairs of a frequency and a forcing: asked once for each forcing, then put in their order."""
-        none = np.empty(0)
-        parts = [SteadyStates(none, none, np.empty(0, bool), none, "", self.model)]
-        point = [np.empty(0, np.intp)]
-        for forcing in np.unique(F_0):
-            here = np.flatnonzero(F_0 == forcing)
-            found = self.amplitudes(Omega=np.unique(Omega[here]), F_0=float(forcing))
-            low, high = (np.searchsorted(found.Omega, Omega[here], side) for side in ("left", "right"))
-            row = np.concatenate([np.arange(*ends) for ends in zip(low, high, strict=True)])
-            forcings = np.full(row.size, forcing)
-            parts.append(
-                dataclasses.replace(
-                    found, Omega=found.Omega[row], A=found.A[row], stable=found.stable[row], F_0=forcings
-                )
-            )
-            point.append(np.repeat(here, high - low))
-        order = np.argsort(np.concatenate(point), kind="stable")
-        whole = (np.concatenate([getattr(part, name) for part in parts]) for name in ("Omega", "A", "stable", "F_0"))
-        at, A, stable, forcings = (column[order] for column in whole)
-        message = words.at_several(part.message for part in parts)
-        beside = functools.reduce(operator.or_, (part.remarks for part in parts))
-        return SteadyStates(at, A, stable, forcings, message, self.model, remarks=beside, _asked=parts[-1]._asked)
+        found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, ("Omega", "A", "stable"))
+        beside = functools.reduce(operator.or_, (part.remarks for part in found.parts), remarks.NOTHING)
+        asked = found.parts[-1]._asked if found.parts else None
+        told: dict[str, Any] = {"remarks": beside, "Omega_undecided": found.undecided(), "_asked": asked}
+        return SteadyStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.model, **told)
 
     def states(self, *, Omega: Any, F_0: float) -> SteadyStates:
         """`amplitudes` without the remarks on averaging: what another approximation starts from."""

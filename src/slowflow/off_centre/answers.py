@@ -92,7 +92,7 @@ class OffCentreStates(Balanced, Table):
 
     Omega, A, B -- frequency, amplitude and mean displacement, dimensionless; `u_max` is the largest |u|, |B| + A
     stable      -- where F_A (30) along the balance of the mean is positive, and the mean stiffness too
-    F_0, load   -- forcing and static load over k_v L
+    F_0, load   -- forcing, an array with that of each state where several were asked for, and static load over k_v L
     message     -- remarks in words; empty if there is nothing to say
     Omega_undecided -- those of the frequencies asked for at which doubles do not tell how many states there are
     """
@@ -104,7 +104,7 @@ class OffCentreStates(Balanced, Table):
     A: Floats
     B: Floats
     stable: npt.NDArray[np.bool_]
-    F_0: float
+    F_0: float | Floats
     load: float
     message: str
     Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)

@@ -17,6 +17,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.averaged import remarks
+from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.reference.roots import peak_roots
 from slowflow.model import Floats, Model
@@ -156,18 +157,23 @@ class OffCentre:
         lowest = np.nanargmin(level, axis=1)[:, np.newaxis]
         return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
 
-    def amplitudes(self, *, Omega: Any, F_0: float) -> OffCentreStates:
+    def amplitudes(self, *, Omega: Any, F_0: Any) -> OffCentreStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies, with its B.
 
-        Raises ValueError for Omega <= 0, F_0 <= 0 and zeta = 0.
+        F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`. Raises ValueError for Omega <= 0,
+        F_0 <= 0 and zeta = 0.
         """
+        if not validate.is_single(F_0):
+            names = ("Omega", "A", "B", "stable", "_h")
+            found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
+            told: dict[str, Any] = {"load": self.load, "message": found.message(), "Omega_undecided": found.undecided()}
+            return OffCentreStates(**found.columns, F_0=found.F_0, _damping=(self._m, self._zeta), **told)
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("amplitudes")
-        if F_0 <= self._m:
-            return self._states(
-                at, np.empty(0), np.empty(0), F_0, STICKS.format(F_0, self._m), np.empty(0), np.empty(0, int)
-            )
+        if F_0 <= self._m or not at.size:
+            message = STICKS.format(F_0, self._m) if F_0 <= self._m else ""
+            return self._states(at, np.empty(0), np.empty(0), F_0, message, np.empty(0), np.empty(0, int))
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
         if not self._keeps_centre:
             parts = [self._at(at[first : first + TOGETHER], F_0) for first in range(0, at.size, TOGETHER)]

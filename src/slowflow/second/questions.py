@@ -18,6 +18,7 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.averaged import remarks
+from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.plan import Plan, Step
 from slowflow.measured import validity
 from slowflow.model import Floats
@@ -135,24 +136,32 @@ class SecondApproximation:
         message = self._remarked(curve.message, curve.Omega, curve.u_max)
         return SecondResponse(
             *(curve.Omega, curve.u_max, curve.A_1, curve.phi, curve.stable, message),
-            *(curve.branch, curve.isola, first.F_0),
+            *(curve.branch, curve.isola),
+            F_0=first.F_0,
             force=self._force(first.F_0, curve.Omega),
         )
 
-    def amplitudes(self, *, Omega: Any, F_0: float) -> SecondStates:
-        """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses."""
+    def amplitudes(self, *, Omega: Any, F_0: Any) -> SecondStates:
+        """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses.
+
+        F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`.
+        """
+        if not validate.is_single(F_0):
+            names = ("Omega", "A", "A_1", "phi", "stable", "force")
+            found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
+            return SecondStates(**found.columns, F_0=found.F_0, message=found.message())
         first = self.first.states(Omega=Omega, F_0=F_0)
         wanted = np.asarray(Omega, dtype=float).ravel()
         if not wanted.size or not first.A.size:
             none = np.empty(0)
-            return SecondStates(none, none, none, none, np.empty(0, dtype=bool), first.message, force=none)
+            return SecondStates(none, none, none, none, np.empty(0, bool), first.message, F_0=first.F_0, force=none)
         curve = self._around(F_0, wanted)
         found = self._solvers.states(self._balance, curve, wanted, float(F_0))
         at, u_max, A_1, phi, stable = np.array(found).reshape(-1, 5).T
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         said, force = self._remarked(message, at, u_max), self._force(F_0, at)
-        return SecondStates(at, u_max, A_1, phi, stable != 0, said, force=force)
+        return SecondStates(at, u_max, A_1, phi, stable != 0, said, F_0=first.F_0, force=force)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve between two of its points, by rising Omega.

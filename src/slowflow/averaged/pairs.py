@@ -1,0 +1,63 @@
+"""A question at pairs of a frequency and a forcing: in go arrays that broadcast, out come columns in the pairs' order.
+
+It is asked once for each forcing, at all of its frequencies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slowflow import validate
+from slowflow.averaged import words
+from slowflow.mechanism import Floats
+
+
+class Pairs(NamedTuple):
+    """What is found at pairs.
+
+    columns -- by name, with the entries of each pair after those of the pair before
+    F_0     -- the forcing of each entry
+    parts   -- the answers at single forcings that these are from
+    """
+
+    columns: dict[str, Any]
+    F_0: Floats
+    parts: list[Any]
+
+    def undecided(self) -> Floats:
+        """Every frequency at which one of the parts is undecided."""
+        return np.unique(np.concatenate([np.empty(0), *(part.Omega_undecided for part in self.parts)]))
+
+    def message(self) -> str:
+        """What the parts say."""
+        return words.at_several(part.message for part in self.parts)
+
+
+def at_pairs(ask: Callable[[Floats, float], Any], Omega: Any, F_0: Any, names: Iterable[str]) -> Pairs:
+    """The named columns of what is asked at (Omega, F_0), which broadcast.
+
+    ask -- the answer at rising frequencies and one forcing: entries by rising .Omega
+
+    Raises ValueError for Omega <= 0 or too high, F_0 <= 0, and shapes that do not broadcast.
+    """
+    given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
+    shape = validate.common_shape(given)
+    at, forcing = (np.broadcast_to(values, shape).ravel() for values in given.values())
+    forcings = np.unique(forcing).tolist()
+    parts, rows, pair = [], [], []
+    for one in forcings or [1.0]:  # of no pairs the columns are empty, whatever the forcing
+        here = np.flatnonzero(forcing == one)
+        parts.append(ask(np.unique(at[here]), one))
+        low, high = (np.searchsorted(parts[-1].Omega, at[here], side) for side in ("left", "right"))
+        rows.append(np.concatenate([np.empty(0, np.intp), *map(np.arange, low, high)]))
+        pair.append(np.repeat(here, high - low))
+    pairs = np.concatenate(pair)
+    order = np.argsort(pairs, kind="stable")
+    columns = {
+        name: np.concatenate([getattr(part, name)[row] for part, row in zip(parts, rows, strict=True)])[order]
+        for name in names
+    }
+    return Pairs(columns, forcing[pairs[order]], parts if forcings else [])
