@@ -178,6 +178,11 @@ def test_an_oscillator_cannot_be_changed():
         isolator.replace(zeeta=0.5)
 
 
+def test_equal_oscillators_are_one_key_in_whatever_order_their_numbers_are_given():
+    one = Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, zeta=0.05)
+    assert {one, Oscillator(duffing.MECHANISM, zeta=0.05, beta=0.5, alpha=1.0)} == {one}
+
+
 @pytest.mark.parametrize("make", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])
 def test_oscillators_and_answers_can_be_copied_and_sent(make):
     isolator, spring = single(2), Duffing(1.0, 0.5, 0.01, 0.05)

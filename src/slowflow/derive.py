@@ -90,7 +90,7 @@ class Derived:
         return names
 
     def __repr__(self) -> str:
-        names = ", ".join(parameter.name for parameter in self.record.design)
+        names = ", ".join(self.record.design_names)
         how = "compiled" if self.compiled else "on NumPy"
         if self.record.enclosed is not None:
             how += ", by quadrature"

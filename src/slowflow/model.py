@@ -31,13 +31,16 @@ LARGEST = 1e300
 WITHOUT_DAMPING = "the response to an excitation by inertia is derived with viscous damping only"
 
 
+#: names of `DAMPING`
+OF_DAMPING = tuple(domain.name for domain in DAMPING)
+
+
 def check_names(mechanism: Mechanism, values: Mapping[str, Any], beside: tuple[Parameter, ...] = ()) -> list[str]:
     """The names of a design's numbers, then mu and zeta, if the values have just these; else a TypeError names one.
 
     beside -- what the values may have too: these names come last
     """
-    names = [domain.name for domain in (*mechanism.design, *DAMPING)]
-    names += [domain.name for domain in beside if domain.name in values]
+    names = [*mechanism.design_names, *OF_DAMPING, *(domain.name for domain in beside if domain.name in values)]
     if values.keys() != set(names):
         wrong = next(name for name in (*values, *names) if name not in values or name not in names)
         what = "is missing for" if wrong in names else "is no number of"
@@ -144,10 +147,8 @@ class Model:
     native: Any = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        if self.inertial and self.zeta == 0:
-            raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
-        if self.inertial and self.mechanism.averaged(0.0, *self.parameters)[0] != 0:
-            raise ValueError(f"excitation = {self.excitation!r} is not allowed for a force that jumps at u = 0")
+        if self.inertial:
+            self._check_inertia()
         damping = self.mu, self.zeta
         native = None
         if not self.laws.any:
@@ -158,11 +159,21 @@ class Model:
         if self.laws.any:
             self._check_laws()
 
+    # before the parameters are known to be numbers of ordinary size
+    @np.errstate(all="ignore")
+    def _check_inertia(self) -> None:
+        """Raises ValueError for an excitation by inertia that has no answer here."""
+        if self.zeta == 0:
+            raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
+        if self.preload != 0:
+            raise ValueError(f"excitation = {self.excitation!r} is not allowed for a force that jumps at u = 0")
+
+    @np.errstate(all="ignore")
     def _check_laws(self) -> None:
         """Raises ValueError for laws that have no answer here."""
         told = self.laws.told()
         check_told(told, self.mechanism, self.excitation)
-        if self.averaged(0.0)[0] != 0:
+        if self.preload != 0:
             raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0")
         if self.laws.rubs == THROUGHOUT:
             return
@@ -173,6 +184,7 @@ class Model:
         if self.zeta == self.laws.eta == self.laws.c_2 == 0:
             raise ValueError(f"{told} is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
 
+    @np.errstate(all="ignore")
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
         """m, breakpoints and jumps, where the compiled solvers do not tell.
 
@@ -205,14 +217,13 @@ class Model:
         """
         check_names(mechanism, values)
         domains = (*mechanism.design, *DAMPING)
-        *design, mu, zeta = (validate.within(domain, values[domain.name]) for domain in domains)
-        with np.errstate(all="ignore"):
-            parameters = tuple(float(value) for value in mechanism.coefficients(*design))
-            model = cls(mechanism, parameters, mu, zeta, design=tuple(design), excitation=excitation, laws=laws)
+        *own, mu, zeta = [validate.within(domain, values[domain.name]) for domain in domains]
+        design = tuple(own)
+        model = cls(mechanism, backend.parameters_of(mechanism, design), mu, zeta, design, excitation, laws)
         numbers = (*model.parameters, model.m)
         if not sum(map(abs, numbers)) <= LARGEST and not all(abs(value) <= LARGEST for value in numbers):
-            named = zip((parameter.name for parameter in mechanism.parameters), model.parameters, strict=True)
-            name = next(name for name, value in (*named, ("4 mu/pi", model.m)) if not abs(value) <= LARGEST)
+            each = zip((*mechanism.parameter_names, "4 mu/pi"), numbers, strict=True)
+            name = next(name for name, value in each if not abs(value) <= LARGEST)
             given = ", ".join(f"{domain.name} = {values[domain.name]!r}" for domain in domains)
             raise ValueError(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
         return model
@@ -239,6 +250,14 @@ class Model:
     def negative_stiffness(self) -> bool:
         """Whether the stiffness at rest is negative, which is -h_A there, or a preload pushes outwards."""
         return self.preload < 0 or bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
+
+    @cached_property
+    def stays_centred(self) -> bool:
+        """Whether every motion about u = 0 is known to stay about it.
+
+        Where f(u)/u is positive and rises with |u| so does -h/A with A, and -h_A is positive with it: so is their mean.
+        """
+        return self.hardens and not self.negative_stiffness
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float], ...]:
@@ -321,7 +340,7 @@ class Model:
 
     def sticks(self, F_0: float) -> bool:
         """Whether the excitation leaves the mass at rest at every frequency (27)."""
-        return not self.inertial and F_0 <= self.m
+        return F_0 <= self.m and not self.inertial
 
     @cached_property
     def held(self) -> float:
@@ -348,8 +367,8 @@ class Model:
 
     def _numbers(self) -> dict[str, float]:
         """The numbers of the force by name: its design if that is known, else its parameters."""
-        of_force = zip((one.name for one in self.mechanism.parameters), self.parameters, strict=True)
-        of_design = zip((one.name for one in self.mechanism.design), self.design, strict=False)
+        of_force = zip(self.mechanism.parameter_names, self.parameters, strict=True)
+        of_design = zip(self.mechanism.design_names, self.design, strict=False)
         return dict(of_design) or dict(of_force)
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:

@@ -15,7 +15,8 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.averaged import many
-from slowflow.averaged.questions import Answer, Averaged
+from slowflow.averaged.questions import Averaged
+from slowflow.averaged.remarks import NOTHING
 from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import THROUGHOUT, Laws, Model
@@ -100,13 +101,12 @@ class Oscillator(Averaged):
         laws = Laws.of(eta, c_2, rubs)
         known_as = validate.choice("excitation", excitation, tuple(EXCITATIONS))
         super().__init__(Model.of(mechanism, values, known_as, laws))
-        given = {name: float(value) for name, value in values.items()}
-        own = tuple(given[domain.name] for domain in mechanism.design)
-        known = {name.name: value for name, value in zip(mechanism.parameters, self.model.parameters, strict=True)}
+        model = self.model
+        own = dict(zip(mechanism.design_names, model.design, strict=True))
+        given = {"mechanism": mechanism, **own, "mu": model.mu, "zeta": model.zeta, "excitation": excitation}
         # not by attribute: these cannot be set
-        self.__dict__.update(known | {domain.name: given[domain.name] for domain in mechanism.design})
-        self.__dict__.update(design=own, given={"mechanism": mechanism, **given, "excitation": excitation})
-        self.given.update(laws.said)
+        self.__dict__.update(zip(mechanism.parameter_names, model.parameters, strict=True))
+        self.__dict__.update(own, design=model.design, given={**given, **laws.said})
         if mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
                 raise ValueError(f"mu_s = {static!r} is not allowed: static friction is not less than mu = {self.mu!r}")
@@ -166,13 +166,13 @@ class Oscillator(Averaged):
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> Any:
         """Every steady state, see `Averaged.amplitudes`; under a load `OffCentre.amplitudes`, with its mean B."""
-        if self._off_centre_by:
+        if isinstance(self.model, Loaded):
             return self.off_centre.amplitudes(Omega=Omega, F_0=F_0)
         return super().amplitudes(Omega=Omega, F_0=F_0)
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> Any:
         """Every fold, see `Averaged.saddle_nodes`; under a load `OffCentre.saddle_nodes`, which has no proof."""
-        if not self._off_centre_by:
+        if not isinstance(self.model, Loaded):
             return super().saddle_nodes(F_0, certify=certify)
         if certify:
             self.at_centre("certify")
@@ -182,7 +182,7 @@ class Oscillator(Averaged):
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> Any:
         """The response, see `Averaged.frequency_response`; under a load `OffCentre.frequency_response`, with its B."""
-        if self._off_centre_by:
+        if isinstance(self.model, Loaded):
             return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
         return super().frequency_response(F_0, samples=samples, Omega=Omega)
 
@@ -193,7 +193,7 @@ class Oscillator(Averaged):
 
     def detachment(self) -> Any:
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
-        return self.off_centre.detachment() if self._off_centre_by else super().detachment()
+        return self.off_centre.detachment() if isinstance(self.model, Loaded) else super().detachment()
 
     @property
     def eta(self) -> float:
@@ -256,15 +256,15 @@ class Oscillator(Averaged):
         Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force. Under
         a load `OffCentre.saddle_node_onset`, with the mean B, and without that.
         """
-        if self._off_centre_by:
+        if isinstance(self.model, Loaded):
             return self.off_centre.saddle_node_onset()
         found = super().saddle_node_onset()
-        if not found.remarks or Remark.OF_TRUNCATION not in found.remarks:
+        if found.remarks is NOTHING or Remark.OF_TRUNCATION not in found.remarks:
             return found
         load = self.model.mechanism.load_untruncated
         if load is None:
             return found
-        values = dict(zip((domain.name for domain in self.model.mechanism.design), self.design, strict=True))
+        values = dict(zip(self.model.mechanism.design_names, self.design, strict=True))
         model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation, self.model.laws)
         other = Averaged(model).saddle_node_onset()
         if other.F_SN is None:
@@ -454,12 +454,10 @@ class Oscillator(Averaged):
         self.at_centre("spectrum")
         return loads.spectrum(self, Omega, F_0)
 
-    def _remarked(self, found: Answer, F_0: float) -> Answer:
-        """The answer with what there is to say beside it, which knows whom it was asked of."""
-        found = super()._remarked(found, F_0)
-        if isinstance(found, (SteadyStates, SaddleNodes)):
-            found.__dict__["_asked"] = self
-        return found
+    @property
+    def _equation(self) -> Self:  # type: ignore[override]
+        """Itself: it has an equation of motion."""
+        return self
 
     def measured_states(self, found: SteadyStates, force: str | None) -> Measured:
         """See `slowflow.results.SteadyStates.measure`."""

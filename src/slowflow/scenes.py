@@ -164,7 +164,7 @@ PLAIN = ("F_0", "Omega", "tau")
 
 def _kinds() -> dict[str, Kind]:
     damping = tuple(domain.name for domain in (*DAMPING, *DISSIPATION))
-    own = [tuple(one.name for one in record.design) for record in (ROD_SPRING, DUFFING)]
+    own = [record.design_names for record in (ROD_SPRING, DUFFING)]
     given = inspect.signature(Isolator.physical).parameters
     return {
         "mount": Kind(

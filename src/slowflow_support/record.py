@@ -146,6 +146,16 @@ class Mechanism:
     odd: bool = True
 
     @cached_property
+    def design_names(self) -> tuple[str, ...]:
+        """Of the numbers of a design, in their order."""
+        return tuple(one.name for one in self.design)
+
+    @cached_property
+    def parameter_names(self) -> tuple[str, ...]:
+        """Of the parameters, in their order."""
+        return tuple(one.name for one in self.parameters)
+
+    @cached_property
     def is_generated(self) -> bool:
         """Whether a generated module of its name states it, unchanged: only then what is compiled is its own."""
         module = self._module

@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from slowflow import validate
+from slowflow.answer import Single
 from slowflow.averaged import plan, proofs, remarks, solvers, words
 from slowflow.averaged.pairs import at_pairs
 from slowflow.model import THROUGHOUT, Floats, Model
@@ -27,6 +28,7 @@ from slowflow.results import (
     FoldLocus,
     FrequencyResponse,
     IsolaPoints,
+    Measures,
     Peak,
     ProvedFolds,
     SaddleNodeOnset,
@@ -50,6 +52,8 @@ class Averaged:
     """
 
     model: Model
+    #: what measures answers against the equation of motion, where that is known
+    _equation: Measures | None = None
 
     def __init__(self, model: Model) -> None:
         # not by attribute: what inherits from this cannot be changed
@@ -147,7 +151,7 @@ class Averaged:
             self.only_for_a_force("certify")
             self.only_for_plain_damping("certify")
         found = self._remarked(self.folds(F_0), F_0)
-        if certify:  # an answer does not change; this one has not been given yet
+        if certify:
             found.__dict__["proof"] = self._proved_folds(found)
         return found
 
@@ -189,7 +193,7 @@ class Averaged:
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
         # not as a cached property: in Python 3.11 its lock takes longer than all that is said beside the answer
-        if (known := self._known_onset) is None:
+        if (known := self.__dict__.get("_onset")) is None:
             known = self.__dict__["_onset"] = self._remarked(self._lowest_fold(), math.nan)
         return known
 
@@ -338,11 +342,6 @@ class Averaged:
             return plan.plan_composed(question, F_0, self.model)
         return self._plan(question, F_0)
 
-    @property
-    def _known_onset(self) -> SaddleNodeOnset | None:
-        """The onset if it has been asked for."""
-        return self.__dict__.get("_onset")
-
     def _lowest_fold(self) -> SaddleNodeOnset:
         """`saddle_node_onset` without the remarks on averaging."""
         if plan.needs_no_solver("saddle_node_onset", self.model):
@@ -357,7 +356,7 @@ class Averaged:
 
     def _plan(self, question: str, F_0: float) -> plan.Plan:
         # finding the onset costs time too: it serves only where it has been asked for already
-        return plan.plan(question, F_0, self.model, self._known_onset)
+        return plan.plan(question, F_0, self.model, self.__dict__.get("_onset"))
 
     def _up_to(self, A_max: float | None) -> float:
         """The amplitude up to which the fold locus is wanted."""
@@ -367,15 +366,18 @@ class Averaged:
 
     def _centred(self, found: State) -> State:
         """The answer, its states stable only if they stay about u = 0 as well, where that is not known beforehand."""
-        if remarks.stays_centred(self.model):
+        if self.model.stays_centred:
             return found
         kept = remarks.keeps_centre(self.model.mechanism, self.model.parameters, found.Omega, found.A)
         return dataclasses.replace(found, stable=found.stable & kept)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""
-        if isinstance(found, (SaddleNodeOnset, Detachment, Peak)):
+        # an answer does not change; this one has not been given yet
+        if isinstance(found, Single):
             found.__dict__["_model"] = self.model
+        else:
+            found.__dict__["_asked"] = self._equation
         if self.model.sticks(F_0):
             return found
         beside = remarks.of_one(self.model, F_0, *_states(found))

@@ -102,9 +102,9 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None) -> 
         near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
         if near.any() if isinstance(near, np.ndarray) else near:
             said.append(Remark.NEAR_STICKING)
-    if highest > model.reach:
+    if highest > model.mechanism.reach:
         said.append(Remark.BEYOND_REACH)
-    if highest > 0 and not stays_centred(model):
+    if highest > 0 and not model.stays_centred:
         if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
             said.append(Remark.LEAVES_CENTRE)
     if model.mechanism.truncated and corner is not None and highest > 0:
@@ -139,16 +139,8 @@ def _next_to_jump(mechanism: Mechanism, parameters: tuple[Any, ...], jumps: Iter
     return found
 
 
-def stays_centred(model: Model) -> bool:
-    """Whether every motion about u = 0 is known to stay about it.
-
-    Where f(u)/u is positive and rises with |u| so does -h/A with A, and -h_A is positive with it: so is their mean.
-    """
-    return model.hardens and not model.negative_stiffness
-
-
 def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
-    """The same of each of many designs; parameters of shapes that broadcast."""
+    """`Model.stays_centred` of each of many designs; parameters of shapes that broadcast."""
     hardens = np.all(
         [np.asarray(value) >= 0 for value in np.broadcast_arrays(*mechanism.hardening(*parameters))], axis=0
     )

@@ -204,7 +204,7 @@ class OffCentre:
 
         Where f(u)/u is positive and rises with |u| so does f with u, and with it the mean of f with B.
         """
-        return self._has_centre and remarks.stays_centred(self._model)
+        return self._has_centre and self._model.stays_centred
 
     def _with_centred(self, x: Floats, of: Ints, A: Floats, of_A: Ints) -> tuple[Floats, Ints]:
         """States or folds with those about the centre by their own solvers, in the place of what is found of them."""

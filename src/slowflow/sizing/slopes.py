@@ -15,10 +15,10 @@ import numpy as np
 from slowflow import physical_moves
 from slowflow.gradient import Gradient
 from slowflow.isolator import Isolator
+from slowflow.model import OF_DAMPING
 from slowflow.physical import Physical
 from slowflow.sizing.subject import Load, Subject
 from slowflow_kernels.conventions import MovesStatus
-from slowflow_kernels.domains import DAMPING
 
 
 def slopes(subject: Subject, numbers: Mapping[str, float], answer: str, load: Load) -> dict[str, float] | None:
@@ -71,7 +71,7 @@ def _at_rest(isolator: Isolator) -> Gradient | None:
     by_design = np.array(mechanism.by_design(*isolator.design)).reshape(-1, len(isolator.design))
     frequency = math.sqrt(-averaged[1])
     moved = -by_parameter @ by_design[: len(parameters)] / (2 * frequency)
-    names = (*(one.name for one in mechanism.design), *(one.name for one in DAMPING))
-    slopes = np.array([[*moved, *(0.0 for _ in DAMPING)]])
+    names = (*mechanism.design_names, *OF_DAMPING)
+    slopes = np.array([[*moved, *(0.0 for _ in OF_DAMPING)]])
     status = np.array(int(MovesStatus.OK), dtype=np.int8)
     return Gradient(("Omega",), names, slopes, status, (frequency,), (*isolator.design, isolator.mu, isolator.zeta))

@@ -1,6 +1,7 @@
 /* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
+ *   parameters_of(record, design)               the parameters of a design; ValueError where it is outside its domain
  *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
  *   model(record, parameters, damping, design)  an oscillator, prepared for the questions about one; what is proved of it is
  *                                               proved of the design, () where that is not known
@@ -116,6 +117,33 @@ int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, 
     return PyErr_Occurred() ? -1 : 0;
 }
 
+static PyObject *tuple_of(const double *values, int n)
+{
+    PyObject *tuple = PyTuple_New(n);
+    for (int i = 0; tuple != NULL && i < n; i++) {
+        PyObject *value = PyFloat_FromDouble(values[i]);
+        if (value == NULL || PyTuple_SetItem(tuple, i, value) < 0)
+            Py_CLEAR(tuple);
+    }
+    return tuple;
+}
+
+static PyObject *parameters_of(PyObject *self, PyObject *args)
+{
+    PyObject *capsule, *of_design;
+    double design[SF_MOST_DESIGN], p[SF_MOST_PARAMETERS];
+    (void)self;
+    if (!PyArg_ParseTuple(args, "OO!", &capsule, &PyTuple_Type, &of_design))
+        return NULL;
+    const sf_mechanism *record = sf_record_in(capsule);
+    if (record == NULL || sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) != 0)
+        return NULL;
+    if (record->parameters_of(design, p))
+        return tuple_of(p, record->parameters);
+    PyErr_Format(PyExc_ValueError, "%s: the design is outside its domain", record->name);
+    return NULL;
+}
+
 static PyObject *new_model(PyObject *self, PyObject *args)
 {
     PyObject *capsule, *parameters, *of_damping, *of_design = NULL;
@@ -151,17 +179,6 @@ static PyObject *new_model(PyObject *self, PyObject *args)
     return NULL;
 }
 
-static PyObject *tuple_of(const double *values, int n)
-{
-    PyObject *tuple = PyTuple_New(n);
-    for (int i = 0; tuple != NULL && i < n; i++) {
-        PyObject *value = PyFloat_FromDouble(values[i]);
-        if (value == NULL || PyTuple_SetItem(tuple, i, value) < 0)
-            Py_CLEAR(tuple);
-    }
-    return tuple;
-}
-
 static PyObject *prepared(PyObject *self, PyObject *capsule)
 {
     const sf_model *model = sf_model_in(capsule);
@@ -173,6 +190,7 @@ static PyObject *prepared(PyObject *self, PyObject *capsule)
 
 static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
+    {"parameters_of", parameters_of, METH_VARARGS, "(record, design) -> parameters"},
     {"model", new_model, METH_VARARGS, "(record, parameters, damping, design) -> an oscillator"},
     {NULL, NULL, 0, NULL},
 };
