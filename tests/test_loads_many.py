@@ -77,6 +77,50 @@ def test_isolation_of_many_is_that_of_each(asked):
     assert folds >= 2 and (found.status == Status.STICKS).sum() > 3
 
 
+def test_spectra_of_many_are_those_of_each(asked):
+    """Row by row, with what is said of the states of each; no design is answered by another's numbers."""
+    given, F_0, designs = asked
+    draw = np.random.default_rng(3)
+    Omega, forcing = draw.uniform(0.5, 1.3, 5), F_0[:, np.newaxis] * draw.uniform(0.5, 2, (1, 5))
+    forcing[:, 3] = forcing[:, 2]
+    found = designs.spectrum(Omega=Omega, F_0=forcing)
+    assert (found.status[3] == Status.INVALID).all() and np.isnan(found.A[3]).all() and not found.crosses[3].any()
+    for k in set(range(120)) - {3}:
+        iso = one(given, k)
+        single = iso.spectrum(Omega=Omega, F_0=forcing[k])
+        for name in ("motions", "crosses", "detaches", "sticks"):
+            assert getattr(found, name)[k].tolist() == getattr(single, name).tolist(), (k, name)
+        for name in ("A", "transmissibility_dB"):
+            np.testing.assert_allclose(getattr(found, name)[k], getattr(single, name), rtol=1e-12, err_msg=f"{k}")
+        assert found.status[k].tolist() == [Status.STICKS if row.sticks else Status.OK for row in single], k
+        said = [iso.amplitudes(Omega=O, F_0=F).remarks for O, F in zip(Omega, forcing[k], strict=True)]
+        assert found.remarks[k].tolist() == said, k
+    assert min(getattr(found, name).sum() for name in ("crosses", "detaches", "sticks")) > 15
+    for k, excitation in ((5, "base"), (6, "unbalance")):
+        batch = Isolator.many(**given, excitation=excitation).spectrum(Omega=[0.3, 0.9, 1.4], F_0=[0.02, 0.02, 0.05])
+        single = one(given, k).replace(excitation=excitation).spectrum(Omega=[0.3, 0.9, 1.4], F_0=[0.02, 0.02, 0.05])
+        assert batch.A[k].tolist() == pytest.approx(single.A.tolist(), rel=1e-12)
+        assert (batch.crosses[k].tolist(), batch.sticks[k].tolist()) == (
+            single.crosses.tolist(),
+            single.sticks.tolist(),
+        )
+
+
+def test_a_spectrum_of_many_says_of_a_row_without_a_stable_motion_that_there_is_none():
+    """Beside a row that is none, and after it: what crosses on the way there is not known either."""
+    softens = Duffing.many(alpha=1.0, beta=-1.0, mu=0.0, zeta=0.05)
+    found = softens.spectrum(Omega=[2.0, 0.1, 0.1, 2.0], F_0=[0.01, 5.0, -1.0, 0.01])
+    single = Duffing(1.0, -1.0, zeta=0.05).spectrum(Omega=[2.0, 0.1], F_0=[0.01, 5.0])
+    assert found.motions[:2].tolist() == single.motions.tolist() and np.isnan(single.A[1])
+    assert found.status.tolist() == [Status.OK, Status.NONE, Status.INVALID, Status.INVALID]
+    assert found.to_xarray()["A"].dims == ("row",) and found.columns()["Omega"].tolist() == [2.0, 0.1, 0.1, 2.0]
+    assert softens.spectrum(Omega=0.9, F_0=0.1).A.shape == (1,)
+    assert Isolator.many(lam=3, r=[[1.0], [2.0]], delta_h=[0.05, 0.06, 0.07]).spectrum(Omega=[], F_0=0.04).A.shape == (
+        *(2, 3),
+        0,
+    )
+
+
 def test_a_linear_mount_isolates_from_the_root_of_two_on_whatever_its_damping():
     zeta = np.geomspace(1e-4, 3, 50)
     found = Duffing.many(alpha=2.0, beta=0.0, zeta=zeta).isolation(0.3)

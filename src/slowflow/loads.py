@@ -24,8 +24,7 @@ from slowflow.mechanism import Floats
 from slowflow.results import Remark, joined
 
 Flags = npt.NDArray[np.bool_]
-#: Omega of every fold at a forcing
-Folds = Callable[[float], Floats]
+Ints = npt.NDArray[np.intp]
 
 ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
 ISOLATES = "every motion transmits less than the force"
@@ -264,18 +263,22 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
     given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
     shape = validate.common_shape(given)
     at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
-    rows, said = [], []
-    before: tuple[float, float] | None = None
+    points = np.array([at, F])
 
-    @functools.cache  # rows share forcings, and each row ends where the next begins
+    @functools.cache  # rows share forcings
     def folds(F_0: float) -> Floats:
         return oscillator.saddle_nodes(F_0).Omega
 
-    for here in zip(at.tolist(), F.tolist(), strict=True):
-        row, message = _row(oscillator, folds, before, here)
+    def sides(_: Any, Omega: Floats, F_0: Floats) -> Ints:
+        found = [on_both_sides(folds(one), np.asarray(at)) for at, one in zip(Omega, F_0.tolist(), strict=True)]
+        return np.array(found, dtype=np.intp).reshape(-1, 2).T
+
+    crosses = np.concatenate(([False], crossed(sides, points[:, :-1], points[:, 1:])))[: at.size]
+    rows, said = [], []
+    for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True):
+        row, message = _row(oscillator, *here)
         rows.append(row)
         said.append(message)
-        before = here
     columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
     kinds = {"motions": np.intp, "crosses": np.bool_, "detaches": np.bool_, "sticks": np.bool_}
     typed: dict[str, Any] = {
@@ -284,44 +287,47 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
     return Spectrum(**typed, message=words.at_several(said))
 
 
-def _sides(folds: Floats, Omega: float) -> tuple[int, int]:
-    """How many folds lie at or below the frequency Omega, and how many above it."""
-    below = folds <= Omega
-    return int(below.sum()), int((~below).sum())
+def on_both_sides(folds: Floats, Omega: Any) -> Ints:
+    """How many of the folds along the last axis, NaN for none, lie at or below Omega, and how many above; (2, ...)."""
+    above = folds > Omega[..., np.newaxis]
+    return np.array([(~above & ~np.isnan(folds)).sum(axis=-1), above.sum(axis=-1)])
 
 
-def _crosses(folds: Folds, before: tuple[float, float], here: tuple[float, float]) -> bool:
-    """Whether a fold lies on the straight way between two (Omega, F_0).
+def crossed(sides: Callable[[Ints, Floats, Floats], Ints], start: Floats, end: Floats) -> Flags:
+    """On which of the straight ways from one (Omega, F_0) to another, each of shape (2, n), a fold lies.
+
+    sides -- of ways by their number, at (Omega, F_0) on them: `on_both_sides`
 
     As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well,
     the way is halved until they do so on a piece too short to matter.
     """
+    found = np.zeros(start.shape[1], dtype=bool)
 
-    def at(t: float) -> tuple[int, int]:
-        Omega, F_0 = (start + (end - start) * t for start, end in zip(before, here, strict=True))
-        return _sides(folds(F_0), Omega)
+    def at(which: Ints, t: Floats) -> Ints:
+        here = start[:, which] + (end - start)[:, which] * t
+        return sides(which, *np.where(t == 1, end[:, which], here))
 
-    def met(start: float, end: float, sides: tuple[int, int], others: tuple[int, int]) -> bool:
-        if sum(sides) == sum(others):
-            return sides != others
-        if end - start < SHORTEST:
-            return False
-        middle = 0.5 * (start + end)
-        between = at(middle)
-        return met(start, middle, sides, between) or met(middle, end, between, others)
+    steps = np.where(start[1] == end[1], 1, STEPS)
+    which = np.repeat(np.arange(found.size), steps)
+    number = np.arange(which.size) - np.repeat(np.cumsum(steps) - steps, steps)
+    low, high = number / steps[which], (number + 1) / steps[which]
+    known = at(np.repeat(which, 2), np.column_stack((low, high)).ravel())
+    of_low, of_high = known[:, ::2], known[:, 1::2]
+    while which.size:
+        as_many = of_low.sum(axis=0) == of_high.sum(axis=0)
+        found[which[as_many & (of_low != of_high).any(axis=0)]] = True
+        left = np.flatnonzero(~as_many & (high - low >= SHORTEST) & ~found[which])
+        which, low, high, of_low, of_high = which[left], low[left], high[left], of_low[:, left], of_high[:, left]
+        middle = 0.5 * (low + high)
+        between = at(which, middle)
+        which, low, high = np.tile(which, 2), np.append(low, middle), np.append(middle, high)
+        of_low, of_high = np.hstack((of_low, between)), np.hstack((between, of_high))
+    return found
 
-    ways = np.linspace(0, 1, 2 if before[1] == here[1] else STEPS + 1).tolist()
-    sides = [at(t) for t in ways]
-    return any(met(*way, *ends) for way, ends in zip(pairwise(ways), pairwise(sides), strict=True))
 
-
-def _row(
-    oscillator: Averaged, folds: Folds, before: tuple[float, float] | None, here: tuple[float, float]
-) -> tuple[Load, str]:
-    """One row, and what is said beside it; `before` is where the one before it stands."""
-    Omega, F_0 = here
+def _row(oscillator: Averaged, Omega: float, F_0: float, crosses: bool) -> tuple[Load, str]:
+    """One row, and what is said beside it."""
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
-    crosses = before is not None and _crosses(folds, before, here)
     stable = np.flatnonzero(states.stable)
     sticks = not stable.size and oscillator.model.force(F_0, Omega) <= oscillator.model.held
     if not stable.size:

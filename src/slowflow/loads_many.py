@@ -7,14 +7,16 @@ or with other damping than viscous damping and dry friction, is asked design by 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import loads, validate
-from slowflow.averaged.many import Batch, Codes, Designs, Detachments
+from slowflow.averaged import remarks
+from slowflow.averaged.many import Batch, Codes, Designs, Detachments, first_end
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.results import Remark
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 Flags = npt.NDArray[np.bool_]
+Ints = npt.NDArray[np.intp]
 
 #: amplitudes, from this share of the highest peak up to it, between which what transmits the force is looked for
 LEAST, AMPLITUDES = 1e-4, 128
@@ -86,6 +89,37 @@ class ManyIsolations(Batch):
     status: Codes
 
 
+@dataclass(frozen=True, eq=False)
+class ManySpectra(Batch):
+    """`slowflow.loads.Spectrum` of each design; the last axis, of all columns, is that of the rows.
+
+    A, transmissibility_dB, motions, crosses, detaches, sticks -- as there, flags as 0 and 1
+    status -- of each row: `Status.NONE` where no motion is stable, and of what fails that of the states, or of the
+              folds on the way
+    """
+
+    A: Floats
+    transmissibility_dB: Floats
+    motions: Codes
+    crosses: Codes
+    detaches: Codes
+    sticks: Codes
+    status: Codes
+    _Omega: Any = field(repr=False, kw_only=True)
+    _said: remarks.Codes = field(repr=False, kw_only=True)
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """Those of all states of a row."""
+        return self._said
+
+    def _asked_at(self) -> dict[str, Any]:
+        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
+
+    def _axes(self) -> tuple[str, ...]:
+        return (*super()._axes()[:-1], "row")
+
+
 def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     """See `slowflow.oscillator.Designs.margins`."""
     folds, peaks = designs.saddle_nodes(F_0, workers=workers), designs.peak(F_0, workers=workers)
@@ -117,11 +151,9 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
 
 def lifting(designs: Designs, detachments: Detachments) -> Floats:
     """F_cr of each design, inf where there is none, and where it is only tended to as Omega rises the limit, u_cr."""
-    none = np.full(designs.shape, math.inf)
+    none: Any = math.inf
     if designs.excitation != "force":
-        parameters = designs.mechanism.coefficients(*designs.design)
-        for end in reversed(designs.mechanism.breakpoints(*parameters)):
-            none = np.where(np.asarray(end) > 0, end, none)
+        none = first_end(designs.mechanism, designs.mechanism.coefficients(*designs.design))
     return np.where(detachments.status == Status.NONE, none, detachments.F_cr)
 
 
@@ -185,6 +217,91 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
             Omega[at], at_fold[at] = one.Omega, one.at_fold
             A[at] = np.nan if one.A is None else one.A
     return ManyIsolations(Omega=Omega, A=A, at_fold=at_fold, status=status, _designs=designs, _F_0=F_0)
+
+
+def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
+    """See `slowflow.oscillator.Designs.spectrum`."""
+    rows = Designs(
+        designs.mechanism,
+        {name: value[..., np.newaxis] for name, value in designs.values.items()},
+        designs.excitation,
+        designs.rubs,
+    )
+    given = {"Omega": Omega, "F_0": F_0}
+    states = rows.amplitudes(**given, workers=workers)
+    if (states.status == Status.TOO_MANY).any():
+        states = rows.amplitudes(**given, places=int(states.count.max()), workers=workers)
+    shape = states.status.shape
+    at, F = (np.broadcast_to(np.asarray(value, dtype=float), shape) for value in given.values())
+    crosses, status = _crossed(rows, at, F, states.status, workers)
+    amplitudes = np.where(states.stable == 1, states.A, -math.inf)
+    top = amplitudes.argmax(axis=-1)[..., np.newaxis]
+    A, passes = (np.take_along_axis(one, top, -1)[..., 0] for one in (amplitudes, states.transmissibility))
+    moves = A > 0
+    with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
+        parameters = designs.mechanism.coefficients(*rows.design)
+        preload = -np.asarray(designs.mechanism.averaged(0.0, *parameters)[0])
+        held = np.hypot(slow_flow.friction(rows.values["mu"]), np.maximum(preload, 0.0))
+        force = F if designs.excitation == "force" else inertia.force(at, F)
+        sticks = ~moves & (force <= held) & np.isin(status, (Status.OK, Status.STICKS, Status.NONE))
+        detaches = moves & (first_end(designs.mechanism, parameters) < A)
+        dB = np.where(moves, 20 * np.log10(passes), np.nan)
+    status = np.where(sticks, Status.STICKS, np.where((status == Status.OK) & ~moves, Status.NONE, status))
+    flags = {"motions": np.where(moves, (states.stable == 1).sum(axis=-1), 0), "crosses": crosses}
+    flags |= {"detaches": detaches, "sticks": sticks, "status": status}
+    return ManySpectra(
+        A=np.where(moves, A, np.where(sticks, 0.0, np.nan)),
+        transmissibility_dB=dB,
+        **{name: value.astype(np.int8) for name, value in flags.items()},
+        _designs=rows,
+        _F_0=F_0,
+        _Omega=Omega,
+        _said=states.remarks,
+    )
+
+
+def _crossed(rows: Designs, Omega: Floats, F_0: Floats, status: Codes, workers: int) -> tuple[Flags, Codes]:
+    """Whether a fold lies on the way to each row from the one before, and the status of rows, that of ways included."""
+    shape, crosses, status = status.shape, np.zeros(status.shape, dtype=bool), status.copy()
+    spread = {name: np.broadcast_to(value, shape)[..., 1:].ravel() for name, value in rows.values.items()}
+    before, here = (
+        np.array([Omega[..., part].ravel(), F_0[..., part].ravel()]) for part in (slice(-1), slice(1, None))
+    )
+    # of a way from or to a row that is none no fold is asked for
+    valid = (status[..., 1:] != Status.INVALID) & (status[..., :-1] != Status.INVALID)
+    fares = np.where(valid, Status.OK, Status.INVALID).astype(np.int8).ravel()
+    found = np.zeros(fares.size, dtype=bool)
+    ways = np.flatnonzero(valid)
+    for first in range(0, ways.size, AT_ONCE):
+        part = ways[first : first + AT_ONCE]
+
+        def sides(which: Ints, at: Floats, forcing: Floats, part: Ints = part) -> Ints:
+            return _sides(rows, spread, fares, part[which], at, forcing, workers)
+
+        found[part] = loads.crossed(sides, before[:, part], here[:, part])
+    crosses[..., 1:] = found.reshape(crosses[..., 1:].shape)
+    later = status[..., 1:]
+    later[...] = np.where(np.isin(later, (Status.OK, Status.STICKS)), fares.reshape(later.shape), later)
+    return crosses, status
+
+
+def _sides(
+    rows: Designs, spread: dict[str, Floats], fares: Codes, which: Ints, Omega: Floats, F_0: Floats, workers: int
+) -> Ints:
+    """`loads.on_both_sides` of ways by their number; `fares` takes the status of those whose folds are not known."""
+    # in their order ways of one design share forcings: each begins where the last one ends
+    own = [F_0, *(value[which] for value in spread.values())]
+    new = np.ones(which.size, dtype=bool)
+    new[1:] = np.any([value[1:] != value[:-1] for value in own], axis=0)
+    values = {name: value[which][new] for name, value in spread.items()}
+    designs = Designs(rows.mechanism, values, rows.excitation, rows.rubs)
+    folds = designs.saddle_nodes(F_0[new], workers=workers)
+    if (folds.status == Status.TOO_MANY).any():
+        folds = designs.saddle_nodes(F_0[new], places=int(folds.count.max()), workers=workers)
+    of = np.cumsum(new) - 1
+    failed = np.isin(folds.status[of], FAILED)
+    fares[which[failed]] = folds.status[of][failed]
+    return loads.on_both_sides(folds.Omega[of], Omega)
 
 
 def _isolated(

@@ -34,7 +34,7 @@ from slowflow_kernels.domains import EXCITATIONS, RUBS
 if TYPE_CHECKING:
     from slowflow import exact, loads
     from slowflow.exact.shocks import Shocks
-    from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins
+    from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins, ManySpectra
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
     from slowflow.second import SecondApproximation
@@ -536,6 +536,16 @@ class Designs(many.Designs):
         from slowflow import loads_many
 
         return loads_many.isolation(self, F_0, workers)
+
+    def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
+        """A load spectrum, of each design, one tone at a time; see `Oscillator.spectrum`.
+
+        The last axis of Omega and F_0, which broadcast, is that of the rows; what they have before it broadcasts with
+        the designs. Answers have the axes of the designs, then that of the rows.
+        """
+        from slowflow import loads_many
+
+        return loads_many.spectrum(self, Omega, F_0, workers)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Shocks:
         """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.

@@ -113,15 +113,19 @@ class Batch(Answer):
             found |= {f"{name}_{k}" if several else name: place.ravel() for k, place in enumerate(places)}
         return found
 
+    def _axes(self) -> tuple[str, ...]:
+        """Names of the designs' dimensions."""
+        return tuple(f"design_{k}" for k in range(self.status.ndim))
+
     def to_xarray(self) -> Any:
-        """A Dataset along the designs' own dimensions, "design_0" and so on, with their numbers as coordinates.
+        """A Dataset along the designs' own dimensions, "design_0" and so on; their numbers, F_0, Omega as coordinates.
 
         Several places of an answer are a dimension more. Raises ImportError without xarray.
         """
         xarray = optional("xarray", "to_xarray")
-        shape = self.status.shape
-        designs = tuple(f"design_{k}" for k in range(len(shape)))
-        given = {name: (designs, np.broadcast_to(value, shape)) for name, value in self._designs.values.items()}
+        shape, designs = self.status.shape, self._axes()
+        asked = {**self._designs.values, **self._asked_at()}
+        given = {name: (designs, np.broadcast_to(value, shape)) for name, value in asked.items()}
         found = {
             name: ((*designs, "place") if value.ndim > len(shape) else designs, value)
             for name, value in self._content().items()
@@ -294,8 +298,7 @@ class States(Counted):
             eta, c_2 = laws
             u_cr = None
             if rubs != THROUGHOUT:
-                ends = np.array(np.broadcast_arrays(*mechanism.breakpoints(*parameters)))
-                u_cr = np.take_along_axis(ends, np.argmax(ends > 0, axis=0)[np.newaxis], axis=0)[0]
+                u_cr = first_end(mechanism, parameters)
             I_0 = at_rest(self.A, m, eta, u_cr)[0]
             return dissipation.I(self._frequency, self.A, I_0, zeta, dissipation.quadratic(c_2)), np.zeros(()), h
 
@@ -553,6 +556,14 @@ class Designs:
             return (*blank, Status.NO_BOUND)
         except ArithmeticError:
             return (*blank, Status.UNRESOLVED)
+
+
+def first_end(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Floats:
+    """The lowest |u| at which a piece of the force ends, of each of many designs; inf where there is one piece only."""
+    found = np.full(np.broadcast_shapes(*(np.shape(value) for value in parameters)), math.inf)
+    for end in reversed(mechanism.breakpoints(*parameters)):
+        found = np.where(np.asarray(end) > 0, end, found)
+    return found
 
 
 # ---- designs in parts

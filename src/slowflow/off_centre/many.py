@@ -217,7 +217,9 @@ class OffCentreDesigns:
 
 
 #: questions about the centre that many designs have
-CENTRED = frozenset(("peak", "certify", "second_approximation", "margins", "hysteresis", "isolation", "shock_spectrum"))
+CENTRED = frozenset(
+    ("peak", "certify", "second_approximation", "margins", "hysteresis", "isolation", "spectrum", "shock_spectrum")
+)
 FLOAT: Column = ((), float)
 CODE: Column = ((), np.int8)
 
