@@ -8,6 +8,7 @@ To the solver's extension a further source is added by putting it into src/slowf
 """
 
 import os
+import shlex
 import subprocess
 import sysconfig
 from pathlib import Path
@@ -30,6 +31,7 @@ FLAGS = {
     "mingw32": STRICT,
     "msvc": ["/std:c11", "/O2", "/fp:precise"],
 }
+CFLAGS = shlex.split(os.environ.get("CFLAGS", ""))
 
 
 class Build(build_ext):
@@ -56,7 +58,8 @@ class Build(build_ext):
 
     def build_extensions(self):
         for extension in self.extensions:
-            extension.extra_compile_args = FLAGS.get(self.compiler.compiler_type, [])
+            # the user's have the last word
+            extension.extra_compile_args = [*FLAGS.get(self.compiler.compiler_type, []), *CFLAGS]
         if self.runs_here and self.is_for_fma():
             (solvers,) = (one for one in self.extensions if one.name == "slowflow._native")
             solvers.sources = [source for source in solvers.sources if Path(source).name != "solvers_baseline.c"]

@@ -161,7 +161,7 @@ def test_compiled_and_numpy_find_the_same_for_designs_of_every_kind():
     at = np.linspace(0.2, 1.9, 9)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        designs = [(oscillator.model, F_0) for oscillator, F_0 in of_every_kind(11, 100)]
+        designs = [(oscillator.model, F_0) for oscillator, F_0 in of_every_kind(11, 60)]
     for model, F_0 in designs:
         assert_alike(compiled.onset(model), onset.onset(model), ("F_SN", "Omega", "A"), 1e-8)
         for one, other in zip(compiled.extrema(model, 1.5), locus.extrema(model, 1.5), strict=True):

@@ -36,25 +36,27 @@ assert Path(backend.SOLVER.__file__).parent == Path(backend.EXACT.__file__).pare
 #: usual numbers, and those at which formulas break
 NUMBERS = [0.0, 5e-324, 1e-300, 1e-12, 0.01, 0.3, 1 - 2**-53, 1.0, 2.0, 1e12, 1e300]
 
-#: one half of them for an oscillator, the other half for the next
+#: some of them for an oscillator, others for the next
 FORCINGS = itertools.cycle([(1e-300, 0.04, 5.0), (1e-3, 0.3, 1e300)])
+LARGEST = itertools.cycle([0.5, 3.0, 1e6])
+CURVES = itertools.cycle([(2, (0.0, 2.0)), (100, (0.3, 1.5)), (30, (0.0, 1e9)), (50, (0.9, 1.1))])
 
 
 def asked(oscillator):
     """All averaged questions at some forcings."""
     yield oscillator.saddle_node_onset
     yield oscillator.detachment
-    for A_max in (0.5, 3.0, 1e6):
-        yield lambda A_max=A_max: oscillator.cusps(A_max=A_max)
-        yield lambda A_max=A_max: oscillator.isola_points(A_max=A_max)
-        yield lambda A_max=A_max: oscillator.fold_locus(A_max=A_max, samples=50)
+    A_max = next(LARGEST)
+    yield lambda: oscillator.cusps(A_max=A_max)
+    yield lambda: oscillator.isola_points(A_max=A_max)
+    yield lambda: oscillator.fold_locus(A_max=A_max, samples=50)
     for F_0 in next(FORCINGS):
         yield lambda F_0=F_0: oscillator.saddle_nodes(F_0)
         yield lambda F_0=F_0: oscillator.certify(F_0, Omega=0.7)
         yield lambda F_0=F_0: oscillator.peak(F_0)
         yield lambda F_0=F_0: oscillator.amplitudes(Omega=[1e-9, 0.7, 1.0, 40.0], F_0=F_0)
-        for samples, window in ((2, (0.0, 2.0)), (100, (0.3, 1.5)), (30, (0.0, 1e9))):
-            yield lambda F_0=F_0, n=samples, w=window: oscillator.frequency_response(F_0, samples=n, Omega=w)
+        samples, window = next(CURVES)
+        yield lambda F_0=F_0, n=samples, w=window: oscillator.frequency_response(F_0, samples=n, Omega=w)
 
 
 def tried(question):

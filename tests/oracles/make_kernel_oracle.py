@@ -811,6 +811,9 @@ def family(name: str, passed: int, less_vertical: bool, A, *p):
     """The average and its first three derivatives by A."""
     if name == "rod_spring_untruncated":
         return untruncated_family(passed, less_vertical, A, *p)
+    if stated(name):
+        value, slope, *rest = harmonic_by_quadrature(name, 1, passed, A, *p)
+        return [value + A * less_vertical, slope + less_vertical, *rest]
     taylor = mp.taylor(average(name, p, passed, less_vertical), A, 3)
     return [mp.factorial(k) * c for k, c in enumerate(taylor)]
 
