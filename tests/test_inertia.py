@@ -117,9 +117,12 @@ def test_every_state_is_found_that_a_fine_grid_of_amplitudes_shows():
             assert np.count_nonzero(found < up_to) == shown.size
 
 
+@pytest.mark.both_backends
 def test_folds_at_the_corner_of_a_heavily_damped_mount_come_ever_lower_as_the_frequency_rises():
-    iso = Isolator(lam=3.0, r=2.9, delta_h=0.0912, mu=0.003, zeta=0.734, excitation="unbalance")
+    design = {"lam": 3.0, "r": 2.9, "delta_h": 0.0912, "mu": 0.003, "zeta": 0.734, "excitation": "unbalance"}
+    iso = Isolator(**design)
     assert iso.saddle_node_onset().F_SN is None
+    assert Isolator.many(**design).saddle_node_onset().status == Status.UNBOUNDED
     assert "no lowest amplitude" in iso.saddle_node_onset().message
     found = [iso.saddle_nodes(iso.u_cr * (1 + above)) for above in (1e-1, 1e-2, 1e-3)]
     assert all(len(folds) == 2 and folds.corner.sum() == 1 for folds in found)

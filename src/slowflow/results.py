@@ -21,7 +21,7 @@ from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import OnsetKind
+from slowflow_kernels.conventions import OnsetKind, Status
 
 
 class Remark(IntFlag):
@@ -609,6 +609,8 @@ class SaddleNodeOnset(Single):
     untruncated: SaddleNodeOnset | None = field(default=None, kw_only=True)
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    #: where there is none, what batches say
+    _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
         """How F_SN, Omega and A move with the parameters, exactly; on a breakpoint with that.
@@ -700,6 +702,8 @@ class Peak(Single):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    #: where there is none, what batches say
+    _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
         """How A and Omega move with the parameters and F_0, exactly; a peak at Omega = 0 stays there.

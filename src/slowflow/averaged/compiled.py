@@ -77,7 +77,7 @@ def onset(model: Model) -> SaddleNodeOnset:
     _check(status, model)
     if status == Status.UNBOUNDED:
         said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
-        return SaddleNodeOnset(None, None, None, "", said)
+        return SaddleNodeOnset(None, None, None, "", said, _status=Status.UNBOUNDED)
     return words.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
 
 
@@ -95,7 +95,8 @@ def peak(model: Model, F_0: float) -> Peak:
     status, A, Omega = backend.solver().peak(model.native, F_0)
     _check(status, model, F_0)
     if status == Status.UNBOUNDED:
-        return Peak(None, None, F_0, _remark(model, F_0) if model.zeta > 0 else words.NO_PEAK)
+        said = _remark(model, F_0) if model.zeta > 0 else words.NO_PEAK
+        return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
     if status == Status.NONE:
         return Peak(None, None, F_0, words.NO_TOP.format(F_0))
     return Peak(A, Omega, F_0, "")

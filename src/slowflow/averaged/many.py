@@ -616,15 +616,9 @@ def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
     found = oscillator and oscillator.saddle_node_onset()
     if not found or found.F_SN is None:
         at_rest = bool(found) and Remark.FOLDS_AT_REST in found.remarks
-        return np.nan, np.nan, np.nan, 0, at_rest, without_onset(oscillator, found)
+        return np.nan, np.nan, np.nan, 0, at_rest, found._status if found else Status.NONE
     at_rest = Remark.FOLDS_AT_REST in found.remarks
     return found.F_SN, found.Omega, found.A, OnsetKind[found.kind.upper()], at_rest, Status.OK
-
-
-def without_onset(oscillator: Averaged | None, found: Any) -> Status:
-    """Of a design whose single answer has no onset: whether folds come down to 4 mu/pi, or none is born."""
-    unbounded = oscillator is not None and oscillator.zeta == 0 and "no lowest forcing" in found.message
-    return Status.UNBOUNDED if unbounded else Status.NONE
 
 
 #: of single answers, by their words and whether on a corner
@@ -666,8 +660,7 @@ def _amplitudes(oscillator: Any, F_0: float, Omega: float, places: int) -> tuple
 def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     found = oscillator and oscillator.peak(F_0)
     if not found or found.A is None:
-        only_rises = oscillator is not None and oscillator.closes(F_0)
-        return np.nan, np.nan, Status.NONE if only_rises else Status.UNBOUNDED
+        return np.nan, np.nan, found._status if found else Status.NONE
     return found.A, found.Omega, Status.OK
 
 

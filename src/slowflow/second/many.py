@@ -70,7 +70,7 @@ def _onset(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
     found = second.saddle_node_onset()
     at_rest = Remark.FOLDS_AT_REST in second.first.saddle_node_onset().remarks
     if found.F_SN is None:
-        return np.nan, np.nan, np.nan, 0, at_rest, many.without_onset(second.first, found)
+        return np.nan, np.nan, np.nan, 0, at_rest, found._status
     return found.F_SN, found.Omega, found.A, OnsetKind.CUSP, at_rest, Status.OK
 
 
@@ -81,9 +81,8 @@ def _saddle_nodes(second: SecondApproximation | None, F_0: float, places: int) -
 
 def _peak(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:
     found = second and second.peak(F_0)
-    if second is None or not found or found.A is None:
-        unbounded = second is not None and second.first.zeta == 0
-        return np.nan, np.nan, Status.UNBOUNDED if unbounded else Status.NONE
+    if not found or found.A is None:
+        return np.nan, np.nan, found._status if found else Status.NONE
     return found.A, found.Omega, Status.OK
 
 

@@ -36,7 +36,7 @@ from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import COINCIDE, ENDLESS, RAISE, RAISES
+from slowflow_kernels.conventions import COINCIDE, ENDLESS, RAISE, RAISES, Status
 
 #: of a force's size: what rounding its parameters may make of its jump
 OF_ROUNDING = 2.0**-48
@@ -91,7 +91,7 @@ def onset(model: Model) -> SaddleNodeOnset:
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
         raise ArithmeticError(words.unresolved_onset(model))
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
-        return SaddleNodeOnset(None, None, None, "", words.OPEN)
+        return SaddleNodeOnset(None, None, None, "", words.OPEN, _status=Status.UNBOUNDED)
     if not best.kind:
         found = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
     else:
@@ -133,7 +133,7 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     are folds as near to m as one asks. Raises ArithmeticError where the level falls to another limit.
     """
     none = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
-    no_lowest = dataclasses.replace(none, message=words.NO_LOWEST.format(model.m))
+    no_lowest = dataclasses.replace(none, message=words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
     if model.preload > 0:
         # R = k at a fold, and k = -preload at rest: it passes 0 between folds of both signs
         A = saddle_nodes(model, math.hypot(model.m, 0.5 * model.preload)).A
@@ -359,20 +359,18 @@ def peak(model: Model, F_0: float) -> PeakFound:
     Raises ArithmeticError where there is neither to rounding.
     """
     if model.zeta == 0 and not model.laws.any:
-        return PeakFound(None, None, F_0, words.NO_PEAK)
+        return PeakFound(None, None, F_0, words.NO_PEAK, _status=Status.UNBOUNDED)
     A_max, cut = amplitude_bound(model, F_0)
     if model.laws.any:
         return _peak_in_boxes(model, F_0, A_max)
+    if cut:
+        return PeakFound(None, None, F_0, cut, _status=Status.UNBOUNDED)
     if model.inertial:
-        if cut:
-            return PeakFound(None, None, F_0, cut)
         (peaks,) = find_zeros(model, [InertiaPeak(model, F_0)], stretches_up_to(model, A_max))
         tops = peaks.take(peaks.rising)
         if not len(tops):
             return PeakFound(None, None, F_0, words.NO_TOP.format(F_0))
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
-    if cut:
-        return PeakFound(None, None, F_0, cut)
     peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], stretches_up_to(model, A_max))
     # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
     tops = peaks.take(peaks.rising == (peaks.channel == 1))
