@@ -140,6 +140,28 @@ FIRST = 6.2230152778611417e-61
 NARROW = 8.8817841970012523e-16
 # intervals of A, after which a search is given up: numbers overflow
 MOST_CELLS = 50000
+# relative width of an interval that holds no amplitude
+NO_WIDTH = 4.4408920985006262e-16
+# share of the last step up to which a step is taken in a bracket
+SLOW = 0.59999999999999998
+# relative distance from an amplitude that rounding makes of none
+AT_ROOT = 8.8817841970012523e-16
+# forcing that is raised first where there is no friction
+FIRST_F_0 = 9.9999999999999995e-07
+# an amplitude beside `ENDLESS`, to tell what a level tends to
+FAR_OUT = 1073741824.0
+# share by which what tends to 0 falls from there to `ENDLESS`
+TENDS = 9.5367431640625e-07
+# about h_A at the next double above a breakpoint b, over J/b, where the force jumps by J
+STEEP = 16777216.0
+# frequencies farther apart than this, relatively, are told apart by any rounding
+TOLD_APART = 0.001
+# of a curve's points: the length that each part has beside its own
+SPREAD = 0.001
+# of the quarter cycle, of each piece, in which an average by quadrature is enclosed
+PARTS = 24
+# how often the first of them is halved at most
+HALVED = 64
 # events closer than this, relatively, may have changed their order
 COINCIDE = 5.6843418860808015e-14
 # share of its size that rounding may add to a value
@@ -150,3 +172,21 @@ NEAR_END = 9.0949470177292824e-13
 MEETING = 2.9802322387695312e-08
 # amplitudes closer than this, relatively, are one
 SAME = 1.7763568394002505e-15
+# distance of rho from 1, where critical points meet
+MAY_MEET = 1.4901161193847656e-08
+# relative step up to which a critical point is not a double one
+SIMPLE = 0.0009765625
+# what Newton's iteration leaves of a critical point, relatively
+POLISHED = 3.4694469519536142e-18
+# share of its terms beyond which a value is its rise
+BY_RISE = 9.0949470177292824e-13
+# relative step, share of the way to a fold, of Halley's last
+NEAR_ROOT = 0.000244140625
+# what Newton's last step leaves of a root, relatively
+CORRECTED = 6.9388939039072284e-18
+# steps at most, of Newton's iteration to a critical point
+POLISHING = 8
+# of Halley's to a root
+NEARING = 12
+# of Newton's after that, kept in its bracket
+CORRECTING = 100

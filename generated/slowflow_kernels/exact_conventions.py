@@ -68,3 +68,11 @@ MOST_PHASES = 400
 TIGHT = 1.0000000000000001e-09
 # relative step beyond which it has not converged where rounding ends it
 LOOSE = 9.9999999999999995e-07
+# of a cycle's equations, where Newton's iteration ends
+TOLERANCE = 1e-13
+# steps of Newton's iteration to the next point of a curve, at most
+ALONG = 8
+# phase beyond a cycle's end in which its last switch is counted
+OVER_END = 9.9999999999999995e-07
+# share of a turn by which rounding may miss its end
+OF_TURN = 1e-14

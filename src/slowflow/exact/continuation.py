@@ -27,6 +27,7 @@ from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState, Transmitted, check_forcing, describe, steady_state
 from slowflow.mechanism import EquationOfMotion
+from slowflow_kernels.exact_conventions import ALONG
 
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9
@@ -361,7 +362,7 @@ class _Path:
         row = self._weights(point.z) * point.tangent
         # tangents are of unit length: the weighted distance along this one is the size
         value = float(row @ point.z) + size
-        found = point.cycle.newton(point.ahead(row, size), self.F_0, Row(row, value), most=8)
+        found = point.cycle.newton(point.ahead(row, size), self.F_0, Row(row, value), most=ALONG)
         if found is None:
             return None
         tangent = self._unit(found[0], found[1].along)

@@ -26,7 +26,7 @@ from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import PHASE_WORK, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
-from slowflow_kernels.exact_conventions import FAR, LOOSE, ON_TIME, TIGHT, ExtraKind
+from slowflow_kernels.exact_conventions import FAR, LOOSE, ON_TIME, OVER_END, TIGHT, TOLERANCE, ExtraKind
 
 Array = NDArray[np.float64]
 
@@ -347,7 +347,7 @@ class Cycle:
         theta = float(z[1])
         end = theta + math.pi * self.half_turns
         # the last switch falls on the end of the cycle, up to rounding: a little longer, to have it counted
-        return follow(forced, theta, float(z[0]), 0.0, end + 1e-6, start)[: len(self.signature) + 1]
+        return follow(forced, theta, float(z[0]), 0.0, end + OVER_END, start)[: len(self.signature) + 1]
 
     def holds(self, z: Array, F_0: float) -> bool:
         """Whether the motion from z's start really switches in the order of the signature."""
@@ -373,7 +373,7 @@ class Cycle:
         return found
 
     def newton(
-        self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = 12, tolerance: float = 1e-13
+        self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = 12, tolerance: float = TOLERANCE
     ) -> tuple[Array, Equations] | None:
         """Newton's iteration; None where it does not converge.
 

@@ -17,7 +17,7 @@ from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, spend
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, Event, Outcome
+from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, OF_TURN, Event, Outcome
 
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
@@ -112,7 +112,7 @@ def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[flo
         if abs(cosine) < 1.0:
             # cos theta rises through it for slip = 1 and falls for slip = -1
             angle = -slip * math.acos(cosine)
-            at = angle + TURN * math.ceil((theta - angle) / TURN - 1e-14)
+            at = angle + TURN * math.ceil((theta - angle) / TURN - OF_TURN)
             found = min(found, (max(at, theta), slip))
     return found
 

@@ -9,13 +9,10 @@
 #ifndef SF_BENT_H
 #define SF_BENT_H
 
+#include "conventions.h"
 #include "elementary.h"
 #include "mechanism.h"
 
-enum {
-    SF_PARTS = 24, /* of the quarter cycle, of each piece */
-    SF_HALVED = 64 /* how often the first of them is halved at most */
-};
 /* an angle's relative error, and its least */
 #define SF_ANGLE 0x1p-48
 #define SF_LARGEST_SUM 0x1p960

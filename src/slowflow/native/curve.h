@@ -220,9 +220,9 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
         slope = (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
         next = A - (w - Omega) / slope;
         moved = fabs(next - A);
-        if (moved <= 0x1p-50 * A || !(lo < hi))
+        if (moved <= SF_AT_ROOT * A || !(lo < hi))
             break;
-        if (!(next > lo && next < hi) || moved > 0.6 * last)
+        if (!(next > lo && next < hi) || moved > SF_SLOW * last)
             next = sf_amid(0, lo, hi);
         if (!(next > lo && next < hi))
             break;
@@ -303,7 +303,7 @@ typedef struct {
 /* Weight of a segment: its extent in Omega and A, with a floor for short ones. */
 static double sf_weight(const sf_segment *segment, const sf_sharing *sharing) {
     return fabs(segment->Omega[1] - segment->Omega[0]) / sharing->Omega +
-           fabs(segment->A[1] - segment->A[0]) / sharing->A + 1e-3;
+           fabs(segment->A[1] - segment->A[0]) / sharing->A + SF_SPREAD;
 }
 
 static void sf_share_out(const sf_skeleton *shown, sf_sharing *sharing) {

@@ -11,9 +11,6 @@
 #include "certify.h"
 #include "settle.h"
 
-/* h_A above a breakpoint b where the force jumps by J is J/b times more than this at the next double, about */
-#define SF_STEEP 0x1p24
-
 /* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
 static int sf_is_corner_close(const sf_model *model, double F_0, double b, double J, const sf_corner *corner) {
     const double m = model->m, zeta = model->zeta;

@@ -226,7 +226,7 @@ static void sf_count_intervals(const sf_curve *curve, sf_graph *graph) {
     int k;
     for (k = 0; k + 1 < graph->events; k++) {
         const double low = graph->event[k].A, high = graph->event[k + 1].A, middle = 0.5 * (low + high);
-        if (middle > low + 0x1p-51 * low && middle < high)
+        if (middle > low + SF_NO_WIDTH * low && middle < high)
             graph->count[k] = sf_count_at(curve, middle);
         else if (k > 0 && graph->event[k].kind != SF_CUT)
             graph->count[k] = graph->count[k - 1] + graph->event[k].gain;
@@ -431,7 +431,7 @@ static int sf_is_next_to_root(const sf_model *model, double F_0, const sf_sample
     s.A = at->A, s.h = at->h, s.h_A = 0, s.m = model->m, s.zeta = model->zeta, s.F_0 = F_0;
     sf_derivative_coefficients(&s);
     C = sf_cubic(&s, *Omega), D = sf_cubic_slope(&s, *Omega), step = sf_value_fine(&s, *Omega) / (s.k * C);
-    if (!(fabs(step) <= SF_LAST_STEP * *Omega && fabs(step * D) * fabs(step) <= 0x1p-57 * fabs(C) * *Omega))
+    if (!(fabs(step) <= SF_LAST_STEP * *Omega && fabs(step * D) * fabs(step) <= SF_CORRECTED * fabs(C) * *Omega))
         return 0;
     *Omega -= step;
     return 1;
@@ -615,7 +615,7 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
 static double sf_locus_weight(const sf_arc *arc, double A_max) {
     const double way = fabs(arc->Omega[1] / (1 + arc->Omega[1]) - arc->Omega[0] / (1 + arc->Omega[0]));
     return (isnan(way) ? 0 : way) +
-           (arc->A[1] - arc->A[0]) / A_max + 1e-3;
+           (arc->A[1] - arc->A[0]) / A_max + SF_SPREAD;
 }
 
 /* About `samples` points along the locus in work, in order along each branch; returns their number, and with Omega NULL

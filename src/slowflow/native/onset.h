@@ -142,7 +142,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
     int i;
     piece.last = *first;
     if (!(F_0 < HUGE_VAL))
-        F_0 = SF_RAISE * fmax(model->m, 1e-6);
+        F_0 = SF_RAISE * fmax(model->m, SF_FIRST_F_0);
     for (i = 0; i < SF_RAISES; i++) {
         bounded = sf_amplitude_bound(model, F_0, &A_max);
         if (bounded != SF_OK && bounded != SF_UNBOUNDED)
@@ -221,11 +221,11 @@ static int sf_is_bent(const sf_stretch *piece) {
 /* What the level does as A grows without end: 1 if it tends to m, -1 if it falls to another limit, which is no answer. */
 static int sf_undamped_beyond(const sf_model *model) {
     sf_sample near, far;
-    sf_sample_at(model, SF_ENDLESS * 0x1p-30, &near);
+    sf_sample_at(model, SF_FAR_OUT, &near);
     sf_sample_at(model, SF_ENDLESS, &far);
     if (!(far.h_A < 0 && fabs(far.k) < fabs(near.k)))
         return 0;
-    return fabs(far.k) < 0x1p-20 * fabs(near.k) ? 1 : -1;
+    return fabs(far.k) < SF_TENDS * fabs(near.k) ? 1 : -1;
 }
 
 /* With a preload k is negative at rest: where folds of both signs of k are found it passes 0 between them, and folds come as

@@ -33,6 +33,7 @@
 
 #include <math.h>
 
+#include "conventions.h"
 #include "frequencies.h"
 #include "slow_flow.h"
 #include "slow_flow_zeta0.h"
@@ -152,10 +153,10 @@ SF_ALWAYS int sf_critical_points(const sf_quartic *s, double *w1, double *w2) {
     }
     r = sqrt(-s->p / (3 * s->A));
     rho = 1.5 * s->q / (-s->p * r);
-    if (rho > 1 + 0x1p-26)
+    if (rho > 1 + SF_MAY_MEET)
         return 0;
     gap = (1 - rho) * (1 + rho);
-    if (SF_UNLIKELY(rho > 1 - 0x1p-26)) {
+    if (SF_UNLIKELY(rho > 1 - SF_MAY_MEET)) {
         gap = sf_gap_fine(s);
         if (gap < 0)
             return 0;
@@ -176,13 +177,13 @@ SF_ALWAYS int sf_critical_points(const sf_quartic *s, double *w1, double *w2) {
 /* Newton with the double-double residual, on a simple root of the cubic near w. */
 SF_ALWAYS double sf_polish_cubic(const sf_quartic *s, double w) {
     int i;
-    for (i = 0; i < 8; i++) {
+    for (i = 0; i < SF_POLISHING; i++) {
         const double slope = sf_cubic_slope(s, w);
         const double step = sf_cubic_fine(s, w) / slope;
-        if (!(fabs(step) <= 0x1p-10 * w))
+        if (!(fabs(step) <= SF_SIMPLE * w))
             break; /* a double root: the slope is noise, and w is as good as it gets */
         w -= step;
-        if (3 * s->A * w * step * step <= 0x1p-58 * w * fabs(slope))
+        if (3 * s->A * w * step * step <= SF_POLISHED * w * fabs(slope))
             break;
     }
     return w;
@@ -196,7 +197,7 @@ SF_RARELY double sf_critical_value_fine(const sf_quartic *s, double w) {
     int i;
     for (i = 0; i < 3; i++) {
         const double step = sf_cubic_fine(s, w) / sf_cubic_slope(s, w);
-        if (!(fabs(step) <= 0x1p-10 * w))
+        if (!(fabs(step) <= SF_SIMPLE * w))
             break; /* maximum and minimum coincide: the value does not depend on w in second order */
         tail = -step;
         if (i < 2)
@@ -205,7 +206,7 @@ SF_RARELY double sf_critical_value_fine(const sf_quartic *s, double w) {
     /* The rise from w = 0, whose terms may be far smaller than those of the value. */
     start = sf_value_exactly_at_0(s);
     frequencies_rise(w, s->A, s->p, s->k, rise);
-    if (fabs(start + rise[0]) > 0x1p-40 * (fabs(start) + rise[1]))
+    if (fabs(start + rise[0]) > SF_BY_RISE * (fabs(start) + rise[1]))
         return start + rise[0];
     value = sf_value_beside(s, w, tail, &size);
     return fabs(value) <= SF_FINE * size ? 0 : value;
@@ -222,7 +223,7 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
     int i;
     if (SF_UNLIKELY(!(w > lo && w < hi)))
         w = 0.5 * (lo + hi);
-    for (i = 0; i < 12; i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
+    for (i = 0; i < SF_NEARING; i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
         double size, next, moved;
         const double f = sf_value(s, w, &size);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
@@ -237,16 +238,16 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
             next = 0.5 * (lo + hi);
         moved = fabs(next - w);
         w = next;
-        if (moved * fabs(D) <= 0x1p-12 * fabs(C) && moved <= 0x1p-12 * w)
+        if (moved * fabs(D) <= SF_NEAR_ROOT * fabs(C) && moved <= SF_NEAR_ROOT * w)
             break;
     }
-    for (i = 0; i < 100; i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
+    for (i = 0; i < SF_CORRECTING; i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
         double next;
         const double f = sf_value_fine(s, w);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
         const double step = f / (s->k * C);
         next = w - step;
-        if (fabs(step * D) * fabs(step) <= 0x1p-57 * fabs(C) * w && next >= lo && next <= hi)
+        if (fabs(step * D) * fabs(step) <= SF_CORRECTED * fabs(C) * w && next >= lo && next <= hi)
             return next;
         if (f * rising < 0)
             lo = w;

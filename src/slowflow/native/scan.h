@@ -93,7 +93,7 @@ static int sf_is_negative(const sf_probe *probe, int channel, int edge) {
 static double sf_Omega_at_zero(const sf_probe *probe, int channel) {
     const double Omega_A = probe->answer.Omega_A[channel];
     const double beyond = probe->answer.y[channel] / probe->answer.dy[channel];
-    if (Omega_A != 0 && fabs(Omega_A) < HUGE_VAL && fabs(beyond) <= 0x1p-50 * probe->at.A)
+    if (Omega_A != 0 && fabs(Omega_A) < HUGE_VAL && fabs(beyond) <= SF_AT_ROOT * probe->at.A)
         return probe->answer.Omega[channel] - Omega_A * beyond;
     return probe->answer.Omega[channel];
 }
@@ -154,7 +154,7 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
             step = next - probe->at.A;
             break;
         }
-        if (!(next > lo->at.A && next < hi->at.A) || moved > 0.6 * last) {
+        if (!(next > lo->at.A && next < hi->at.A) || moved > SF_SLOW * last) {
             next = sf_amid(search->base, lo->at.A, hi->at.A);
             moved = fabs(next - probe->at.A);
             if (!(next > lo->at.A && next < hi->at.A))

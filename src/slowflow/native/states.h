@@ -13,9 +13,6 @@
 /* no fewer than there are at a frequency */
 enum { SF_MOST_STATES = SF_MOST_SEGMENTS };
 
-/* frequencies farther apart than this, relatively, are told apart by any rounding */
-#define SF_FAR 1e-3
-
 /* A state among those by rising A; one at an end of its segment, where another begins, is one with that, and a fold is not
  * stable. Two inside segments are two, even where their amplitudes are the same double. */
 static int sf_add_state(double found, int is_stable, int is_end, int n, double *A, unsigned char *stable) {
@@ -66,7 +63,7 @@ static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *fold
     int i;
     for (i = 0; i < folds->n; i++) {
         sf_sample at;
-        if (fabs(folds->at[i].Omega - Omega) > SF_FAR * fmax(folds->at[i].Omega, Omega))
+        if (fabs(folds->at[i].Omega - Omega) > SF_TOLD_APART * fmax(folds->at[i].Omega, Omega))
             continue;
         sf_sample_at(model, folds->at[i].A, &at);
         if (sf_is_F_close(model, &at, F_0, Omega))

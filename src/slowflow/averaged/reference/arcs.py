@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from slowflow.averaged.reference.roots import Quartics
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow_zeta0
-from slowflow_kernels.conventions import COINCIDE
+from slowflow_kernels.conventions import COINCIDE, NO_WIDTH
 
 Ints = NDArray[np.intp]
 
@@ -172,7 +172,7 @@ class Graph:
         A = np.array([event.A for event in self.events])
         low, high = A[:-1], A[1:]
         middle = 0.5 * (low + high)
-        wide = (middle > low + 2.0**-51 * low) & (middle < high)
+        wide = (middle > low + NO_WIDTH * low) & (middle < high)
         shown = self.roots.count(np.where(wide | (low == 0), middle, low)).tolist()
         counts: list[int] = []
         for k, count in enumerate(shown):

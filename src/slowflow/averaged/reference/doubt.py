@@ -14,12 +14,7 @@ from slowflow.averaged.reference.excited import frequencies_at, stationary_at
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import CLOSE
-
-#: h_A above a breakpoint b where the force jumps by J is J/b times more than this at the next double, about
-STEEP = 2.0**24
-#: frequencies farther apart than this, relatively, are told apart by any rounding
-FAR = 1e-3
+from slowflow_kernels.conventions import CLOSE, STEEP, TOLD_APART
 
 
 def size_at(at: Samples, F_0: float) -> Floats:
@@ -86,7 +81,7 @@ def nearly_sticks(model: Model, F_0: float) -> bool:
 
 def is_at_fold(model: Model, F_0: float, Omega: Floats, at: Floats, A: Floats) -> Bools:
     """Which frequencies are those of a fold (at, A) to within what rounding may make of F there."""
-    near = np.abs(at - Omega[:, np.newaxis]) <= FAR * np.maximum(at, Omega[:, np.newaxis])
+    near = np.abs(at - Omega[:, np.newaxis]) <= TOLD_APART * np.maximum(at, Omega[:, np.newaxis])
     which, fold = np.nonzero(near)
     close = np.zeros(Omega.size, dtype=bool)
     close[which[is_F_close(model, F_0, Omega[which], A[fold])]] = True

@@ -15,9 +15,8 @@ import numpy as np
 
 from slowflow.averaged.reference.intervals import Elementary, Interval
 from slowflow.model import Floats, Model
+from slowflow_kernels.conventions import HALVED, PARTS
 
-#: parts of the quarter cycle, of each piece, and how often the first of them is halved at most
-PARTS, HALVED = 24, 64
 #: shares of a piece at which it is divided: of equal angles where it begins at u = 0
 _SHARES = np.sin(np.linspace(0.0, 0.5 * np.pi, PARTS + 1))
 _SHARES[-1] = 1.0

@@ -20,6 +20,7 @@ from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola
 from slowflow.averaged.reference.search import Zeros, find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
+from slowflow_kernels.conventions import SPREAD
 
 
 @dataclass(frozen=True)
@@ -85,7 +86,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     with np.errstate(all="ignore"):
         # of a force that jumps at u = 0 no Omega is known at A = 0, where the locus begins
         way = np.nan_to_num(np.abs(np.diff(Omega / (1 + Omega), axis=1)[:, 0]))
-        weight = way + np.diff(A, axis=1)[:, 0] / A_max + 1e-3
+        weight = way + np.diff(A, axis=1)[:, 0] / A_max + SPREAD
         steps = np.ceil(samples * weight / weight.sum()).astype(int)
         of, share, branch = [], [], []
         for number, tour in enumerate(graph.tours):

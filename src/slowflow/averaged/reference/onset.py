@@ -36,14 +36,14 @@ from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import slow_flow
-from slowflow_kernels.conventions import COINCIDE, ENDLESS, RAISE, RAISES, Status
+from slowflow_kernels.conventions import COINCIDE, ENDLESS, FAR_OUT, FIRST_F_0, RAISE, RAISES, TENDS, Status
 
 #: of a force's size: what rounding its parameters may make of its jump
 OF_ROUNDING = 2.0**-48
 #: to either side of a frequency at which folds on a breakpoint may begin
 NEAR = 2.0**-30
-#: amplitudes that stand for endless ones, and the share by which what tends to 0 falls between them
-BEYOND, TENDS = np.array([ENDLESS * 2.0**-30, ENDLESS]), 2.0**-20
+#: amplitudes that stand for endless ones
+BEYOND = np.array([FAR_OUT, ENDLESS])
 
 
 @dataclasses.dataclass
@@ -316,7 +316,7 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
     It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one.
     """
     base = float(first.A[0])
-    F_0 = best.F_SN if best.kind else RAISE * max(model.m, 1e-6)
+    F_0 = best.F_SN if best.kind else RAISE * max(model.m, FIRST_F_0)
     for _ in range(RAISES):
         A_max, cut = amplitude_bound(model, F_0)
         if A_max > first.A[0]:  # what lies below has been looked through

@@ -27,7 +27,7 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates, joined
 from slowflow_kernels import frequencies, slow_flow
-from slowflow_kernels.conventions import LAST_STEP, SAME
+from slowflow_kernels.conventions import AT_ROOT, LAST_STEP, SAME, SLOW, SPREAD
 
 
 @dataclass(frozen=True)
@@ -232,8 +232,8 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         following = at - (w - Omega[active]) / model.Omega_A(w, at)
         moved = np.abs(following - at)
         x[active], lo[active], hi[active] = at, below, above
-        done = (moved <= 2.0**-50 * at) | ~(below < above)
-        outside = ~((following > below) & (following < above)) | (moved > 0.6 * last[active])
+        done = (moved <= AT_ROOT * at) | ~(below < above)
+        outside = ~((following > below) & (following < above)) | (moved > SLOW * last[active])
         following = np.where(outside, amid(np.zeros(1), below, above), following)
         done |= ~((following > below) & (following < above))
         last[active], A[active] = np.abs(following - at), following
@@ -383,7 +383,7 @@ def _weights(segments: list[Segment]) -> Floats:
     """
     A, Omega = (np.array([(segment.low[k], segment.high[k]) for segment in segments]).reshape(-1, 2) for k in (0, 1))
     of_Omega, of_A = np.ptp(Omega, axis=1) / max(1.0, 0.5 * Omega.max(initial=0)), np.ptp(A, axis=1) / A.max(initial=1)
-    return np.asarray(of_Omega + of_A + 1e-3)
+    return np.asarray(of_Omega + of_A + SPREAD)
 
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:

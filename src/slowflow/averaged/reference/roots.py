@@ -44,6 +44,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from slowflow.backend import SOLVER
 from slowflow_kernels import frequencies, slow_flow_zeta0
+from slowflow_kernels.conventions import (
+    BY_RISE,
+    CORRECTED,
+    CORRECTING,
+    MAY_MEET,
+    NEAR_ROOT,
+    NEARING,
+    POLISHED,
+    POLISHING,
+    SIMPLE,
+)
 from slowflow_support.broadcast import common_shape, floats
 
 Floats = NDArray[np.float64]
@@ -193,10 +204,10 @@ def _critical_points(s: _Quartic) -> tuple[Bools, Floats, Floats]:
     r = np.sqrt(np.where(falls, -s.p, 1.0) / (3 * s.A))
     rho = np.where(falls, 1.5 * s.q / (np.abs(s.p) * r), 2.0)
     gap = (1 - rho) * (1 + rho)
-    unsure = np.flatnonzero(np.abs(rho - 1) <= 2.0**-26)
+    unsure = np.flatnonzero(np.abs(rho - 1) <= MAY_MEET)
     gap[unsure] = s.take(unsure).gap()
     exist = gap >= 0
-    rho = np.minimum(rho, 1 + 2.0**-26)
+    rho = np.minimum(rho, 1 + MAY_MEET)
     # cubic Hermite interpolation of c(rho) between c(0) = sqrt(3)/2, c' = 1/6 and c(1) = 1, c' = 1/9
     half_root_3 = np.sqrt(0.75)
     rise = 1 - half_root_3
@@ -215,15 +226,15 @@ def _polish_cubic(s: _Quartic, w: Floats) -> Floats:
     """Newton with the double-double residual on simple roots of the cubic near w."""
     w = w.copy()
     active = np.arange(w.size)
-    for _ in range(8):
+    for _ in range(POLISHING):
         t, x = s.take(active), w[active]
         slope = t.cubic_slope(x)
         step = t.cubic_fine(x) / slope
         # at a double root the slope is noise, and w is as good as it gets
-        simple = np.abs(step) <= 2.0**-10 * x
+        simple = np.abs(step) <= SIMPLE * x
         x = np.where(simple, x - step, x)
         w[active] = x
-        active = active[simple & (3 * t.A * x * step * step > 2.0**-58 * x * np.abs(slope))]
+        active = active[simple & (3 * t.A * x * step * step > POLISHED * x * np.abs(slope))]
         if not active.size:
             break
     return w
@@ -242,7 +253,7 @@ def _critical_values(s: _Quartic, w: Floats) -> Floats:
         for last in (False, False, True):
             step = t.cubic_fine(x) / t.cubic_slope(x)
             # where maximum and minimum coincide the value does not depend on w in second order
-            step = np.where(np.abs(step) <= 2.0**-10 * x, step, 0.0)
+            step = np.where(np.abs(step) <= SIMPLE * x, step, 0.0)
             if last:
                 tail = -step
             else:
@@ -250,7 +261,7 @@ def _critical_values(s: _Quartic, w: Floats) -> Floats:
         fine, size = t.value_beside(x, tail)
         start = t.exactly_at_0()
         rise, terms = t.rise(x)
-        by_rise = np.abs(start + rise) > 2.0**-40 * (np.abs(start) + terms)
+        by_rise = np.abs(start + rise) > BY_RISE * (np.abs(start) + terms)
         value[unsure] = np.where(by_rise, start + rise, np.where(np.abs(fine) <= FINE * size, 0.0, fine))
     return value
 
@@ -261,7 +272,7 @@ def _refine(s: _Quartic, w: Floats, lo: Floats, hi: Floats, rising: Floats) -> F
     w = np.where((w > lo) & (w < hi), w, 0.5 * (lo + hi))
 
     active = np.arange(w.size)
-    for _ in range(12):  # Halley in double, until the next error is below 2^-36 of the distance to a fold
+    for _ in range(NEARING):  # Halley in double, until the next error is below 2^-36 of the distance to a fold
         t, x, below, above = s.take(active), w[active], lo[active], hi[active]
         f, size = t.value(x)
         certain = np.abs(f) > ROUGH * size
@@ -275,20 +286,20 @@ def _refine(s: _Quartic, w: Floats, lo: Floats, hi: Floats, rising: Floats) -> F
         moved = np.abs(following - x)
         lo[active], hi[active] = below, above
         w[active] = np.where(certain, following, x)
-        near = (moved * np.abs(D) <= 2.0**-12 * np.abs(C)) & (moved <= 2.0**-12 * following)
+        near = (moved * np.abs(D) <= NEAR_ROOT * np.abs(C)) & (moved <= NEAR_ROOT * following)
         active = active[certain & ~near]
         if not active.size:
             break
 
     active = np.arange(w.size)
-    for _ in range(100):  # Newton with the double-double residual: once, but for nearly multiple roots
+    for _ in range(CORRECTING):  # Newton with the double-double residual: once, but for nearly multiple roots
         t, x, below, above = s.take(active), w[active], lo[active], hi[active]
         f = t.value_fine(x)
         D = t.cubic_slope(x)
         C = t.cubic(x)
         step = f / (t.k * C)
         following = x - step
-        done = (step * step * np.abs(D) <= 2.0**-57 * np.abs(C) * x) & (following >= below) & (following <= above)
+        done = (step * step * np.abs(D) <= CORRECTED * np.abs(C) * x) & (following >= below) & (following <= above)
         left = f * rising[active] < 0
         below = np.where(left, x, below)
         above = np.where(left, above, x)

@@ -20,7 +20,7 @@ from slowflow.averaged.reference.along import NOWHERE, THROUGHOUT, Asked, Channe
 from slowflow.averaged.reference.cells import Samples, Stretch, amid, between, cells_of, joined, samples_at
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.model import Floats, Model
-from slowflow_kernels.conventions import FIRST, MOST_CELLS, NARROW
+from slowflow_kernels.conventions import AT_ROOT, FIRST, MOST_CELLS, NARROW, SLOW
 
 Ints = NDArray[np.intp]
 
@@ -263,7 +263,7 @@ def _solve(model: Model, question: Asked, base: Floats, brackets: _Brackets) -> 
         moved = np.abs(following - x)
         near = (moved <= 2.0**-52 * x) if step else np.zeros(active.size, dtype=bool)
         below, above = lo[active], hi[active]
-        outside = ~((following > below) & (following < above)) | (moved > 0.6 * last[active])
+        outside = ~((following > below) & (following < above)) | (moved > SLOW * last[active])
         following = np.where(outside, amid(base[active], below, above), following)
         near |= outside & ~((following > below) & (following < above))
         active, following = active[~near], following[~near]
@@ -288,6 +288,6 @@ def _solve(model: Model, question: Asked, base: Floats, brackets: _Brackets) -> 
     # Omega at the zero itself, which lies within roundings of A: where h_A is large, but no limit, that moves
     # Omega by much
     beyond = state["y"] / state["dy"]
-    moves = (state["Omega_A"] != 0) & np.isfinite(state["Omega_A"]) & (np.abs(beyond) <= 2.0**-50 * A)
+    moves = (state["Omega_A"] != 0) & np.isfinite(state["Omega_A"]) & (np.abs(beyond) <= AT_ROOT * A)
     Omega = np.where(moves, state["Omega"] - state["Omega_A"] * np.where(moves, beyond, 0.0), state["Omega"])
     return Zeros(brackets.piece, channel, A, Omega, state["level"], rising)

@@ -106,7 +106,7 @@ static double sf_break_away(const sf_forced *forced, int region, double theta, d
             continue;
         /* cos theta rises through it for slip = 1 and falls for slip = -1 */
         const double angle = -slip * acos(cosine);
-        const double at = fmax(angle + SF_TURN * ceil((theta - angle) / SF_TURN - 1e-14), theta);
+        const double at = fmax(angle + SF_TURN * ceil((theta - angle) / SF_TURN - SF_OF_TURN), theta);
         if (at < first)
             first = at, *direction = slip;
     }

@@ -48,7 +48,7 @@ static int sf_holds(sf_forced *forced, const sf_cycle *cycle, int starts_from_re
     forced->Omega = z[k + 2];
     const double end = z[1] + 0.5 * SF_TURN * cycle->half_turns;
     const sf_outcome outcome =
-        sf_follow(forced, z[1], z[0], 0.0, end + 1e-6, starts_from_rest ? cycle->phase : NULL, phases);
+        sf_follow(forced, z[1], z[0], 0.0, end + SF_OVER_END, starts_from_rest ? cycle->phase : NULL, phases);
     if (outcome != SF_GOOD || phases->count < k)
         return 0;
     double at = z[1];
@@ -107,7 +107,7 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
         }
         sf_ahead(z, tangent, *has_before ? before : NULL, row, *step, size, next);
         const sf_extra extra = {SF_ROW, row, value, 0};
-        if (sf_newton(forced, cycle, next, &extra, 8, 1e-13, found, along, rest) != SF_GOOD)
+        if (sf_newton(forced, cycle, next, &extra, SF_ALONG, SF_TOLERANCE, found, along, rest) != SF_GOOD)
             break;
         const double length = sqrt(sf_inner(next, along, along, size));
         for (long j = 0; j < size; j++)

@@ -32,10 +32,10 @@ SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
         const double c = (8 * nearer * nearer * nearer + rho) / (12 * nearer * nearer - 3);
         const double y2 = c + 1.7320508075688773 * sqrt(GREATER(gap, 0.0)) / (4 * c * c - 1);
         const double w1 = r * rho / (y2 * c), w2 = r * y2;
-        const int is_critical = (p < 0) & (rho <= 1 - 0x1p-26);
+        const int is_critical = (p < 0) & (rho <= 1 - SF_MAY_MEET);
         frequencies_response(w1, A, F_0, m, zeta, h, at_1);
         frequencies_response(w2, A, F_0, m, zeta, h, at_2);
-        const int is_sure = ((p >= 0) | (rho <= 1 - 0x1p-26) | (rho > 1 + 0x1p-26)) & (fabs(at_0[0]) >= SF_ROUGH * at_0[1]) &
+        const int is_sure = ((p >= 0) | (rho <= 1 - SF_MAY_MEET) | (rho > 1 + SF_MAY_MEET)) & (fabs(at_0[0]) >= SF_ROUGH * at_0[1]) &
                             ((is_critical == 0) |
                              ((fabs(at_1[0]) > SF_ROUGH * at_1[1]) & (fabs(at_2[0]) > SF_ROUGH * at_2[1]))) &
                             (A > 0) & (m >= 0) & (zeta >= 0) & (F_0 >= m) & (A + fabs(h) + m + zeta + F_0 < HUGE_VAL);
@@ -80,7 +80,7 @@ SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
         frequencies_response_fine(w, A, F_0, m, zeta, h, fine);
         const double C = frequencies_cubic(w, A, p, q), D = frequencies_cubic_slope(w, A, p), step = fine[0] / (k * C);
         const double next = w - step;
-        const int is_last = (fabs(step * D) * fabs(step) <= 0x1p-57 * fabs(C) * w) & (next >= lo) & (next <= hi);
+        const int is_last = (fabs(step * D) * fabs(step) <= SF_CORRECTED * fabs(C) * w) & (next >= lo) & (next <= hi);
         jobs->Omega[i] = next, jobs->is_last[i] = is_last;
     }
 }
