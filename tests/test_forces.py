@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from itertools import pairwise
 from pathlib import Path
 
@@ -343,6 +344,30 @@ def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloade
     # at high frequencies the amplitude vanishes, and friction and preload are passed on
     assert one.amplitudes(Omega=1e4, F_0=0.2).transmissibility[-1] == pytest.approx(held / 0.2, rel=1e-4)
     assert one.transmissibility_floor(0.2) == pytest.approx(held / 0.2, rel=1e-15)
+
+
+@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_small_motions_with_a_preload_are_not_missed(folder, compiled):
+    """Where h is not 0 at rest h/A has no bound: without friction the peak is a root of (k - zeta^2) A^2 + 4c/pi A =
+    (F_0/(2 zeta))^2; a preload that pushes outwards balances the spring at A = -4c/(pi k), from where folds begin.
+    """
+    if compiled and backend.SOLVER is None:
+        pytest.skip("the compiled solvers are not there")
+    made = derive.mechanism(f"pushed_{compiled}", [(c + k * u, None)], {"c": {}, "k": ABOVE_0}, compile=compiled)
+    for p_, zeta, F_0 in ((0.01, 0.2, 0.002), (0.05, 0.05, 1e-4), (0.1, 0.5, 0.03), (0.001, 0.02, 0.02)):
+        one = made(c=math.pi / 4 * p_, k=1.0, zeta=zeta)
+        square = (F_0 / (2 * zeta)) ** 2
+        A = 2 * square / (p_ + math.sqrt(p_**2 + 4 * (1 - zeta**2) * square))
+        peak = one.peak(F_0)
+        assert peak.A == pytest.approx(A, rel=1e-12)
+        assert peak.Omega == pytest.approx(math.sqrt(1 + p_ / A - 2 * zeta**2), rel=1e-9)
+        a, b = 1.1 * peak.Omega, 2 * zeta * 1.1 * peak.Omega  # (a^2 - 1)^2 A^2 - 2 p (a^2 - 1) A + p^2 + b^2 A^2 = F_0^2
+        roots = np.roots([(a * a - 1) ** 2 + b * b, -2 * p_ * (a * a - 1), p_**2 - F_0**2])
+        roots = np.sort(roots[(roots.imag == 0) & (roots.real > 0)].real)
+        assert one.amplitudes(Omega=a, F_0=F_0).A == pytest.approx(roots, rel=1e-9)
+    outward = made(c=-0.006, k=1.0, mu=0.004, zeta=0.04).saddle_node_onset()
+    assert outward.F_SN is None and Remark.FOLDS_AT_REST in outward.remarks
+    assert f"from F_0 = {4 * 0.004 / math.pi:g} on" in outward.message
 
 
 def test_within_a_play_no_mean_is_singled_out_and_that_is_said(folder):

@@ -288,6 +288,12 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     sf_search_between(search, &middle, b, open);
 }
 
+/* Whether cells from A = 0 on are asked for something over A that has no limit there: with a preload h is not 0. */
+static int sf_begins_above_rest(sf_question question, const sf_sample *rest) {
+    const int over_A = question == SF_STIFFNESS || question == SF_TURN || question == SF_UNDAMPED || question == SF_PEAK;
+    return over_A && rest->h != 0;
+}
+
 /* All zeros of a question's channels on a piece, added to those found; a zero at its last amplitude counts, one at A = 0
  * does not. */
 static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zeros *found) {
@@ -297,7 +303,9 @@ static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zer
     low.at = piece->first, high.at = piece->last;
     sf_ask(asked, open, &low.at, &low.answer);
     sf_ask(asked, open, &high.at, &high.answer);
-    if (low.at.A == 0 && ((low.answer.exists[0] && low.answer.y[0] == 0) || (low.answer.exists[1] && low.answer.y[1] == 0)))
+    if (low.at.A == 0 && (sf_begins_above_rest(asked->question, &low.at) ||
+                          (low.answer.exists[0] && low.answer.y[0] == 0) ||
+                          (low.answer.exists[1] && low.answer.y[1] == 0)))
         sf_probe_at(&search, open, SF_FIRST, &low);
     found->close |= sf_is_close(&search, &low) | sf_is_close(&search, &high);
     sf_know(&low.at, &low.known);
