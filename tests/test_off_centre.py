@@ -400,8 +400,7 @@ def test_every_place_of_rest_is_found():
 
 def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     questions = {
-        "peak": (0.04,), "fold_locus": (), "cusps": (), "isola_points": (),
-        "certify": (0.04,), "margins": (0.04,), "hysteresis": (0.04,), "isolation": (0.04,), "exact_response": (0.04,),
+        "fold_locus": (), "cusps": (), "isola_points": (), "certify": (0.04,), "exact_response": (0.04,),
         "backbone": ([0.1],), "explain": ("peak", 0.04),
     }  # fmt: skip
     for name, given in questions.items():
@@ -471,3 +470,81 @@ def test_a_mount_under_a_load_says_which_amplitude_its_answers_mean():
     )
     assert "the mean displacement included" in str(exact) and "x_max/mm" in str(mount.amplitudes(f=2.1, F=2))
     assert "included" not in str(Isolator.physical(**data).steady_state(f=2.1, F=2))
+
+
+@pytest.mark.parametrize(("alpha", "beta", "load", "F_0"), [(1.0, 0.5, 0.3, 0.2), (-0.5, 1.0, 0.02, 0.2)])
+def test_the_peak_is_where_the_response_by_hand_is_highest(alpha, beta, load, F_0):
+    """f_0 = F = dF/dOmega = 0 to 30 digits, and no point of the whole response is above it."""
+    zeta = 0.05
+    found = Duffing(alpha, beta, 0.0, zeta, load=load).peak(F_0)
+    cloud, _ = by_hand(alpha, beta, zeta, load, F_0, (1e-3, 3.0))
+    for value, of_cloud in ((found.A, cloud[:, 1]), (found.u_max, cloud[:, 1] + np.abs(cloud[:, 2]))):
+        assert (1 - 1e-3) * value < of_cloud.max() <= value * (1 + 1e-12)
+    with mpmath.workdps(30):
+
+        def vanish(Omega, A, B):
+            stiffness = alpha + 0.75 * beta * A**2 + 3 * beta * B**2
+            R, I = A * (Omega**2 - stiffness), 2 * zeta * A * Omega
+            mean = alpha * B + beta * (B**3 + 1.5 * A**2 * B) - load
+            return mean, R**2 + I**2 - F_0**2, Omega * R + zeta * I
+
+        exact = mpmath.findroot(vanish, (found.Omega, found.A, found.B))
+    assert [found.Omega, found.A, found.B] == pytest.approx([float(value) for value in exact], rel=1e-13)
+    assert found.u_max == pytest.approx(found.A + abs(found.B), rel=1e-15)  # one motion has both here
+
+
+def test_without_a_load_the_peak_is_that_about_the_centre_where_it_is_the_highest():
+    well = Duffing(-0.5, 1.0, 0.0, 0.05)
+    off, centred = well.off_centre.peak(0.2), well.peak(0.2)
+    assert (off.A, off.B, off.Omega, off.u_max) == (centred.A, 0.0, centred.Omega, centred.A)
+    stuck = well.replace(mu=0.1, load=0.1).peak(0.05)
+    assert stuck.A is None and "sticks" in stuck.message
+
+
+def test_margins_and_bands_and_isolation_tend_to_those_about_the_centre(loaded):
+    centred, near = Isolator(**TABLE_1), Isolator(**TABLE_1, load=1e-5)
+    for question, names in {
+        "peak": ("A", "Omega"),
+        "margins": ("F_SN", "F_cr", "of_SN", "of_cr"),
+        "hysteresis": ("Omega_low", "Omega_high"),
+        "isolation": ("Omega", "A"),
+    }.items():
+        exact, found = (getattr(of, question)(0.04) for of in (centred, near))
+        for name in names:
+            assert getattr(found, name) == pytest.approx(getattr(exact, name), rel=1e-4)
+    exact, found = centred.margins(0.04), near.margins(0.04)
+    assert (found.kind, found.folds, found.detaches, found.sticks) == (exact.kind, exact.folds, True, False)
+
+
+def test_the_springs_detach_from_the_detaching_force_on_and_a_mass_that_sticks_does_not_move(loaded):
+    F_cr = loaded.detachment().F_cr
+    below, above = (loaded.margins(share * F_cr) for share in (0.97, 1.03))
+    assert (below.detaches, above.detaches) == (False, True) and below.of_cr == pytest.approx(1 / 0.97, rel=1e-15)
+    assert loaded.peak(0.97 * F_cr).u_max < loaded.breakpoints[0] < loaded.peak(1.03 * F_cr).u_max
+    assert loaded.margins(0.015).sticks and not loaded.margins(0.015).detaches
+    # one that rests beyond the first breakpoint has its springs off
+    assert loaded.replace(load=0.45).margins(0.02).detaches
+
+
+def test_in_a_band_under_a_load_two_motions_are_stable_and_outside_one_is(loaded):
+    ((low, high, motions),) = loaded.hysteresis(0.04)
+    states = loaded.amplitudes(Omega=np.linspace(0.8, 1.1, 16), F_0=0.04)
+    for Omega in np.unique(states.Omega):
+        assert states.stable[states.Omega == Omega].sum() == (motions if low < Omega < high else 1)
+
+
+def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(loaded):
+    begins = loaded.isolation(0.04)
+    (at,) = loaded.amplitudes(Omega=begins.Omega, F_0=0.04)
+    assert at.A == pytest.approx(begins.A, rel=1e-9) and not begins.at_fold
+    assert loaded.amplitudes(Omega=begins.Omega, F_0=0.04).transmissibility == pytest.approx([1.0], rel=1e-9)
+    beyond = loaded.amplitudes(Omega=begins.Omega * np.linspace(1.0001, 3.0, 24), F_0=0.04)
+    assert (beyond.transmissibility[beyond.stable] < 1).all()
+
+
+def test_so_does_the_equation_of_motion_where_it_is_nearly_linear():
+    mild = Duffing(1.0, 0.2, 0.0, 0.05, load=0.2)
+    begins = mild.isolation(0.02)
+    first = mild.steady_state(Omega=begins.Omega, F_0=0.02).harmonics(1)[1]
+    # the forcing less what moves the mass, over the forcing
+    assert abs(1 + begins.Omega**2 * first / 0.02) == pytest.approx(1.0, abs=1e-5)

@@ -46,6 +46,34 @@ def test_each_design_has_the_digits_of_its_single_answer():
     assert not (states.status.any() or states.remarks.any() or states.undecided.any())
 
 
+def test_what_an_engineer_asks_of_many_designs_has_the_digits_of_single_answers():
+    designs = Duffing.many([1.0, 1.2], 0.5, 0.01, 0.05, load=[0.3, 0.2])
+    F_0 = 0.2
+    found = {name: getattr(designs, name)(F_0) for name in ("peak", "margins", "hysteresis", "isolation")}
+    rests = designs.rest()
+    for row, single in enumerate((Duffing(1.0, 0.5, 0.01, 0.05, load=0.3), Duffing(1.2, 0.5, 0.01, 0.05, load=0.2))):
+        for question, names in {
+            "peak": ("A", "B", "Omega", "u_max", "Omega_max"),
+            "margins": ("F_SN", "of_SN", "folds", "detaches", "sticks"),
+            "isolation": ("Omega", "A", "at_fold"),
+        }.items():
+            one = getattr(single, question)(F_0)
+            assert [getattr(found[question], name)[row] for name in names] == [getattr(one, name) for name in names]
+        (band,) = single.hysteresis(F_0)
+        bands = found["hysteresis"]
+        assert (bands.Omega_low[row, 0], bands.Omega_high[row, 0], bands.motions[row, 0], bands.count[row]) == (
+            *band,
+            1,
+        )
+        assert rests.u[row, 0] == single.rest().u[0] and rests.stiffness[row, 0] == pytest.approx(
+            single.stiffness(rests.u[row, 0]), rel=1e-14
+        )
+    assert np.isposinf(found["margins"].F_cr).all() and np.isposinf(found["margins"].of_cr).all()
+    assert designs.peak([0.2, 0.01]).status.tolist() == [Status.OK, Status.STICKS]
+    assert designs.margins([0.2, 0.01]).sticks.tolist() == [0, 1]
+    assert not any(answer.status.any() for answer in (*found.values(), rests))
+
+
 def test_a_design_without_an_answer_has_a_status_that_says_why():
     designs = Duffing.many([1.0, 1.0, 1.0, np.nan, -0.5, 1.0], 0.5, 0.01, [0.05, 0.0, 0.05, 0.05, 0.05, 0.05],
                            load=[0.3, 0.3, np.inf, 0.3, 0.02, 0.0])  # fmt: skip
@@ -88,7 +116,7 @@ def test_a_force_that_is_not_odd_has_batches_too():
 
 def test_what_batches_have_no_answer_to_off_the_centre_is_refused_in_words():
     designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
-    for name in ("peak", "certify", "margins", "second_approximation"):
+    for name in ("certify", "second_approximation", "shock_spectrum"):
         with pytest.raises(ValueError, match="motions about the centre"):
             getattr(designs, name)
     with pytest.raises(ValueError, match="only with 'force'"):

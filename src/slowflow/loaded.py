@@ -54,6 +54,10 @@ class Loaded:
         """Whether the forcing leaves the mass at rest (27), wherever that is."""
         return self.unloaded.sticks(F_0)
 
+    def holds(self, F_0: float) -> bool:
+        """Whether a mass at rest stays there while there are motions as well: none does, as the preload is 0."""
+        return False
+
     def given(self) -> dict[str, Any]:
         """As of `Model`, with the load."""
         return {**self.unloaded.given(), "load": self.load}

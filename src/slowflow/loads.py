@@ -144,8 +144,8 @@ class Spectrum(Table):
     message: str
 
 
-def margins(oscillator: Averaged, F_0: float) -> Margins:
-    """See `Oscillator.margins`."""
+def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | None = None) -> Margins:
+    """See `Oscillator.margins`; of an `Averaged`, or of an `OffCentre`, which tells what `detaches` at a forcing."""
     folds = oscillator.saddle_nodes(F_0)
     onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
     F_cr = detachment.F_cr
@@ -161,7 +161,7 @@ def margins(oscillator: Averaged, F_0: float) -> Margins:
         None if F_cr is None else F_cr / folds.F_0,
         onset.kind,
         len(folds),
-        not sticks and _detaches(oscillator, folds.F_0),
+        not sticks and (detaches(folds.F_0) if detaches else _detaches(oscillator, folds.F_0)),
         sticks,
         joined(
             folds.message if sticks else "",
@@ -183,8 +183,8 @@ def _detaches(oscillator: Averaged, F_0: float) -> bool:
     return bool((curve.A[curve.stable] > oscillator.breakpoints[0]).any())
 
 
-def hysteresis(oscillator: Averaged, F_0: float) -> Hysteresis:
-    """See `Oscillator.hysteresis`."""
+def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
+    """See `Oscillator.hysteresis`; of an `Averaged` or an `OffCentre`."""
     folds = oscillator.saddle_nodes(F_0)
     # beyond the last fold the number of motions does not change any more
     ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
@@ -211,16 +211,29 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
     if not len(curve):
         return Isolation(None, None, False, F_0, curve.message)
-    full = curve.stable & (curve.Omega <= _of_full(oscillator, curve.A))
+    transmits = curve.Omega <= _of_full(oscillator, curve.A)
+
+    def passes(one: int, other: int) -> tuple[float, float]:
+        A = _between(oscillator, F_0, float(curve.A[one]), float(curve.A[other]))
+        return float(_of_full(oscillator, np.array([A]))[0]), A
+
+    return begins(curve, transmits, passes, F_0)
+
+
+def begins(curve: Any, transmits: Flags, passes: Callable[[int, int], tuple[float, float]], F_0: float) -> Isolation:
+    """Where isolation begins along a response curve.
+
+    transmits -- at which of its points as much as F_0 is transmitted
+    passes    -- Omega and A between two neighbours of which the first does so and the other does not
+    """
+    full = curve.stable & transmits
     if not full.any():
         return Isolation(0.0, None, False, F_0, joined(curve.message, ISOLATES))
     last = int(np.flatnonzero(full)[np.argmax(curve.Omega[full])])
     around = [k for k in (last - 1, last + 1) if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last]]
     for k in around:
         if curve.stable[k] and curve.Omega[k] > curve.Omega[last]:
-            A = _between(oscillator, F_0, float(curve.A[last]), float(curve.A[k]))
-            (Omega,) = _of_full(oscillator, np.array([A])).tolist()
-            return Isolation(Omega, A, False, F_0, curve.message)
+            return Isolation(*passes(last, k), False, F_0, curve.message)
     if all(curve.stable[k] for k in around):
         return Isolation(None, None, False, F_0, joined(curve.message, NEVER))
     return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message)

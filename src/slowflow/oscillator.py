@@ -186,6 +186,10 @@ class Oscillator(Averaged):
             return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
         return super().frequency_response(F_0, samples=samples, Omega=Omega)
 
+    def peak(self, F_0: float) -> Any:
+        """The highest peak, see `Averaged.peak`; under a load `OffCentre.peak`, with its B and the largest |u|."""
+        return self.off_centre.peak(F_0) if self._off_centre_by else super().peak(F_0)
+
     def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
         """What is proved at F_0, see `Averaged.certify`; of motions about the centre."""
         self.at_centre("certify")
@@ -418,8 +422,7 @@ class Oscillator(Averaged):
         """
         from slowflow import loads
 
-        self.at_centre("margins")
-        return loads.margins(self, F_0)
+        return self.off_centre.margins(F_0) if self._off_centre_by else loads.margins(self, F_0)
 
     def hysteresis(self, F_0: float) -> loads.Hysteresis:
         """The bands of frequencies at F_0 with several stable motions: .Omega_low .Omega_high .motions.
@@ -428,8 +431,7 @@ class Oscillator(Averaged):
         """
         from slowflow import loads
 
-        self.at_centre("hysteresis")
-        return loads.hysteresis(self, F_0)
+        return self.off_centre.hysteresis(F_0) if self._off_centre_by else loads.hysteresis(self, F_0)
 
     def isolation(self, F_0: float) -> loads.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, .Omega, and .A there.
@@ -440,8 +442,7 @@ class Oscillator(Averaged):
         """
         from slowflow import loads
 
-        self.at_centre("isolation")
-        return loads.isolation(self, F_0)
+        return self.off_centre.isolation(F_0) if self._off_centre_by else loads.isolation(self, F_0)
 
     def spectrum(self, *, Omega: Any, F_0: Any) -> loads.Spectrum:
         """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.

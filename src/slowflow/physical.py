@@ -63,6 +63,7 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Omega_low": ("f_low", "frequency"),
         "Omega_high": ("f_high", "frequency"),
         "Omega_cr": ("f_cr", "frequency"),
+        "Omega_max": ("f_max", "frequency"),
         "Omega_undecided": ("f_undecided", "frequency"),
         **{name: (name, "force") for name in ("break_loose", "sticking", "force")},
         "f_n": ("f_n", "frequency"),
@@ -553,7 +554,7 @@ class Physical:
         return self.scales.quantities(self._asked.saddle_nodes(self._amplitude(F)))
 
     def peak(self, F: Any) -> Quantities:
-        """The highest peak: .A .f, see `Averaged.peak`."""
+        """The highest peak: .A .f, see `Averaged.peak`; under a load .x_max at .f_max as well, see `OffCentre.peak`."""
         return self.scales.quantities(self._asked.peak(self._amplitude(F)))
 
     def amplitudes(self, *, f: Any, F: Any) -> Quantities:

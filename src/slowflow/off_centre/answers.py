@@ -12,7 +12,7 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import Single, Table, frozen
 from slowflow.model import Floats
-from slowflow.results import DRAWN
+from slowflow.results import DRAWN, Remark
 from slowflow_kernels import slow_flow
 
 NOT_MEASURED = "errors of averaging are measured about the centre only: off it steady_state has the motions themselves"
@@ -35,6 +35,7 @@ class Rest(NamedTuple):
     """A place of rest, as in `RestPositions`."""
 
     u: float
+    stiffness: float
     stable: bool
 
 
@@ -74,16 +75,19 @@ class RestPositions(Balanced, Table):
     """Where the mass stands without forcing and friction, f(u) = load, by rising u; friction holds it near by too.
 
     u      -- displacement
-    stable -- where the stiffness is positive
+    stiffness -- df/du there over k_v: its square root is the frequency of small motions about it
+    stable -- where that is positive
     load   -- the static load over k_v L
     """
 
     entry: ClassVar[Any] = Rest
 
     u: Floats
+    stiffness: Floats
     stable: npt.NDArray[np.bool_]
     load: float
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,6 +112,7 @@ class OffCentreStates(Balanced, Table):
     load: float
     message: str
     Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
+    remarks: Remark = field(default=Remark(0), kw_only=True)
     _h: Floats = field(repr=False)
     _damping: tuple[float, float] = field(repr=False)
 
@@ -180,6 +185,7 @@ class OffCentreFolds(Balanced, Table):
     F_0: float
     load: float
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,6 +202,29 @@ class OffCentreDetachment(Balanced, Single):
     B: float | None
     load: float
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentrePeak(Balanced, Single):
+    """How far motions at one forcing go, isolated curves included; None and a message where there is no motion.
+
+    A, B, Omega -- the largest amplitude, its mean displacement and its frequency
+    u_max, Omega_max -- the largest |u|, |B| + A, which is what a stroke has to hold, and its frequency; it may be that
+                   of another motion
+
+    Of motions whose mean stiffness is positive, as that of stable ones is.
+    """
+
+    A: float | None
+    B: float | None
+    Omega: float | None
+    u_max: float | None
+    Omega_max: float | None
+    F_0: float
+    load: float
+    message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,3 +244,4 @@ class OffCentreOnset(Balanced, Single):
     kind: str
     load: float
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)

@@ -278,10 +278,6 @@ def _tangents(of: Slow, Omega: Floats, x: Floats) -> Floats:
     return -_solved(of, Omega, x, lambda f_0, F: (0 * f_0, by_Omega))
 
 
-def _steps_of_newton(of: Slow, Omega: Floats, x: Floats) -> Floats:
-    return _solved(of, Omega, x, lambda f_0, F: (f_0, F))
-
-
 def _solved(of: Slow, Omega: Floats, x: Floats, right: Callable[[Floats, Floats], tuple[Floats, Floats]]) -> Floats:
     """What the slopes of f_0 and F by A and B take to a right side, which is made of f_0 and F; 0 where they cannot."""
     means = of.steps.at(x[0], x[1], 1)
@@ -335,15 +331,26 @@ def _between(of: Slow, place: Floats, is_fold: Bools, inner: Ints) -> tuple[Floa
         span = (end[0] - start[0])[smooth]
         slopes = (_tangents(of, ends[0, smooth], ends[1:, smooth]) * span for ends in (start, end))
         guess[:, smooth] = _cubic(share[smooth], start[1:, smooth], end[1:, smooth], *slopes)
-    x = guess.copy()
-    for _ in range(8):
-        change = _steps_of_newton(of, Omega, x)
-        x = x - change
-        x[0] = np.maximum(x[0], 1e-3 * guess[0])
+    x, change = _newton(of, Omega, guess)
     near = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
     kept = near <= np.abs(end[1:] - start[1:]).max(axis=0)
     kept &= np.abs(change).max(axis=0) <= 1e-9 * np.abs(x).max(axis=0)
     return np.stack((Omega, *x))[:, kept], (step + share)[kept]
+
+
+def on_curve(of: Slow, Omega: Floats, guess: Floats) -> Floats:
+    """States (2, n) at frequencies, from states near by."""
+    return _newton(of, Omega, guess)[0]
+
+
+def _newton(of: Slow, Omega: Floats, guess: Floats) -> tuple[Floats, Floats]:
+    """States, and the last step to them."""
+    x = guess
+    for _ in range(8):
+        change = _solved(of, Omega, x, lambda f_0, F: (f_0, F))
+        x = x - change
+        x[0] = np.maximum(x[0], 1e-3 * guess[0])
+    return x, change
 
 
 def _cubic(share: Floats, start: Floats, end: Floats, slope: Floats, slope_at_end: Floats) -> Floats:

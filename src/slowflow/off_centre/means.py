@@ -101,6 +101,12 @@ class Steps:
             self._base[n, ORDERS - n : ORDERS - n + self.highest + 1] = np.where(odd, rows[-1], 0.0)
         self._even = np.where(odd, 0.0, rows[-1])
         self._beside = [self._bound(n) for n in range(ORDERS + 1)]
+        #: of derivatives the size of the terms that they are made of, at breakpoints too
+        most, far = np.abs(rows).max(axis=0), float(ends.max(initial=0.0))
+        sizes = [
+            sum(most[j] * far ** (j - k) / math.factorial(j - k) for j in range(k, most.size)) for k in range(most.size)
+        ]
+        self._sizes = np.array(sizes)
 
     def _state_sided(self, ends: Floats, pieces: Floats, gains: Floats, load: float) -> None:
         """From rows of derivatives: of each piece at u = 0, by rising u, and of what is gained at each breakpoint."""
@@ -196,9 +202,17 @@ class Steps:
         for step in range(1, self.places.size):
             moved = B.ends if self.sides[step] > 0 else -B.ends[::-1]
             self._step(A, Interval(self.places[step] - moved[::-1]), ends[:, :, step])
-        c = (self._held(self._of_c[k], ends[0]).both(self._roughly(A, B, k, ends[0], 0)) for k in range(orders + 1))
-        s = (self._held(self._of_s[k], ends[1]).both(self._roughly(A, B, k, ends[1], 1)) for k in range(orders + 1))
-        return Means(tuple(c), tuple(s), ends)
+        # the share of the cycle that is neither above the last breakpoint on the right nor below that on the left
+        last = [self.places.size // 2, self.places.size - 1]
+        inside = np.clip(1.0 - ends[0, 0, last, ORDERS].sum(axis=0), 0.0, 1.0)
+        c, s = (
+            tuple(
+                self._held(weights[k], ends[family]).both(self._roughly(A, B, k, ends[family], family, inside))
+                for k in range(orders + 1)
+            )
+            for family, weights in enumerate((self._of_c, self._of_s))
+        )
+        return Means(c, s, ends)
 
     def resists(self, A: Interval, B: Interval, means: Means) -> tuple[Interval, Interval]:
         """(c_1^2 - s_1^2)/c_1 on the boxes of `on`, which stays finite where a motion comes to a jump of the force.
@@ -229,8 +243,8 @@ class Steps:
                 found[:, some] = np.fmax(found[0, some], held[0]), np.fmin(found[1, some], held[1])
         return Interval(short), Interval(past)
 
-    def _roughly(self, A: Interval, B: Interval, n: int, ends: Floats, family: int) -> Interval:
-        """c_n or s_n by the base alone, and what the force has beside it as something bounded.
+    def _roughly(self, A: Interval, B: Interval, n: int, ends: Floats, family: int, inside: Floats) -> Interval:
+        """c_n or s_n by the base alone, and what the force has beside it as something bounded, `inside` most of it.
 
         The steps of a motion that is large beside the breakpoints cancel, and with them what is known of their sum.
         """
@@ -240,10 +254,15 @@ class Steps:
         jumps[:, ORDERS:] = 0.0
         base = self._held(self._base[n], ends[:, 0])
         size = A.hi + np.maximum(np.abs(B.lo), np.abs(B.hi))
-        far = 0 * size + sum(
-            abs(self._even[k]) * size ** (k - n) / math.factorial(k - n) for k in range(n, self._even.size)
-        )
-        bound = np.maximum(self._beside[n], far) * (2 / np.pi if family else 1.0) * (1 + 2.0**-40)
+
+        def far(derivatives: Floats) -> Floats:
+            """Of a polynomial with these at 0, of any signs, what its n-th derivative does not exceed."""
+            terms = (abs(derivatives[k]) / math.factorial(k - n) * size ** (k - n) for k in range(n, derivatives.size))
+            return np.asarray(0 * size + sum(terms))
+
+        cosine = 2 / np.pi if family else 1.0  # the mean of its size
+        bound = (self._beside[n] * np.minimum(inside, cosine) + far(self._even) * cosine) * (1 + 2.0**-40)
+        bound += DOUBT * far(self._sizes)  # rounded, the steps do not add up to the last piece
         known = base + Interval(np.array((-bound, bound)))
         return known + self._held(jumps, ends) if jumps.any() else known
 

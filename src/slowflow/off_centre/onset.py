@@ -27,6 +27,7 @@ from slowflow.averaged.reference.intervals import Interval
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.model import Floats
 from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.off_centre.reach import ROUNDED, cut, on_balance
 from slowflow_kernels import off_centre, slow_flow
 
 #: relative distance below F_SN within which no fold is proved to be absent
@@ -37,7 +38,6 @@ MOST_BOXES, FEW = 100_000, 2000
 PARTS, ROUNDS = 8, 7
 #: amplitudes, by octaves, and mean displacements at which folds are looked for to begin with
 OCTAVES, SAMPLES, ACROSS = 20, 121, 96
-ROUNDED = 2.0**-40
 
 
 @dataclass(frozen=True)
@@ -236,42 +236,19 @@ class Search:
                 if level.min() < known * (1 - GAP / 2):
                     i = int(np.argmin(level))
                     return float(A[i]), float(B[i])
-            across = (high[1] - low[1] > high[0] - low[0]).astype(int)
-            n, middle, upper, lower = np.arange(across.size), 0.5 * (low + high), high.copy(), low.copy()
-            upper[across, n] = lower[across, n] = middle[across, n]
-            low, high = np.concatenate((low, lower), axis=1), np.concatenate((upper, high), axis=1)
+            low, high = cut(low, high)
         return None
 
     def _left(self, low: Floats, high: Floats, below: float) -> tuple[Floats, Floats]:
         """Of boxes those, made smaller, that may hold a fold with a level below."""
-        A, B = Interval(np.stack((low[0], high[0]))), Interval(np.stack((low[1], high[1])))
-        means = self.steps.on(A, B, 1)
-        centre = 0.5 * (low + high)
-        r_A, r_B = np.maximum(high - centre, centre - low) * (1 + ROUNDED)
-        A_0, B_0 = (Interval(np.stack((x, x))) for x in centre)
-        middle = self.steps.on(A_0, B_0, 0)
-        f_0, f_middle = means.c[0] - self.steps.load, middle.c[0] - self.steps.load
-        along = f_middle + means.s[1] * Interval(np.stack((-r_A, r_A)))
-        away = f_0.has_sign | (means.c[1].hi <= 0)
-        rising = means.c[1].lo > 0
-        balanced = B_0 - along / means.c[1]
-        B_low = np.where(rising, np.fmax(low[1], balanced.lo), low[1])
-        B_high = np.where(rising, np.fmin(high[1], balanced.hi), high[1])
-        away |= B_low > B_high
-        # p = 2 s_0/A with its slopes 2 (c_1 - p)/A and 2 s_1/A; a mean of c_1 over smaller amplitudes, too
-        p = means.s[0] * 2.0 / A
-        p = Interval(np.where(A.lo > 0, p.ends, means.c[1].ends))
-        slopes = (means.c[1] - p) * 2.0 / A, means.s[1] * 2.0 / A
-        sharper = middle.s[0] * 2.0 / A_0
-        for slope, r in zip(slopes, (r_A, r_B), strict=True):
-            sharper = sharper + slope * Interval(np.stack((-r, r)))
-        # what is not known is NaN there
-        p = Interval(np.stack((np.fmax(p.lo, sharper.lo), np.fmin(p.hi, sharper.hi))))
-        short, past = self.steps.resists(A, B, means)
+        found = on_balance(self.steps, low, high)
+        A, p = found.A, found.p
+        B = Interval(np.stack((low[1], high[1])))
+        short, past = self.steps.resists(A, B, found.means)
         # on a corner F_A passes all between
         e = (Interval(np.stack((np.minimum(short.lo, past.lo), np.maximum(short.hi, past.hi)))) - p) * 2.0
-        away |= ~(self._may(A, p, e.hi, below, 1.0) | self._may(A, p, -e.lo, below, -1.0))
-        return np.stack((low[0], B_low))[:, ~away], np.stack((high[0], B_high))[:, ~away]
+        left = ~found.empty & (self._may(A, p, e.hi, below, 1.0) | self._may(A, p, -e.lo, below, -1.0))
+        return np.stack((low[0], found.B.lo))[:, left], np.stack((high[0], found.B.hi))[:, left]
 
     def _may(self, A: Interval, p: Interval, e: Floats, below: float, sign: float) -> np.ndarray:
         """Whether there may be a fold with y of that sign, |e| <= e, and a level below."""

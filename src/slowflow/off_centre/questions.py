@@ -7,33 +7,37 @@ and B is left unless it is proved to hold nothing (see `boxes`), whatever the ba
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
-from functools import partial
+from functools import partial, reduce
 from itertools import pairwise
-from typing import Any
+from operator import or_
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
+from scipy.optimize import brentq
 
-from slowflow import validate
+from slowflow import loads, validate
 from slowflow.averaged import remarks
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
-from slowflow.averaged.reference.roots import peak_roots
+from slowflow.loaded import Loaded
 from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import (
     OffCentreDetachment,
     OffCentreFolds,
     OffCentreOnset,
+    OffCentrePeak,
     OffCentreResponse,
     OffCentreStates,
     RestPositions,
 )
 from slowflow.off_centre.boxes import Ints, Solutions, solve
-from slowflow.off_centre.curve import Curves, Slow, curves
+from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
 from slowflow.off_centre.equations import Detaching, Fold, Resting, State, Touching
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.onset import Lowest, Search
+from slowflow.off_centre.reach import AMPLITUDE, BACKBONE, LARGEST, Farthest, Measure, Reach
 from slowflow.results import Remark, SaddleNodes, joined
 from slowflow_kernels import off_centre, slow_flow
 
@@ -43,6 +47,10 @@ BELOW, ABOVE = 4, 8
 PARTS = 8
 #: frequencies that are looked at together
 TOGETHER = 64
+#: answers that are kept of one oscillator
+KEPT = 64
+#: how nearly the highest frequency is known that is looked at for isolation
+COARSE = 2.0**-6
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
 
@@ -52,6 +60,8 @@ BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
 UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
+TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^-24 of it"
+WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"
 UNRESOLVED = "the onset is undecided: folds of ever lower forcing go on to Omega = 0, or to where the mean turns back"
@@ -60,23 +70,54 @@ UNDECIDED = "how many states there are is undecided at Omega = {}"
 UNDECIDED_FOLDS = "whether there are others is undecided next to A = {}"
 
 
+_Answered = TypeVar("_Answered")
+
+
+class _Said(NamedTuple):
+    """What there is to say beside an answer, in words and as codes."""
+
+    message: str = ""
+    remarks: Remark = Remark(0)
+
+    def beside(self, other: _Said) -> _Said:
+        """Both, this first."""
+        return _Said(joined(self.message, other.message), self.remarks | other.remarks)
+
+
 class OffCentre:
     """An oscillator under a static load, or one whose motions may leave the centre, averaged.
 
     load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
 
+    Answers are kept for some time, as one is made of others: a response of its folds, margins of almost all.
     The force may be any piecewise polynomial, odd or not.
     """
 
     def __init__(self, model: Model, load: float) -> None:
-        self._model = model
+        self._model, self.model = model, Loaded(model, load)
         self._steps = Steps(model.mechanism, model.parameters, load)
         self._m, self._zeta = model.m, model.zeta
+        self._reach = Reach(self._steps, self._m, self._zeta)
+        self._known: dict[tuple[Any, ...], Any] = {}
+
+    def _once(self, key: tuple[Any, ...], ask: Callable[[], _Answered]) -> _Answered:
+        """An answer that is known, or asked for and kept for a while."""
+        found: _Answered | None = self._known.get(key)
+        if found is None:
+            found = self._known[key] = ask()
+            if len(self._known) > KEPT:
+                self._known.pop(next(iter(self._known)), None)
+        return found
 
     @property
     def load(self) -> float:
         """The static load over k_v L."""
         return self._steps.load
+
+    @property
+    def sticking_forcing(self) -> float:
+        """4 mu/pi: a forcing that does not exceed it leaves a mass at rest, wherever that is (27)."""
+        return self._m
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
@@ -93,22 +134,25 @@ class OffCentre:
         )
         (u,) = found.x
         u = np.sort(u)
-        stable = self._steps.at(np.zeros(u.size), u, 1).c[1] > 0
-        message = ""
+        stiffness = self._steps.at(np.zeros(u.size), u, 1).c[1]
+        said = self._beyond_reach(0.0, u)
         if found.undecided_of.size:
-            message = f"whether there are others is undecided next to u = {_listed(found.undecided[0])}"
-        return RestPositions(u, stable, self.load, joined(message, self._beyond_reach(0.0, u)))
+            words = f"whether there are others is undecided next to u = {_listed(found.undecided[0])}"
+            said = _Said(words, Remark.UNDECIDED).beside(said)
+        return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict())
 
     def detachment(self) -> OffCentreDetachment:
         """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side.
 
         Of a force that is not odd it is that which comes to an end of the piece about u = 0: to a stop, say.
         """
+        return self._once(("detachment",), self._detachment)
+
+    def _detachment(self) -> OffCentreDetachment:
         if not self.breakpoints:
             return self._no_detachment(ONE_PIECE)
-        (lower, upper), at_rest = self._steps.inner, self.rest()
-        steady = at_rest.u[at_rest.stable]
-        if steady.size and ((steady >= upper) | (steady <= lower)).all():
+        lower, upper = self._steps.inner
+        if self._rests_beyond():
             return self._no_detachment(BEYOND)
         equations = Detaching(self._steps)
         ends = [k for k, end in enumerate((upper, lower)) if math.isfinite(end)]
@@ -121,11 +165,17 @@ class OffCentre:
         A, B = A[inside], equations.offset(A, found.of)[inside]
         if not A.size:
             return self._no_detachment(NOT_REACHED)
-        level, Omega = self._least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
+        level, Omega = self._reach.least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
         least = int(np.argmin(level))
         return OffCentreDetachment(
             float(level[least]), float(Omega[least]), float(A[least]), float(B[least]), self.load, ""
         )
+
+    def _rests_beyond(self) -> bool:
+        """Whether at rest the mass stands at an end of the first piece or beyond it, wherever it rests."""
+        (lower, upper), at_rest = self._steps.inner, self.rest()
+        steady = at_rest.u[at_rest.stable]
+        return bool(steady.size and ((steady >= upper) | (steady <= lower)).all())
 
     def _highest_at(self, end: float, of: int) -> float:
         """An amplitude up to which the mean may be balanced of motions that come to an end of a piece with one only.
@@ -148,15 +198,6 @@ class OffCentre:
     def _no_detachment(self, message: str) -> OffCentreDetachment:
         return OffCentreDetachment(None, None, None, None, self.load, message)
 
-    def _least_forcing(self, A: Floats, h: Floats) -> tuple[Floats, Floats]:
-        """The lowest F_0 for which each amplitude is a steady state, and its Omega."""
-        with np.errstate(all="ignore"):
-            roots = peak_roots(A, h, self._m, self._zeta)[0]
-            Omega = np.concatenate((np.zeros((A.size, 1)), roots), axis=1)
-            level = slow_flow.level(Omega, A[:, np.newaxis], self._m, self._zeta, h[:, np.newaxis])
-        lowest = np.nanargmin(level, axis=1)[:, np.newaxis]
-        return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
-
     def amplitudes(self, *, Omega: Any, F_0: Any) -> OffCentreStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies, with its B.
 
@@ -167,13 +208,14 @@ class OffCentre:
             names = ("Omega", "A", "B", "stable", "_h")
             found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
             told: dict[str, Any] = {"load": self.load, "message": found.message(), "Omega_undecided": found.undecided()}
-            return OffCentreStates(**found.columns, F_0=found.F_0, _damping=(self._m, self._zeta), **told)
+            told["remarks"] = reduce(or_, (part.remarks for part in found.parts), Remark(0))
+            return OffCentreStates(**found.columns, F_0=found.F_0, _damping=self._damping, **told)
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("amplitudes")
         if F_0 <= self._m or not at.size:
-            message = STICKS.format(F_0, self._m) if F_0 <= self._m else ""
-            return self._states(at, np.empty(0), np.empty(0), F_0, message, np.empty(0), np.empty(0, int))
+            said = _Said(STICKS.format(F_0, self._m)) if F_0 <= self._m else _Said()
+            return self._states(at, np.empty(0), np.empty(0), F_0, said, np.empty(0), np.empty(0, int))
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
         if not self._keeps_centre:
             parts = [self._at(at[first : first + TOGETHER], F_0) for first in range(0, at.size, TOGETHER)]
@@ -190,8 +232,8 @@ class OffCentre:
             undecided = np.concatenate((undecided, np.flatnonzero(np.isin(at, centred.Omega_undecided))))
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
-        message = UNDECIDED.format(_listed(missing)) if missing.size else ""
-        return self._states(at, x[0, order], x[1, order], F_0, message, missing, of[order])
+        said = _Said(UNDECIDED.format(_listed(missing)), Remark.UNDECIDED) if missing.size else _Said()
+        return self._states(at, x[0, order], x[1, order], F_0, said, missing, of[order])
 
     @property
     def _has_centre(self) -> bool:
@@ -257,20 +299,24 @@ class OffCentre:
         samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
         low, high = validate.window("Omega", Omega)
         self._damped("frequency_response")
+        return self._once(("frequency_response", F_0, samples, low, high), lambda: self._curve(F_0, samples, low, high))
+
+    def _curve(self, F_0: float, samples: int, low: float, high: float) -> OffCentreResponse:
+        """`frequency_response` in a window of frequencies."""
         if F_0 <= self._m:
-            return self._response(Curves.none(), F_0, STICKS.format(F_0, self._m))
-        found, message = Curves.none(), ""
+            return self._response(Curves.none(), F_0, _Said(STICKS.format(F_0, self._m)))
+        found, said = Curves.none(), _Said()
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
             off = np.abs(folds.B) > AT_CENTRE if self._has_centre else np.ones(len(folds), dtype=bool)
             places = np.stack((folds.Omega, folds.A, folds.B))[:, off]
             slow = Slow(self._steps, self._m, self._zeta, F_0)
             found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
-            message = folds.message if len(folds) else ""
+            said = _Said(folds.message, folds.remarks) if len(folds) else said
         if self._has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
             found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
-        return self._response(found, F_0, message)
+        return self._response(found, F_0, said)
 
     def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
         """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
@@ -312,25 +358,29 @@ class OffCentre:
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("saddle_nodes")
+        return self._once(("saddle_nodes", F_0), lambda: self._saddle_nodes(F_0))
+
+    def _saddle_nodes(self, F_0: float) -> OffCentreFolds:
         if F_0 <= self._m:
-            return self._folds(np.empty((3, 0)), np.empty(0, dtype=bool), F_0, STICKS.format(F_0, self._m))
+            return self._folds(np.empty((3, 0)), np.empty(0, dtype=bool), F_0, _Said(STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._has_centre else None
         if centred is not None and self._keeps_centre:
-            return self._folds_with(centred, None, F_0, centred.message)
+            return self._folds_with(centred, None, F_0, _Said(centred.message, centred.remarks))
         found = self._all_folds(np.array([F_0]))
         corners, undecided = self._corners(F_0)
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         corner = np.arange(x.shape[1]) >= found.x.shape[1]
         some = x.size or open_.size or (centred is not None and len(centred))
-        message = "" if some else NO_FOLD.format(F_0)
+        said = _Said("" if some else NO_FOLD.format(F_0))
         if open_.size:
-            message = joined(message, UNDECIDED_FOLDS.format(_listed(np.unique(np.round(open_[0], 12)))))
+            words = UNDECIDED_FOLDS.format(_listed(np.unique(np.round(open_[0], 12))))
+            said = said.beside(_Said(words, Remark.UNDECIDED))
         if centred is None:
-            return self._folds(x, corner, F_0, message)
+            return self._folds(x, corner, F_0, said)
         off = np.abs(x[1]) > AT_CENTRE
-        return self._folds_with(centred, self._folds(x[:, off], corner[off], F_0, message), F_0, message)
+        return self._folds_with(centred, self._folds(x[:, off], corner[off], F_0, said), F_0, said)
 
-    def _folds_with(self, centred: SaddleNodes, off: OffCentreFolds | None, F_0: float, message: str) -> OffCentreFolds:
+    def _folds_with(self, centred: SaddleNodes, off: OffCentreFolds | None, F_0: float, said: _Said) -> OffCentreFolds:
         """Folds about the centre by their own solvers, and those off it."""
         means = self._steps.at(centred.A, np.zeros(len(centred)), 1)
         kind = np.where(means.c[1] > 0, centred.kind, "unstable")
@@ -340,7 +390,7 @@ class OffCentre:
             columns = [np.concatenate(pair) for pair in zip(columns, beside, strict=True)]
         order = np.argsort(columns[0], kind="stable")
         Omega, A, B, kind, corner = (column[order] for column in columns)
-        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, message)
+        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, **said._asdict())
 
     def saddle_node_onset(self) -> OffCentreOnset:
         """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
@@ -349,18 +399,23 @@ class OffCentre:
         Raises ValueError for zeta = 0.
         """
         self._damped("saddle_node_onset")
+        return self._once(("saddle_node_onset",), self._onset)
+
+    def _onset(self) -> OffCentreOnset:
         if self._keeps_centre:
             centred = Averaged(self._model).saddle_node_onset()
-            B = None if centred.F_SN is None else 0.0
-            return OffCentreOnset(centred.F_SN, centred.Omega, centred.A, B, centred.kind, 0.0, centred.message)
+            B, said = None if centred.F_SN is None else 0.0, _Said(centred.message, centred.remarks)
+            return OffCentreOnset(centred.F_SN, centred.Omega, centred.A, B, centred.kind, 0.0, **said._asdict())
         try:
             found = self._lowest()
         except ArithmeticError:
-            return OffCentreOnset(None, None, None, None, "", self.load, UNRESOLVED)
+            return OffCentreOnset(None, None, None, None, "", self.load, UNRESOLVED, remarks=Remark.UNDECIDED)
         if found is None:
             return OffCentreOnset(None, None, None, None, "", self.load, NO_ONSET)
-        message = ON_CORNER if found.kind == "corner" else ""
-        return OffCentreOnset(found.F_0, found.Omega, found.A, found.B, found.kind, self.load, message)
+        truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
+        said = _Said(ON_CORNER, truncated) if found.kind == "corner" else _Said()
+        columns = found.F_0, found.Omega, found.A, found.B, found.kind
+        return OffCentreOnset(*columns, self.load, **said._asdict())
 
     def _lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
@@ -387,6 +442,103 @@ class OffCentre:
         edges = self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)
         self._add(np.concatenate(([0.0], edges)), low, high)
         return np.array(low).T, np.array(high).T
+
+    def peak(self, F_0: float) -> OffCentrePeak:
+        """The largest amplitude at F_0, and the largest |u| = |B| + A, of motions with a positive mean stiffness.
+
+        That none goes farther is proved but for 2^-24 of it, up to `A_max(F_0)`; see `slowflow.off_centre.reach`.
+        Raises ValueError for F_0 <= 0 and zeta = 0, ArithmeticError where too many boxes stay undecided.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        self._damped("peak")
+        return self._once(("peak", F_0), lambda: self._peak(F_0))
+
+    def _peak(self, F_0: float) -> OffCentrePeak:
+        if F_0 <= self._m:
+            none = (None,) * 5
+            return OffCentrePeak(*none, F_0, self.load, STICKS.format(F_0, self._m))
+        if self._keeps_centre:
+            centred = Averaged(self._model).peak(F_0)
+            columns = centred.A, 0.0, centred.Omega, centred.A, centred.Omega
+            return OffCentrePeak(*columns, F_0, self.load, centred.message, remarks=centred.remarks)
+        highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
+        if highest is None or widest is None:
+            raise ArithmeticError("the farthest motion is unresolved: none is found")
+        said = _Said(TURNS) if highest.turns or widest.turns else _Said()
+        said = said.beside(self._beyond_reach(highest.A, widest.value - highest.A))
+        columns = highest.A, highest.B, highest.Omega, widest.value, widest.Omega
+        return OffCentrePeak(*columns, F_0, self.load, **said._asdict())
+
+    def _farthest(self, F_0: float, measure: Measure) -> Farthest | None:
+        """The motion that goes farthest; of one about the centre as its own solvers have it."""
+        found = self._reach.farthest(*self._plane(F_0), F_0, measure)
+        if found is None or not self._has_centre or abs(found.B) > AT_CENTRE:
+            return found
+        centred = Averaged(self._model).peak(F_0)
+        if centred.A is None or centred.Omega is None:
+            return found
+        return Farthest(centred.A, centred.Omega, centred.A, 0.0, found.turns)
+
+    def margins(self, F_0: float) -> loads.Margins:
+        """How far F_0 is from F_SN and F_cr, see `Oscillator.margins`."""
+        return loads.margins(self, F_0, self._detaches)
+
+    def _detaches(self, F_0: float) -> bool:
+        """Whether a stable motion passes the first breakpoint."""
+        F_cr = self.detachment().F_cr
+        if F_cr is None:
+            return bool(self.breakpoints) and self._rests_beyond()
+        if F_0 <= F_cr:  # below F_cr none reaches it
+            return False
+        if self._steps.odd:
+            u_max = self.peak(F_0).u_max
+            return u_max is not None and u_max > self._steps.inner[1]
+        curve = self.frequency_response(F_0)
+        lower, upper = self._steps.inner
+        beyond = (curve.B + curve.A > upper) | (curve.B - curve.A < lower)
+        return bool((beyond & curve.stable).any())
+
+    def hysteresis(self, F_0: float) -> loads.Hysteresis:
+        """The bands of frequencies at F_0 with several stable motions, see `Oscillator.hysteresis`.
+
+        Where motions of a negative mean stiffness take part, one may lose its stability within a band too.
+        """
+        found = loads.hysteresis(self, F_0)
+        if not (self.saddle_nodes(F_0).kind == "unstable").any():
+            return found
+        return replace(found, message=joined(found.message, WITHIN))
+
+    def isolation(self, F_0: float) -> loads.Isolation:
+        """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
+
+        No branch is missed, and no motion that transmits F_0 is beyond the frequencies that are looked at; on a branch
+        neighbours of some thousand points are taken for those between which it is passed once.
+        """
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        self._damped("isolation")
+        if F_0 <= self._m:
+            return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m))
+        # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
+        backbone = self._reach.farthest(*self._plane(F_0), F_0, BACKBONE, COARSE)
+        highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * (1.0 if backbone is None else backbone.value))
+        curve = self._curve(F_0, loads.SAMPLES, 0.0, highest)
+        return loads.begins(curve, curve.transmissibility >= 1, partial(self._transmits, curve), F_0)
+
+    def _transmits(self, curve: OffCentreResponse, one: int, other: int) -> tuple[float, float]:
+        """Omega and A between two points of a curve, at which the motion transmits F_0."""
+        slow = Slow(self._steps, self._m, self._zeta, curve.F_0)
+        ends = np.array([(curve.Omega[k], curve.A[k], curve.B[k]) for k in (one, other)])
+
+        def at(Omega: float) -> tuple[Floats, float]:
+            share = (Omega - ends[0, 0]) / (ends[1, 0] - ends[0, 0])
+            x = on_curve(slow, np.array([Omega]), (ends[0, 1:] + share * (ends[1, 1:] - ends[0, 1:]))[:, np.newaxis])
+            h = -2 * self._steps.at(x[0], x[1], 0).s[0]
+            return x, float(slow_flow.transmissibility(Omega, x[0], curve.F_0, self._m, self._zeta, h)[0]) - 1
+
+        if at(ends[0, 0])[1] * at(ends[1, 0])[1] > 0:  # it is at the very point
+            return float(ends[0, 0]), float(ends[0, 1])
+        Omega = float(brentq(lambda Omega: at(Omega)[1], *ends[:, 0], rtol=4 * np.finfo(float).eps))
+        return Omega, float(at(Omega)[0][0, 0])
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
@@ -442,7 +594,7 @@ class OffCentre:
         values = [off_centre.turns(t, A, F_0, self._m, value, float(means.s[0][0])) for value in (before, after)]
         return bool(self._steps.gains[step, 0] != 0 and values[0] * values[1] < 0)
 
-    def _folds(self, x: Floats, corner: Any, F_0: float, message: str) -> OffCentreFolds:
+    def _folds(self, x: Floats, corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
         A, B, t = x
         means = self._steps.at(A, B, ORDERS)
         Omega = self._frequency(A, t, F_0)
@@ -451,8 +603,9 @@ class OffCentre:
             bends = np.asarray(slow_flow.F_AA(Omega, A, self._m, self._zeta, h, h_A, h_AA))
         kind = np.where(bends < 0, "jump-up", "jump-down")
         kind = np.where(means.c[1] > 0, kind, "unstable")
-        order, message = np.argsort(Omega, kind="stable"), joined(message, self._beyond_reach(A, B))
-        return OffCentreFolds(Omega[order], A[order], B[order], kind[order], corner[order], F_0, self.load, message)
+        order, said = np.argsort(Omega, kind="stable"), said.beside(self._beyond_reach(A, B))
+        Omega, A, B = Omega[order], A[order], B[order]
+        return OffCentreFolds(Omega, A, B, kind[order], corner[order], F_0, self.load, **said._asdict())
 
     def _frequency(self, A: Floats, t: Floats, F_0: Any) -> Floats:
         """Omega of a fold: from I = m + 2 zeta A Omega, or from R = A Omega^2 + h where that moves it less."""
@@ -464,19 +617,34 @@ class OffCentre:
         return tuple(off_centre.averaged(A, *means.c[1:], *means.s))
 
     def _states(
-        self, at: Floats, A: Floats, B: Floats, F_0: float, message: str, undecided: Floats, of: Ints
+        self, at: Floats, A: Floats, B: Floats, F_0: float, said: _Said, undecided: Floats, of: Ints
     ) -> OffCentreStates:
         Omega = at[of]
         stable, h = self._stability(Omega, A, B)
-        damping, message = (self._m, self._zeta), joined(message, self._beyond_reach(A, B))
-        return OffCentreStates(Omega, A, B, stable, F_0, self.load, message, h, damping, Omega_undecided=undecided)
+        said = said.beside(self._beyond_reach(A, B))
+        return OffCentreStates(
+            Omega,
+            A,
+            B,
+            stable,
+            F_0,
+            self.load,
+            Omega_undecided=undecided,
+            _h=h,
+            _damping=self._damping,
+            **said._asdict(),
+        )
 
-    def _beyond_reach(self, A: Any, B: Floats) -> str:
-        """That displacements |B| + A are beyond what the mechanism reaches, and why; empty where none is."""
+    @property
+    def _damping(self) -> tuple[float, float]:
+        return self._m, self._zeta
+
+    def _beyond_reach(self, A: Any, B: Any) -> _Said:
+        """That displacements |B| + A are beyond what the mechanism reaches, and why; nothing where none is."""
         reach, reason = self._model.reach, self._model.mechanism.reach_reason
         if not (np.abs(B) + A > reach).any():
-            return ""
-        return remarks.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason)
+            return _Said()
+        return _Said(remarks.WORDS[Remark.BEYOND_REACH].format(reach=reach, reason=reason), Remark.BEYOND_REACH)
 
     def _stability(self, Omega: Floats, A: Floats, B: Floats) -> tuple[Any, Floats]:
         """Where states are stable, and h there."""
@@ -486,11 +654,22 @@ class OffCentre:
             turns = np.asarray(slow_flow.F_A(Omega, A, self._m, self._zeta, h, h_A))
         return (turns > 0) & (means.c[1] > 0), np.asarray(h)
 
-    def _response(self, found: Curves, F_0: float, message: str) -> OffCentreResponse:
+    def _response(self, found: Curves, F_0: float, said: _Said) -> OffCentreResponse:
         stable, h = self._stability(found.Omega, found.A, found.B)
-        columns = found.Omega, found.A, found.B, stable
-        damping, message = (self._m, self._zeta), joined(message, self._beyond_reach(found.A, found.B))
-        return OffCentreResponse(*columns, F_0, self.load, message, h, damping, found.branch, found.closed)
+        said = said.beside(self._beyond_reach(found.A, found.B))
+        return OffCentreResponse(
+            found.Omega,
+            found.A,
+            found.B,
+            stable,
+            F_0,
+            self.load,
+            _h=h,
+            _damping=self._damping,
+            branch=found.branch,
+            isola=found.closed,
+            **said._asdict(),
+        )
 
     def _damped(self, question: str) -> None:
         if self._zeta == 0:

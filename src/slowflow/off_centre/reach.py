@@ -1,0 +1,205 @@
+"""How far motions go at a forcing: in go a force as steps and damping, out comes the farthest, and that none is beyond.
+
+A point of the balance is a steady state at F_0 if its least forcing, over all Omega, does not exceed F_0. With p = -h/A
+that is the least of A^2 (Omega^2 - p)^2 + (4 mu/pi + 2 zeta A Omega)^2, whose root is L(A, p). Both squares rise with
+A, and so does L. Where p > 0 the least is at Omega^2 <= p, as a higher Omega makes both squares larger than sqrt(p)
+does; there, and at Omega = 0 where p < 0, the first square rises with |p|, and so does L. So L at the least A and the
+least |p| of a box is below that of all its motions, and no frequency has to be looked for.
+
+`farthest` cuts the plane of A and B into boxes and leaves those in which the balance does not hold, those that need
+more than F_0, and those that are nearer than a motion that is known. Motions with c_1 = df_0/dB > 0 are looked at, as
+those are of which stable ones are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.averaged.reference.roots import peak_roots, response_roots
+from slowflow.model import Floats
+from slowflow.off_centre.means import Means, Steps
+from slowflow_kernels import off_centre, slow_flow
+
+#: share of the farthest beyond which it is proved that no motion goes
+GAP = 2.0**-24
+#: boxes that are looked at in all; middles of boxes from which motions are looked for, and steps of Newton's method
+MOST_BOXES, MIDDLES, STEPS = 100_000, 64, 10
+#: rounds after which it is looked for them again
+EVERY = 6
+#: by how much a forcing may be off by rounding, and what rounding does to a bound
+AT, ROUNDED = 2.0**-40, 2.0**-40
+
+
+@dataclass(frozen=True)
+class Farthest:
+    """The motion at F_0 that goes farthest, and how far; `turns` where it could at a lower forcing too.
+
+    Then the balance turns back there, and the motion is told to `GAP` only.
+    """
+
+    value: float
+    Omega: float
+    A: float
+    B: float
+    turns: bool
+
+
+class Measure(NamedTuple):
+    """How far a motion goes: at A, B and p, and what that does not exceed on boxes of these."""
+
+    at: Callable[[Floats, Floats, Floats], Floats]
+    most: Callable[[Interval, Interval, Interval], Floats]
+
+
+#: the amplitude; the largest |u|; the square of the frequency on the backbone, where that is not below 1
+AMPLITUDE = Measure(lambda A, B, p: A, lambda A, B, p: A.hi)
+LARGEST = Measure(lambda A, B, p: A + np.abs(B), lambda A, B, p: A.hi + np.maximum(-B.lo, B.hi))
+BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximum(p.hi, 1.0))
+
+
+class Balance(NamedTuple):
+    """What is known of boxes on which f_0 = 0 may hold.
+
+    empty -- where it does not, or not with c_1 > 0
+    A, B  -- the boxes, those of B as narrow as the balance leaves them
+    p     -- -h/A on the boxes as they were
+    """
+
+    empty: Bools
+    A: Interval
+    B: Interval
+    p: Interval
+    means: Means
+
+
+def on_balance(steps: Steps, low: Floats, high: Floats) -> Balance:
+    """Boxes of A and B from low to high, shape (2, n)."""
+    A, B = Interval(np.stack((low[0], high[0]))), Interval(np.stack((low[1], high[1])))
+    # on all of it and in its middle, at once
+    n, centre = low.shape[1], 0.5 * (low + high)
+    A_all, B_all = (Interval(np.concatenate((x.ends, [y, y]), axis=1)) for x, y in zip((A, B), centre, strict=True))
+    whole = steps.on(A_all, B_all, 1)
+    c, s = (tuple(one.take(slice(n)) for one in of) for of in (whole.c, whole.s))
+    means = Means(c, s, whole.ladders[..., :n])
+    c_0, s_0 = (of[0].take(slice(n, None)) for of in (whole.c, whole.s))
+    r_A, r_B = np.maximum(high - centre, centre - low) * (1 + ROUNDED)
+    A_0, B_0 = (Interval(np.stack((x, x))) for x in centre)
+    f_0, f_middle = means.c[0] - steps.load, c_0 - steps.load
+    along = f_middle + means.s[1] * Interval(np.stack((-r_A, r_A)))
+    empty = f_0.has_sign | (means.c[1].hi <= 0)
+    rising = means.c[1].lo > 0
+    balanced = B_0 - along / means.c[1]
+    B_low = np.where(rising, np.fmax(low[1], balanced.lo), low[1])
+    B_high = np.where(rising, np.fmin(high[1], balanced.hi), high[1])
+    # p = 2 s_0/A with its slopes 2 (c_1 - p)/A and 2 s_1/A; a mean of c_1 over smaller amplitudes, too
+    p = means.s[0] * 2.0 / A
+    p = Interval(np.where(A.lo > 0, p.ends, means.c[1].ends))
+    slopes = (means.c[1] - p) * 2.0 / A, means.s[1] * 2.0 / A
+    sharper = s_0 * 2.0 / A_0
+    for slope, r in zip(slopes, (r_A, r_B), strict=True):
+        sharper = sharper + slope * Interval(np.stack((-r, r)))
+    # what is not known is NaN there
+    p = Interval(np.stack((np.fmax(p.lo, sharper.lo), np.fmin(p.hi, sharper.hi))))
+    return Balance(empty | (B_low > B_high), A, Interval(np.stack((B_low, B_high))), p, means)
+
+
+def cut(low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Each box of A and B in two, across its longer side."""
+    across = (high[1] - low[1] > high[0] - low[0]).astype(int)
+    n, middle, upper, lower = np.arange(across.size), 0.5 * (low + high), high.copy(), low.copy()
+    upper[across, n] = lower[across, n] = middle[across, n]
+    return np.concatenate((low, lower), axis=1), np.concatenate((upper, high), axis=1)
+
+
+class Reach:
+    """For one force with its load, 4 mu/pi and zeta > 0."""
+
+    def __init__(self, steps: Steps, m: float, zeta: float) -> None:
+        self.steps, self.m, self.zeta = steps, m, zeta
+
+    def least_forcing(self, A: Floats, h: Floats) -> tuple[Floats, Floats]:
+        """The lowest F_0 for which each amplitude is a steady state, and its Omega."""
+        with np.errstate(all="ignore"):
+            roots = peak_roots(A, h, self.m, self.zeta)[0]
+            Omega = np.concatenate((np.zeros((A.size, 1)), roots), axis=1)
+            level = slow_flow.level(Omega, A[:, np.newaxis], self.m, self.zeta, h[:, np.newaxis])
+        lowest = np.nanargmin(level, axis=1)[:, np.newaxis]
+        return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
+
+    def farthest(self, low: Floats, high: Floats, F_0: float, measure: Measure, gap: float = GAP) -> Farthest | None:
+        """The motion at F_0 in boxes of A and B that goes farthest; no other goes farther by more than `gap` of that.
+
+        None where no motion is found. Raises ArithmeticError where too many boxes stay undecided.
+        """
+        best, looked_at, rounds = None, 0, 0
+        while low.size:
+            looked_at, rounds = looked_at + low.shape[1], rounds + 1
+            if looked_at > MOST_BOXES:
+                raise ArithmeticError("the farthest motion is unresolved: too many boxes stay undecided")
+            with np.errstate(all="ignore"):
+                found = on_balance(self.steps, low, high)
+                most = measure.most(found.A, found.B, found.p)
+                left = ~(found.empty | (self._needed(found) * (1 - ROUNDED) > F_0))
+                # p is not known of what just passes a jump of the force
+                left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
+                low, high = np.stack((low[0], found.B.lo))[:, left], np.stack((high[0], found.B.hi))[:, left]
+                # a motion that is found in one round mostly stays the farthest in the next ones
+                first = np.argsort(-most[left], kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
+                for candidate in self._motions(0.5 * (low + high)[:, first], F_0, measure):
+                    if best is None or candidate.value > best.value:
+                        best = candidate
+            low, high = cut(low, high)
+        return best
+
+    def _needed(self, found: Balance) -> Floats:
+        """The least forcing of what is on boxes, from below; 4 mu/pi where nothing is known."""
+        p = np.where(found.p.lo > 0, found.p.lo, np.where(found.p.hi < 0, found.p.hi, 0.0))
+        needed = np.full(p.size, self.m)
+        known = np.isfinite(p) & (p != 0) & (found.A.lo > 0)
+        A = found.A.lo[known]
+        needed[known] = self.least_forcing(A, -A * p[known])[0]
+        return needed
+
+    def _motions(self, x: Floats, F_0: float, measure: Measure) -> list[Farthest]:
+        """The farthest that is found from some places: where all of F_0 is needed, and on the balance near by."""
+        turns = np.repeat([False, True], x.shape[1])
+        x = np.concatenate((x, x), axis=1)
+        for _ in range(STEPS):
+            x = x - self._step(x, F_0, turns)
+        A, B = x
+        there = np.isfinite(A) & np.isfinite(B) & (A > 0)
+        A, B, turns = A[there], B[there], turns[there]
+        if not A.size:
+            return []
+        means = self.steps.at(A, B, 1)
+        level, Omega = self.least_forcing(A, -2 * means.s[0])
+        size = np.abs(means.c[1]) * (A + np.abs(B)) + abs(self.steps.load)
+        holds = (np.abs(means.c[0] - self.steps.load) <= AT * size) & (means.c[1] > 0)
+        holds &= np.where(turns, level <= F_0, np.abs(level - F_0) <= AT * F_0)
+        if not holds.any():
+            return []
+        value = np.where(holds, measure.at(A, B, 2 * means.s[0] / A), -np.inf)
+        k = int(np.argmax(value))
+        at = float(Omega[k]) if not turns[k] else self._highest(A[k : k + 1], -2 * means.s[0][k : k + 1], F_0)
+        return [Farthest(float(value[k]), at, float(A[k]), float(B[k]), bool(turns[k]))]
+
+    def _step(self, x: Floats, F_0: float, turns: Bools) -> Floats:
+        """Newton's, for f_0 = 0 and the least forcing F_0, or for f_0 = 0 at an amplitude where it `turns`.
+
+        Where it is the least, F does not change with Omega.
+        """
+        means = self.steps.at(x[0], x[1], 1)
+        _, Omega = self.least_forcing(x[0], -2 * means.s[0])
+        given = F_0, self.m, self.zeta, self.steps.load
+        f_0, F, f_A, f_B, F_A, F_B = off_centre.state(Omega, x[0], *given, *means.c, *means.s)
+        both = np.stack((F_B * f_0 - f_B * F, f_A * F - F_A * f_0)) / (f_A * F_B - f_B * F_A)
+        return np.where(turns, np.stack((0 * f_0, f_0 / f_B)), both)
+
+    def _highest(self, A: Floats, h: Floats, F_0: float) -> float:
+        """The highest frequency of a state."""
+        return float(np.nanmax(response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]))
