@@ -145,10 +145,12 @@ class OffCentreResponse(OffCentreStates):
 
     branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
     isola  -- for each branch, whether it is closed
+    F_0    -- the forcing
     """
 
     entry: ClassVar[Any] = OffCentrePoint
 
+    F_0: float
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
