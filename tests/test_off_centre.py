@@ -418,7 +418,7 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     # and the page that tells of it has just these
     page = (Path(__file__).parents[1] / "docs" / "howto" / "off_centre.md").read_text()
     (told,) = [part for part in page.split("\n\n") if part.startswith("What a load has no answer to yet")]
-    refused = {*questions, *pairs, "transient", "shock_spectrum", "second_approximation", "gradient"}
+    refused = {*questions, *pairs, "transient", "shock_spectrum", "second_approximation", "gradient", "fit"}
     assert set(re.findall(r"`(\w+)`", told)) == refused
     for answer in (loaded.rest(), loaded.detachment(), loaded.amplitudes(Omega=0.9, F_0=0.04)):
         with pytest.raises(ValueError, match="off it there is none"):

@@ -413,8 +413,33 @@ def test_a_fit_without_dimensions_and_without_noise_is_exact():
     assert np.diag(found.correlation) == pytest.approx(1.0)
 
 
-def test_a_load_is_refused_not_left_out():
-    with pytest.raises(ValueError, match=r"sizing is not available with load = 0.03"):
-        tolerances(isolator(load=0.03), {"r": 0.05}, F_0=0.04)
-    with pytest.raises(ValueError, match="sizing is not available with load"):
-        meet(MOUNT.replace(load=13.0), {"zeta": (0.01, 0.1)}, at_least={"F_SN": 4.0})
+def test_designs_under_a_load_have_the_answers_of_each_by_itself():
+    mount = MOUNT.replace(load=12.36)
+    found = tolerances(mount, {"load": 0.02, "preload": 0.05}, F=3.0, answers=["F_cr", "f_rest", "stroke"], samples=2)
+    assert found.nominal[0] == pytest.approx(mount.detachment().F_cr, rel=1e-14)
+    for k in range(2):
+        one = mount.replace(**{name: float(values[k]) for name, values in found.drawn.items()})
+        expected = [one.detachment().F_cr, one.peak(3.0).x_max]
+        assert [found.samples[name][k] for name in ("F_cr", "stroke")] == pytest.approx(expected, rel=1e-12)
+        (rest,) = one.rest()
+        frequency = (one.stiffness(rest.x) / one.scales.m) ** 0.5 / (2 * np.pi)
+        assert found.samples["f_rest"][k] == pytest.approx(frequency, rel=1e-12)
+    assert 11 < found.drawn["load"].min() < found.drawn["load"].max() < 13
+    without = tolerances(isolator(load=0.03), {"load": 0.1}, F_0=0.01, answers=["stroke", "A_peak"], samples=2)
+    assert without.samples["A_peak"].tolist() == [0.0, 0.0]  # it sticks where it stands
+    rests = [isolator(load=float(load)).rest().u[0] for load in without.drawn["load"]]
+    assert without.samples["stroke"].tolist() == pytest.approx(rests, rel=1e-14)
+
+
+def test_requirements_are_met_under_a_load_by_the_nearest_design():
+    mount = MOUNT.replace(load=12.36)
+    found = meet(mount, {"preload": (0.005, 0.012)}, at_least={"F_cr": 4.0})
+    assert found.feasible and found.reached["F_cr"] == pytest.approx(4.0, rel=1e-7)
+    assert found.design.detachment().F_cr == pytest.approx(4.0, rel=1e-7) and found.numbers["preload"] > 0.009
+
+
+def test_what_is_not_sized_under_a_load_is_refused():
+    with pytest.raises(ValueError, match="'A_shock' is no answer"):
+        tolerances(isolator(load=0.03), {"r": 0.05}, answers=["A_shock"], shock=(1.0, 1.0))
+    with pytest.raises(ValueError, match=r"fit is not available with load = 9.8\d* N"):
+        fit(MOUNT.replace(load=13.0), A=[0.01], F=5, f=[2.0], free=["k_h"])

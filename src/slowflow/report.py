@@ -337,6 +337,8 @@ def _tolerances(scene: Scene) -> Iterator[str]:
 
 def _map(of: Any) -> Iterator[str]:
     subject = Subject(of)
+    if subject.loaded:
+        raise NotAvailable("a map of designs under a load, as each of its points takes tenths of a second")
     x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
     if not subject.nominal[y]:
         return

@@ -11,11 +11,15 @@ Answers that can be asked for, of a mount; frequencies of an isolator without di
                     amplitude only rises, as it may on a base that shakes, what it tends to, without a frequency
     f_jump_up, f_jump_down -- the lowest fold that a sweep leaves upwards, the highest that it leaves downwards
     f_band       -- how wide the bands with several stable motions are, 0 where there are none
+    stroke       -- under a load, the largest |x| at the forcing, |B| + A
     f_isolation  -- from which frequency on less than the forcing is transmitted
     A, transmissibility -- at a forcing and a frequency, of the stable motion with the largest amplitude: 0 where the
                     mass sticks, and the share of the first harmonic that is transmitted, as a ratio
     A_shock, a_shock -- the largest deflection and the largest acceleration of the mass in a half sine of the base, by
-                    the equation of motion: some two thousand designs in a second
+                    the equation of motion: some two thousand designs in a second. Not under a load
+
+Of a design under a load A_peak and A are about the mean. Its mass is `load`, and m what k_v is preset for. Each answer
+takes tenths of a second then, not microseconds.
 """
 
 from slowflow.sizing.fitting import fit

@@ -6,6 +6,7 @@ counts.
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
@@ -107,6 +108,8 @@ def fit(
     than free numbers, and ArithmeticError where the points do not determine these.
     """
     subject = Subject(of)
+    with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
+        (of if subject.mount is None else of.oscillator).at_centre("fit")
     if (A is None) == (jump_up is None and jump_down is None):
         raise ValueError("a fit needs either measured amplitudes A, or jump_up or jump_down")
     if A is None:

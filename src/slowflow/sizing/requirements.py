@@ -27,6 +27,8 @@ ABSENT = 2e3
 MET = 1e-9
 #: members of a generation for each free number, and generations
 MEMBERS, GENERATIONS = 15, 300
+#: both where designs are asked one by one, under a load: what is found is finished, by differences
+FEW = 6
 INFEASIBLE = "infeasible: the binding requirement is {}; as near as all of them can be had it is {:.4g}"
 #: points of a front, and by how much an end may miss the best that there is
 POINTS, SLACK = 9, 1e-4
@@ -162,8 +164,8 @@ class _Search:
             whole,
             [(0.0, 1.0)] * len(self.free),
             x0=np.clip((begin - self.low) / span, 0.0, 1.0),
-            popsize=MEMBERS,
-            maxiter=GENERATIONS,
+            popsize=MEMBERS if not self.subject.loaded else FEW,
+            maxiter=GENERATIONS if not self.subject.loaded else FEW,
             tol=1e-8,
             rng=self.seed,
             polish=False,
@@ -207,7 +209,7 @@ class _Search:
                 np.clip((x - self.low + BACK * (x - self.start)) / span, 0.0, 1.0),
                 jac=lambda y: 2 * (y - (self.start - self.low) / span),
                 bounds=[(0.0, 1.0)] * len(x),
-                constraints={"type": "ineq", "fun": margins, "jac": by_numbers},
+                constraints={"type": "ineq", "fun": margins} | ({} if self.subject.loaded else {"jac": by_numbers}),
                 method="SLSQP",
                 options={"ftol": 1e-16},
             )

@@ -19,8 +19,9 @@ from slowflow.averaged.many import Folds, States
 from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
+from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Designs
-from slowflow.physical import EXCITED, UNITS, Physical, size, sizes
+from slowflow.physical import EXCITED, UNITS, Physical, g, si, size, sizes
 from slowflow.physical_moves import WORDS
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING
@@ -32,8 +33,9 @@ OF_ALL_FORCINGS = {"F_SN": "amplitude", "F_cr": "amplitude", "rest": "frequency"
 OF_FREQUENCIES = ("peak", "jump_up", "jump_down", "band", "isolation")
 AT_A_FORCING = {"A_peak": "length", **dict.fromkeys(OF_FREQUENCIES, "frequency")}
 AT_A_FREQUENCY = {"A": "length", "transmissibility": "ratio"}
+UNDER_A_LOAD = {"stroke": "length"}
 IN_A_SHOCK = {"A_shock": "length", "a_shock": "acceleration"}
-KIND = OF_ALL_FORCINGS | AT_A_FORCING | AT_A_FREQUENCY | IN_A_SHOCK
+KIND = OF_ALL_FORCINGS | AT_A_FORCING | UNDER_A_LOAD | AT_A_FREQUENCY | IN_A_SHOCK
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,7 @@ class Subject:
 
     nominal -- the numbers that can be varied, by name, as they are
     answers -- names of what can be asked of it, and what they are among `KIND`
+    loaded  -- whether it is under a load: then designs are asked one by one, some tenths of a second each
     excitation -- what the forcing is the amplitude of
 
     Raises ValueError for what is no isolator.
@@ -68,13 +71,14 @@ class Subject:
             raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
         with contextlib.nullcontext() if self.mount is None else self.mount.scales.in_these_terms():
             isolator.only_for_plain_damping("sizing")
-            isolator.at_centre("sizing")
             if isolator.mu_s > isolator.mu:
                 raise validate.NotAvailable(f"sizing is not available with mu_s = {isolator.mu_s:g}, only with mu")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
+        self.loaded = isolator.load != 0
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"
-        self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in KIND.items()}
+        known = {name: kind for name, kind in KIND.items() if name not in (IN_A_SHOCK if self.loaded else UNDER_A_LOAD)}
+        self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in known.items()}
         if self.mount is not None:
             self.answers = {self.mount.scales.kind(name)[0]: plain for name, plain in self.answers.items()}
 
@@ -82,9 +86,11 @@ class Subject:
         """What an isolator was made from, a mount's in SI units."""
         names = (*(domain.name for domain in ROD_SPRING.design), *(domain.name for domain in DAMPING))
         if self.mount is None:
-            return {name: getattr(isolator, name) for name in names}
+            return {name: getattr(isolator, name) for name in (*names, *(["load"] if self.loaded else []))}
         base = {name: getattr(self.mount.scales, name) for name in ("m", "k_v", "L")}
         found = dict(base)
+        if self.loaded:  # what moves is the load; m is what the vertical spring is preset for
+            found |= {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kilogram"))}
         for name, scale in zip(names, self._scales(), strict=True):
             if scale.letter == "c" and "c" not in self.mount.given:
                 found["zeta"] = isolator.zeta
@@ -141,7 +147,7 @@ class Subject:
         forcing, frequency = ("F", "f") if self.mount else ("F_0", "Omega")
         missing = {} if load.frequency is not None else dict.fromkeys(AT_A_FREQUENCY, frequency)
         if load.forcing is None:
-            missing |= dict.fromkeys((*AT_A_FORCING, *AT_A_FREQUENCY), forcing)
+            missing |= dict.fromkeys((*AT_A_FORCING, *UNDER_A_LOAD, *AT_A_FREQUENCY), forcing)
         missing |= {} if load.shock is not None else dict.fromkeys(IN_A_SHOCK, "shock")
         if names is None:
             return [name for name, plain in self.answers.items() if plain not in missing]
@@ -168,10 +174,11 @@ class Subject:
         shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
         units: dict[str, Any] = dict.fromkeys((*UNITS, "ratio"), 1.0)
         if self.mount is not None:
-            base = {name: given[name] for name in ("m", "k_v", "L")}
+            base = {"m": given["load" if self.loaded else "m"], "k_v": given["k_v"], "L": given["L"]}
             units = {**sizes(**base), "ratio": 1.0}
             names_of = (*(domain.name for domain in ROD_SPRING.design), *(domain.name for domain in DAMPING))
-            given = {
+            weight = {"load": (given["load"] - given["m"]) * g / units["force"]} if self.loaded else {}
+            given = weight | {
                 name: given["zeta"]
                 if scale.letter == "c" and "zeta" in given
                 else given[WORDS[scale.letter]] / size(scale, **base)
@@ -181,14 +188,18 @@ class Subject:
         F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units[self.amplitude], shape)
         Omega = None if load.frequency is None else np.broadcast_to(load.frequency / units["frequency"], shape)
         pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
-        batch = _Batch(Designs(self.mechanism, arrays, self.excitation), F_0, Omega, pulse)
+        if self.loaded:
+            designs: Any = OffCentreDesigns(self.mechanism, {**arrays, "load": arrays.pop("load")})
+        else:
+            designs = Designs(self.mechanism, arrays, self.excitation)
+        batch = _Batch(designs, F_0, Omega, pulse)
         return {name: frozen(batch.answer(self.answers[name]) * units[self.kind(name)]) for name in names}
 
 
 class _Batch:
     """Answers to a batch of designs, each question asked once."""
 
-    def __init__(self, designs: Designs, F_0: Floats | None, Omega: Floats | None, pulse: Any) -> None:
+    def __init__(self, designs: Any, F_0: Floats | None, Omega: Floats | None, pulse: Any) -> None:
         self.designs, self.F_0, self.Omega, self.pulse = designs, F_0, Omega, pulse
         self.asked: dict[str, Any] = {}
 
@@ -202,10 +213,16 @@ class _Batch:
         if name == "F_SN":
             onsets = self._ask("saddle_node_onset")
             lowest = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)
-            # folds below it end at Omega = 0
-            return np.where(onsets.at_rest, np.nan, lowest)
+            # folds below it end at Omega = 0; under a load the onset is undecided then
+            return np.where(getattr(onsets, "at_rest", False), np.nan, lowest)
         if name == "F_cr":
             return lifting(self.designs, self._ask("detachment"))
+        if name == "rest" and isinstance(self.designs, OffCentreDesigns):
+            return np.sqrt(self._where_it_rests("stiffness"))
+        if name == "stroke":
+            peaks = self._ask("peak", self.F_0)
+            largest = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.u_max)
+            return np.where(peaks.status == Status.STICKS, np.abs(self._where_it_rests("u")), largest)
         if name == "rest":
             mechanism = self.designs.mechanism
             with np.errstate(all="ignore"):  # what is no design has no frequency
@@ -235,6 +252,13 @@ class _Batch:
                 bounded = np.where(peaks.status == Status.NONE, self.F_0, bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask("saddle_nodes", self.F_0), name == "jump_up")
+
+    def _where_it_rests(self, column: str) -> Floats:
+        """Of the place of rest, if one only is stable; else NaN."""
+        rests = self._ask("rest")
+        stable = rests.stiffness > 0
+        (first,) = np.take_along_axis(getattr(rests, column), stable.argmax(axis=-1)[..., np.newaxis], -1).T
+        return np.where(stable.sum(axis=-1) == 1, first.T, np.nan)
 
 
 def _of_the_largest(states: States, name: str) -> Floats:

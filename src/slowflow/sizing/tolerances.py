@@ -21,9 +21,11 @@ from slowflow.sizing.subject import Load, Subject
 
 #: ends of a band: 95 of 100 samples lie within
 LOW, HIGH = 0.025, 0.975
-MOST_SAMPLES = 10**7
+MOST_SAMPLES, SAMPLES = 10**7, 10_000
 #: samples at once, between which progress is shown
 AT_ONCE = 2000
+#: and of designs under a load; how many samples there are of such, if it is not said
+ONE_BY_ONE, UNDER_A_LOAD = 5, 100
 MISSING = "{} has no answer for {:.2g} of the samples, which its band leaves out"
 
 
@@ -126,7 +128,7 @@ def _asked(
     """Answers of all that was drawn, in parts between which progress is shown."""
     count = len(next(iter(drawn.values())))
     found = {name: np.empty(count) for name in names}
-    for part in progress.parts(count, AT_ONCE, what):
+    for part in progress.parts(count, ONE_BY_ONE if subject.loaded else AT_ONCE, what):
         for name, values in subject.ask({name: value[part] for name, value in drawn.items()}, names, load).items():
             found[name][part] = values
     return {name: frozen(values) for name, values in found.items()}
@@ -142,7 +144,7 @@ def tolerances(
     Omega: float | None = None,
     shock: tuple[float, float] | None = None,
     answers: Iterable[str] | None = None,
-    samples: int = 10_000,
+    samples: int | None = None,
     seed: int = 0,
 ) -> Tolerances:
     """What tolerances of its numbers do to an isolator's answers.
@@ -154,7 +156,8 @@ def tolerances(
     f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
     answers -- which of those that `slowflow.sizing` lists; by default all that forcing, frequency and shock allow
-    samples, seed -- how many designs are tried, and which
+    samples, seed -- how many designs are tried, by default 10,000, and which. Under a load each answer takes tenths of
+               a second: by default there are 100 then, and the ends of bands accordingly rough
 
     Raises ValueError for what is not allowed.
     """
@@ -162,6 +165,7 @@ def tolerances(
     load = subject.load(F, F_0, f, Omega, shock)
     within = _within(subject, within)
     names = subject.answered(answers, load)
+    samples = (UNDER_A_LOAD if subject.loaded else SAMPLES) if samples is None else samples
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     drawn = _drawn(subject, within, qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
     found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
