@@ -1,6 +1,7 @@
 """`python -m explorer` writes docs/explorer.html; with --check it compares instead, and exits with 1 where they differ.
 
-In:  explorer.c and the solvers' C, compiled to WebAssembly by `ziglang`; the records; the page's parts in this folder.
+In:  explorer.c, the solvers' C and what is derived of the library, compiled to WebAssembly by `ziglang`; the records;
+     the page's parts in this folder.
 Out: one page that holds all of it and asks no network for anything. The same bytes whenever and wherever it is made.
 """
 
@@ -16,7 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from explorer.about import about
+from explorer.about import LIBRARY, about
+from slowflow import derive
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent
@@ -32,8 +34,10 @@ MOST = 1_500_000
 
 
 def sources() -> list[Path]:
-    """All that the page is made of but for the package's data: its parts, and the headers that explorer.c includes."""
+    """All that the page is made of but for the package's data and what is derived: its parts, what the library states,
+    and the headers that explorer.c includes."""
     parts = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
+    parts += sorted((ROOT / "derivations/library").glob("*.py"))
     headers: set[Path] = set()
     left = [HERE / "explorer.c"]
     while left:
@@ -52,23 +56,41 @@ def digest() -> str:
     return of_all.hexdigest()[:16]
 
 
-def forces(mechanisms: list[tuple[str, int]]) -> str:
-    """C: the restoring force of each mechanism, by name and number of parameters, in their order."""
-    lines = []
-    for name, count in mechanisms:
-        arguments = "".join(f", p[{i}]" for i in range(count))
-        lines.append(f"static double {name}_at(double u, const double *p) {{ return {name}_force(u{arguments}); }}")
-    names = ", ".join(f"{name}_at" for name, _ in mechanisms)
-    lines.append(f"static double (*const forces[])(double, const double *) = {{{names}}};")
-    return "\n".join(lines) + "\n"
-
-
-def records() -> list[tuple[str, int]]:
-    """Name and number of parameters of each mechanism, in the order of the table in records.h."""
-    text = (ROOT / "generated/native/records.h").read_text()
-    table = text[text.index("records[] = {") :]
+def records(text: str) -> list[tuple[str, int]]:
+    """Name and number of parameters of each mechanism in a generated table of records, in its order."""
+    (table,) = re.findall(r"records\[\] = \{(.*?)\};", text, re.DOTALL)
     counts = dict(re.findall(r'\.name = "(\w+)",.*?\.parameters = (\d+),', text, re.DOTALL))
     return [(name, int(counts[name])) for name in re.findall(r"&(\w+)_record", table)]
+
+
+def mechanisms() -> tuple[list[str], dict[str, str], set[Path]]:
+    """What the page calls the mechanisms; C by the name of its file; folders from which that includes.
+
+    The C is a header with records and restoring forces in that order, and a source for each mechanism of the library:
+    in one the names of their statics would meet.
+    """
+    of_package = records((ROOT / "generated/native/records.h").read_text())
+    table = [(name, name, count, f"records + {i}") for i, (name, count) in enumerate(of_package)]
+    header, sources, folders = [], {}, set()
+    for _, name, *_ in LIBRARY:
+        derived = derive.library(name)
+        source = f"{derived.record.name}.c"
+        ((kernels, count),) = records((derived.folder / source).read_text())
+        table.append((name, kernels, count, f"&{name}_of_library"))
+        sources[f"{name}.c"] = f'#define slowflow_record {name}_of_library\n#include "{source}"\n'
+        header += [f'#include "{kernels}.h"', f"extern const sf_mechanism *const {name}_of_library;"]
+        folders.add(derived.folder)
+    for name, kernels, count, _ in table:
+        arguments = "".join(f", p[{i}]" for i in range(count))
+        header.append(f"static double {name}_at(double u, const double *p) {{ return {kernels}_force(u{arguments}); }}")
+    for kind, column in {
+        "char *const names[]": [f'"{name}"' for name, *_ in table],
+        "sf_mechanism *const *const mechanisms[]": [held for *_, held in table],
+    }.items():
+        header.append(f"static const {kind} = {{{', '.join(column)}}};")
+    of_each = ", ".join(f"{name}_at" for name, *_ in table)
+    header.append(f"static double (*const forces[])(double, const double *) = {{{of_each}}};")
+    return [name for name, *_ in table], {**sources, "mechanisms.h": "\n".join(header) + "\n"}, folders
 
 
 def compiled() -> bytes:
@@ -79,20 +101,13 @@ def compiled() -> bytes:
     if version != ZIG:
         sys.exit(f"the explorer is compiled by ziglang {ZIG}, not {version or 'none'}: pip install ziglang=={ZIG}")
     with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "forces.h").write_text(forces(records()))
-        included = [f"-I{path.relative_to(ROOT)}" for path in INCLUDED]
+        _, files, folders = mechanisms()
+        for name, text in files.items():
+            Path(folder, name).write_text(text)
+        included = [f"-I{path.relative_to(ROOT)}" for path in INCLUDED] + [f"-I{path}" for path in sorted(folders)]
         target = Path(folder, "solvers.wasm")
-        command = [
-            sys.executable,
-            "-m",
-            "ziglang",
-            "cc",
-            *FLAGS,
-            *LINKED,
-            *included,
-            f"-I{folder}",
-            "explorer/explorer.c",
-        ]
+        given = ["explorer/explorer.c", *(str(Path(folder, name)) for name in sorted(files) if name.endswith(".c"))]
+        command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, *LINKED, *included, f"-I{folder}", *given]
         subprocess.run([*command, "-o", str(target)], cwd=ROOT, check=True)
         return target.read_bytes()
 
@@ -100,7 +115,7 @@ def compiled() -> bytes:
 def page(wasm: bytes) -> str:
     """The whole page: its parts where page.html names them."""
     known = about()
-    if set(known["mechanisms"]) != {name for name, _ in records()}:
+    if set(known["mechanisms"]) != set(mechanisms()[0]):
         sys.exit("PRESETS in explorer/about.py has to have a design of every mechanism in generated/native/records.h")
     data = json.dumps({**known, "digest": digest()}, sort_keys=True, separators=(",", ":")).replace("</", "<\\/")
     made = {"wasm": base64.b64encode(wasm).decode(), "data": data}

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, derive
 from slowflow.averaged import words
 from slowflow.averaged.remarks import NEAR_STICKING_BELOW, WORDS
 from slowflow.isolator import ROD_SPRING
@@ -23,7 +24,7 @@ from slowflow.version import __version__
 from slowflow_kernels.conventions import OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, EXCITATIONS
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
-from slowflow_support.record import Mechanism, Parameter
+from slowflow_support.record import Parameter
 
 #: designs to begin with: a title, an oscillator, F_0, and the highest frequency that is shown
 PRESETS: tuple[tuple[str, Oscillator, float, float], ...] = (
@@ -35,6 +36,14 @@ PRESETS: tuple[tuple[str, Oscillator, float, float], ...] = (
     ("Softening Duffing", Duffing(alpha=1.0, beta=-0.5, mu=0.01, zeta=0.05), 0.1, WINDOW[1]),
     ("A floor that shakes", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="base"), 0.06, WINDOW[1]),
     ("A machine out of balance", Isolator(**{**TABLE_1, "zeta": 0.05}, excitation="unbalance"), 0.05, WINDOW[1]),
+)
+#: those of the library: a title, its name there, its numbers, F_0, and the highest frequency that is shown
+LIBRARY: tuple[tuple[str, str, Mapping[str, float], float, float], ...] = (
+    ("Elastic stops", "elastic_stop", {"kappa": 8.0, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, 2.5),
+    ("A softer spring beyond", "bilinear", {"kappa": 0.4, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, WINDOW[1]),
+    ("Play", "dead_zone", {"delta": 0.2, "mu": 0.005, "zeta": 0.05}, 0.05, WINDOW[1]),
+    ("Three springs", "three_spring", {"alpha": 1.0, "ell": 1.5, "mu": 0.0, "zeta": 0.03}, 0.006, WINDOW[1]),
+    ("Cams and rollers", "cam_roller", {"r": 0.8, "rho": 0.8, "c": 0.1, "mu": 0.003, "zeta": 0.03}, 0.04, WINDOW[1]),
 )
 #: what excites, in the page's words
 EXCITED_BY = {"force": "a force", "base": "a base that shakes", "unbalance": "an unbalance"}
@@ -51,13 +60,35 @@ REFERENCE_SAMPLES = 200
 REFERENCE_AT = 0.45
 
 
+class Design(NamedTuple):
+    """A design to begin with; the mechanism as the page calls it, and what makes such an oscillator in Python."""
+
+    title: str
+    mechanism: str
+    constructor: str
+    oscillator: Oscillator
+    F_0: float
+    shown: float
+
+
+def designs() -> list[Design]:
+    """The package's, then the library's; these are derived and compiled."""
+    found = [
+        Design(title, one.model.mechanism.name, type(one).__name__, one, F_0, high) for title, one, F_0, high in PRESETS
+    ]
+    for title, name, numbers, F_0, high in LIBRARY:
+        made = derive.library(name, compile=True)(**numbers)
+        found.append(Design(title, name, f'derive.library("{name}")', made, F_0, high))
+    return found
+
+
 def about() -> dict[str, Any]:
     """All of it, for JSON: lists, numbers and words."""
+    presets = designs()
     mechanisms: dict[str, Any] = {}
-    for _, oscillator, _, _ in PRESETS:
-        record = oscillator.model.mechanism
-        if record.name not in mechanisms:
-            mechanisms[record.name] = _mechanism(record, oscillator)
+    for one in presets:
+        if one.mechanism not in mechanisms:
+            mechanisms[one.mechanism] = _mechanism(one)
     return {
         "version": __version__,
         "mechanisms": mechanisms,
@@ -70,13 +101,13 @@ def about() -> dict[str, Any]:
         "physical_names": PHYSICAL_NAMES,
         "presets": [
             {
-                "title": title,
-                "mechanism": one.model.mechanism.name,
-                "excitation": one.excitation,
-                "values": _values(one, F_0),
-                "shown": high,
+                "title": one.title,
+                "mechanism": one.mechanism,
+                "excitation": one.oscillator.excitation,
+                "values": _values(one.oscillator, one.F_0),
+                "shown": one.shown,
             }
-            for title, one, F_0, high in PRESETS
+            for one in presets
         ],
         "mount": _mount(),
         "status": {status.name: status.value for status in Status},
@@ -90,14 +121,18 @@ def about() -> dict[str, Any]:
             "off_unknown": validity.OFF_UNKNOWN,
             "not_measured": validity.NOT_MEASURED,
         },
-        "references": [_reference(one, F_0, high) for _, one, F_0, high in PRESETS],
+        "references": [_reference(one.mechanism, one.oscillator, one.F_0, one.shown) for one in presets],
         "measured": {name: getattr(table, name) for name in dir(table) if name.isupper()},
         "worth": {"error": validity.WORTH, "truncation": validity.WORTH_TRUNCATION},
     }
 
 
-def _mechanism(record: Mechanism, example: Oscillator) -> dict[str, Any]:
+def _mechanism(design: Design) -> dict[str, Any]:
     """A record without its functions, how Python makes such an oscillator, and whether it moves a push-rod."""
+    example = design.oscillator
+    record = example.model.mechanism
+    words_given = {name: value for name, value in example.given.items() if value == "untruncated"}
+    called = design.constructor if record.name == design.mechanism else design.mechanism.replace("_", " ")
     return {
         "title": record.title,
         "design": [_parameter(one) for one in record.design],
@@ -105,8 +140,9 @@ def _mechanism(record: Mechanism, example: Oscillator) -> dict[str, Any]:
         "reach": record.reach if math.isfinite(record.reach) else None,
         "reach_reason": record.reach_reason,
         "truncated": record.truncated,
-        "constructor": type(example).__name__,
-        "words": {name: value for name, value in example.given.items() if value == "untruncated"},
+        "constructor": design.constructor,
+        "words": words_given,
+        "label": ", ".join([called, *words_given.values()]),
         "physical": hasattr(type(example), "physical"),
         "rod": record.design == ROD_SPRING.design,
     }
@@ -135,12 +171,12 @@ def _mount() -> dict[str, Any]:
     }
 
 
-def _reference(one: Oscillator, F_0: float, high: float) -> dict[str, Any]:
+def _reference(mechanism: str, one: Oscillator, F_0: float, high: float) -> dict[str, Any]:
     """What this package answers for a design, for the page to compare itself with."""
     onset, off, folds = one.saddle_node_onset(), one.detachment(), one.saddle_nodes(F_0)
     Omega = REFERENCE_AT * high
     return {
-        "mechanism": one.model.mechanism.name,
+        "mechanism": mechanism,
         "excitation": one.excitation,
         "numbers": [*one.model.design, one.mu, one.zeta],
         "F_0": F_0,

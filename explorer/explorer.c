@@ -1,8 +1,8 @@
 /* The solvers as WebAssembly: in go numbers in `in`, out come numbers in arrays that the page reads from memory.
  *
  * A thin interface: it keeps one oscillator and one workspace, calls the solvers and the generated kernels, and computes
- * nothing itself. Everything is dimensionless. `python -m explorer` writes forces.h, which has the restoring force of each
- * mechanism in the order of `records`.
+ * nothing itself. Everything is dimensionless. `python -m explorer` writes mechanisms.h: records and restoring forces of the
+ * package's mechanisms and of the library's, and what the page calls them.
  */
 #include "curve.h"
 #include "inertial.h"
@@ -11,7 +11,7 @@
 #include "solver/root_lanes.c"
 #include "states.h"
 
-#include "forces.h"
+#include "mechanisms.h"
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
@@ -37,16 +37,16 @@ long long *EXPORT(branches)(void) { return branch; }
 int EXPORT(capacity)(void) { return MOST; }
 int EXPORT(is_undecided)(void) { return undecided; }
 
-int EXPORT(mechanisms)(void) { return sizeof records / sizeof records[0]; }
-const char *EXPORT(name_of)(int i) { return records[i]->name; }
+int EXPORT(known_mechanisms)(void) { return sizeof names / sizeof names[0]; }
+const char *EXPORT(name_of)(int i) { return names[i]; }
 
 /* in: the design, then mu and zeta; whether a base or an unbalance excites it. out[0]: breakpoints; returns their number, or
  * -1 for what is not allowed. */
 int EXPORT(choose)(int i, int by_inertia)
 {
     const sf_mechanism *record = &excited;
-    const double *of_damping = in + records[i]->design_size;
-    excited = *records[i];
+    excited = **mechanisms[i];
+    const double *of_damping = in + record->design_size;
     if (by_inertia)
         sf_excite_by_inertia(&excited);
     known = NULL, model.mechanism = NULL;
@@ -82,7 +82,7 @@ static void look_at(long i)
 {
     sf_sample at;
     sf_sample_at(&model, out[1][i], &at);
-    flags[1][i] = slow_flow_mean_stiffness(at.A, at.h, at.h_A) > 0 ||
+    flags[1][i] = slow_flow_mean_stiffness(at.A, at.h, at.h_A) >= 0 ||
                   slow_flow_offset_stiffness(out[0][i], at.A, at.h, at.h_A) > 0;
     flags[0][i] = flags[0][i] && flags[1][i];
 }

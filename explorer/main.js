@@ -151,9 +151,9 @@ function say() {
       onset.status === ok && plain.F_0 > onset.F_SN ? "passed" : "",
     ) +
     card(
-      `${symbol(`${letter}_cr`)} <span>springs leave from</span>`,
+      `${symbol(`${letter}_cr`)} <span>${DATA.mechanisms[state.mechanism].rod ? "springs leave from" : `it passes ${symbol("u_cr")} from`}</span>`,
       detachment.status === ok ? near("F_0", detachment.F_cr) : tends ? near("F_0", breaks[0]) : "never",
-      tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${plainSymbol("u_cr")} = ${near("A", detachment.u_cr)}` : "one piece",
+      tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${symbol("u_cr")} = ${near("A", detachment.u_cr)}` : "one piece",
       detachment.status === ok && plain.F_0 > detachment.F_cr ? "passed" : "",
     ) +
     (byInertia(state)
@@ -168,7 +168,7 @@ function say() {
   const said = remarksOf(answer);
   $("remarks").innerHTML = said.map((text) => `<li>${text[0].toUpperCase()}${text.slice(1)}</li>`).join("");
   sayStates();
-  const summary = `Response at ${F} = ${near("F_0", plain.F_0)}: ${jumps ? `${folds.n} folds` : "no fold"}, ${peak.status === ok ? `peak ${near("A", peak.A)} at ${near("Omega", peak.Omega)}` : "no peak"}${breaks.length ? `, springs leave at ${near("A", breaks[0])}` : ""}.`;
+  const summary = `Response at ${F} = ${near("F_0", plain.F_0)}: ${jumps ? `${folds.n} folds` : "no fold"}, ${peak.status === ok ? `peak ${near("A", peak.A)} at ${near("Omega", peak.Omega)}` : "no peak"}${breaks.length ? `, ${DATA.mechanisms[state.mechanism].rod ? "springs leave" : "the spring changes"} at ${near("A", breaks[0])}` : ""}.`;
   app.plots.response.title.textContent = summary;
   app.plots.force.title.textContent = "Restoring force over displacement, with the stroke of the present motion.";
   app.plots.transmissibility.title.textContent = "Transmissibility in decibels over frequency.";
@@ -307,6 +307,8 @@ function buildFields() {
     changed("high");
     return true;
   });
+  $("leave").textContent = about.rod ? "F_cr: springs leave from" : "F_cr: it passes u_cr from";
+  $("beyond").textContent = about.rod ? "springs off their seat" : "beyond u_cr";
   const axes = [...about.design, ...DATA.damping];
   for (const id of ["map-x", "map-y"])
     $(id).innerHTML = axes.map((one) => `<option value="${one.name}">${nameIn(state, one.name)} – ${one.doc}</option>`).join("");
@@ -409,7 +411,7 @@ function asSVG() {
 }
 
 function bindControls() {
-  $("mechanism").innerHTML = Object.entries(DATA.mechanisms).map(([name, one]) => `<option value="${name}">${[one.constructor, ...Object.values(one.words)].join(", ")}</option>`).join("");
+  $("mechanism").innerHTML = [...new Set(DATA.presets.map((one) => one.mechanism))].map((name) => `<option value="${name}">${DATA.mechanisms[name].label}</option>`).join("");
   $("preset").innerHTML = '<option value="">Open a design…</option>' + [...DATA.presets, DATA.mount].map((one, i) => `<option value="${i}">${one.title}</option>`).join("");
   $("preset").addEventListener("change", (event) => {
     if (event.target.value !== "") open(fromPreset([...DATA.presets, DATA.mount][event.target.value]));

@@ -23,7 +23,7 @@ class Solvers {
     this.flags = [0, 1].map((i) => new Uint8Array(memory, native.flag(i), most));
     this.branches = new BigInt64Array(memory, native.branches(), most);
     const letters = new Uint8Array(memory);
-    this.names = Array.from({ length: native.mechanisms() }, (_, i) => {
+    this.names = Array.from({ length: native.known_mechanisms() }, (_, i) => {
       const start = native.name_of(i);
       return new TextDecoder().decode(letters.slice(start, letters.indexOf(0, start)));
     });

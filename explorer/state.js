@@ -84,7 +84,7 @@ function inPython(state) {
   const python = (value) => (Number.isInteger(value) && Math.abs(value) < 1e15 ? `${value}.0` : String(value));
   const given = (rename) => names.map((name) => `${rename[name] || name}=${name === "lam" && rename.lam && Number.isInteger(state.values[name]) ? state.values[name] : python(state.values[name])}`);
   const plain = dimensionless(state);
-  const lines = [`from slowflow import ${about.constructor}`, ""];
+  const lines = [`from slowflow import ${about.constructor.split(".")[0]}`, ""];
   if (state.si) {
     const base = BASE.map(({ name }) => `${name}=${python(state.base[name])}`);
     lines.push(`mount = ${about.constructor}.physical(${[...base, ...given(PHYSICAL), ...words].join(", ")})`);

@@ -1,7 +1,7 @@
 /* Numbers with and without dimensions: in goes what a user gives, out come numbers for the solvers, and back. */
 
 const DATA = JSON.parse(document.getElementById("data").textContent);
-const GREEK = { lam: "λ", mu: "μ", zeta: "ζ", Omega: "Ω", alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ" };
+const GREEK = { lam: "λ", mu: "μ", zeta: "ζ", Omega: "Ω", alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ", kappa: "κ", rho: "ρ", ell: "ℓ" };
 
 /** A name as it is written in a text. */
 function plainSymbol(name) {

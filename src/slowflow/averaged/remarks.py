@@ -44,12 +44,12 @@ WORDS = {
 def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> Flags:
     """Whether a motion about u = 0 of amplitude A > 0 stays about it; shapes that broadcast.
 
-    It does where the mean stiffness over its cycle is positive, and else where the stiffness that changes twice in a
-    cycle makes up for it.
+    It does where the mean stiffness over its cycle is positive, or 0 as within a play, where nothing moves it off; and
+    else where the stiffness that changes twice in a cycle makes up for it.
     """
-    with np.errstate(all="ignore"):  # amplitudes of any size; where the mean is positive the other is not asked for
+    with np.errstate(all="ignore"):  # amplitudes of any size; where the mean is not negative the other is not asked for
         h, h_A, *_ = mechanism.averaged(A, *parameters)
-        kept = np.asarray(slow_flow.mean_stiffness(A, h, h_A) > 0)
+        kept = np.asarray(slow_flow.mean_stiffness(A, h, h_A) >= 0)
         if kept.all():
             return kept
         return np.asarray(kept | (slow_flow.offset_stiffness(Omega, A, h, h_A) > 0))
