@@ -16,9 +16,7 @@ static SF_WIDE void den_hartog_V_loop(ptrdiff_t n, const double *const *in, doub
     }
 }
 
-static const sf_loop den_hartog_V_loops[] = {
-    den_hartog_V_loop,
-};
+static const sf_loop den_hartog_V_loops[] = {den_hartog_V_loop};
 
 static SF_WIDE void den_hartog_U_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -28,9 +26,7 @@ static SF_WIDE void den_hartog_U_loop(ptrdiff_t n, const double *const *in, doub
     }
 }
 
-static const sf_loop den_hartog_U_loops[] = {
-    den_hartog_U_loop,
-};
+static const sf_loop den_hartog_U_loops[] = {den_hartog_U_loop};
 
 static SF_WIDE void den_hartog_S_ratio_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -40,9 +36,7 @@ static SF_WIDE void den_hartog_S_ratio_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop den_hartog_S_ratio_loops[] = {
-    den_hartog_S_ratio_loop,
-};
+static const sf_loop den_hartog_S_ratio_loops[] = {den_hartog_S_ratio_loop};
 
 static SF_WIDE void den_hartog_amplitude_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -52,9 +46,7 @@ static SF_WIDE void den_hartog_amplitude_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop den_hartog_amplitude_loops[] = {
-    den_hartog_amplitude_loop,
-};
+static const sf_loop den_hartog_amplitude_loops[] = {den_hartog_amplitude_loop};
 
 static SF_WIDE void den_hartog_bound_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -64,9 +56,7 @@ static SF_WIDE void den_hartog_bound_loop(ptrdiff_t n, const double *const *in, 
     }
 }
 
-static const sf_loop den_hartog_bound_loops[] = {
-    den_hartog_bound_loop,
-};
+static const sf_loop den_hartog_bound_loops[] = {den_hartog_bound_loop};
 
 static SF_WIDE void den_hartog_motion_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -76,9 +66,7 @@ static SF_WIDE void den_hartog_motion_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop den_hartog_motion_loops[] = {
-    den_hartog_motion_loop,
-};
+static const sf_loop den_hartog_motion_loops[] = {den_hartog_motion_loop};
 
 static const sf_kernel kernels[] = {
     {"V",

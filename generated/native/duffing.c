@@ -20,9 +20,7 @@ static SF_WIDE void duffing_averaged_loop(ptrdiff_t n, const double *const *in, 
     }
 }
 
-static const sf_loop duffing_averaged_loops[] = {
-    duffing_averaged_loop,
-};
+static const sf_loop duffing_averaged_loops[] = {duffing_averaged_loop};
 
 static SF_WIDE void duffing_averaged_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -36,9 +34,7 @@ static SF_WIDE void duffing_averaged_2_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop duffing_averaged_2_loops[] = {
-    duffing_averaged_2_loop,
-};
+static const sf_loop duffing_averaged_2_loops[] = {duffing_averaged_2_loop};
 
 static SF_WIDE void duffing_averaged_H_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -52,9 +48,7 @@ static SF_WIDE void duffing_averaged_H_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop duffing_averaged_H_loops[] = {
-    duffing_averaged_H_loop,
-};
+static const sf_loop duffing_averaged_H_loops[] = {duffing_averaged_H_loop};
 
 static SF_WIDE void duffing_intercept_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -64,9 +58,7 @@ static SF_WIDE void duffing_intercept_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop duffing_intercept_loops[] = {
-    duffing_intercept_loop,
-};
+static const sf_loop duffing_intercept_loops[] = {duffing_intercept_loop};
 
 static SF_WIDE void duffing_harmonics_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -80,9 +72,7 @@ static SF_WIDE void duffing_harmonics_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop duffing_harmonics_loops[] = {
-    duffing_harmonics_loop,
-};
+static const sf_loop duffing_harmonics_loops[] = {duffing_harmonics_loop};
 
 static SF_WIDE void duffing_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -95,9 +85,7 @@ static SF_WIDE void duffing_coefficients_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop duffing_coefficients_loops[] = {
-    duffing_coefficients_loop,
-};
+static const sf_loop duffing_coefficients_loops[] = {duffing_coefficients_loop};
 
 static SF_WIDE void duffing_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -110,9 +98,7 @@ static SF_WIDE void duffing_hardening_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop duffing_hardening_loops[] = {
-    duffing_hardening_loop,
-};
+static const sf_loop duffing_hardening_loops[] = {duffing_hardening_loop};
 
 static SF_WIDE void duffing_force_force_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -122,9 +108,7 @@ static SF_WIDE void duffing_force_force_1_loop(ptrdiff_t n, const double *const 
     }
 }
 
-static const sf_loop duffing_force_loops[] = {
-    duffing_force_force_1_loop,
-};
+static const sf_loop duffing_force_loops[] = {duffing_force_force_1_loop};
 
 static SF_WIDE void duffing_saddle_node_onset_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -138,9 +122,7 @@ static SF_WIDE void duffing_saddle_node_onset_loop(ptrdiff_t n, const double *co
     }
 }
 
-static const sf_loop duffing_saddle_node_onset_loops[] = {
-    duffing_saddle_node_onset_loop,
-};
+static const sf_loop duffing_saddle_node_onset_loops[] = {duffing_saddle_node_onset_loop};
 
 static SF_WIDE void duffing_saddle_nodes_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -154,9 +136,7 @@ static SF_WIDE void duffing_saddle_nodes_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop duffing_saddle_nodes_loops[] = {
-    duffing_saddle_nodes_loop,
-};
+static const sf_loop duffing_saddle_nodes_loops[] = {duffing_saddle_nodes_loop};
 
 static SF_WIDE void duffing_h_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -169,9 +149,7 @@ static SF_WIDE void duffing_h_loop(ptrdiff_t n, const double *const *in, double 
     }
 }
 
-static const sf_loop duffing_h_loops[] = {
-    duffing_h_loop,
-};
+static const sf_loop duffing_h_loops[] = {duffing_h_loop};
 
 static SF_WIDE void duffing_h_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -184,9 +162,7 @@ static SF_WIDE void duffing_h_A_loop(ptrdiff_t n, const double *const *in, doubl
     }
 }
 
-static const sf_loop duffing_h_A_loops[] = {
-    duffing_h_A_loop,
-};
+static const sf_loop duffing_h_A_loops[] = {duffing_h_A_loop};
 
 static SF_WIDE void duffing_h_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -199,9 +175,7 @@ static SF_WIDE void duffing_h_AA_loop(ptrdiff_t n, const double *const *in, doub
     }
 }
 
-static const sf_loop duffing_h_AA_loops[] = {
-    duffing_h_AA_loop,
-};
+static const sf_loop duffing_h_AA_loops[] = {duffing_h_AA_loop};
 
 static SF_WIDE void duffing_h_AAA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -214,9 +188,7 @@ static SF_WIDE void duffing_h_AAA_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop duffing_h_AAA_loops[] = {
-    duffing_h_AAA_loop,
-};
+static const sf_loop duffing_h_AAA_loops[] = {duffing_h_AAA_loop};
 
 static SF_WIDE void duffing_H_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -229,9 +201,7 @@ static SF_WIDE void duffing_H_loop(ptrdiff_t n, const double *const *in, double 
     }
 }
 
-static const sf_loop duffing_H_loops[] = {
-    duffing_H_loop,
-};
+static const sf_loop duffing_H_loops[] = {duffing_H_loop};
 
 static SF_WIDE void duffing_H_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -244,9 +214,7 @@ static SF_WIDE void duffing_H_A_loop(ptrdiff_t n, const double *const *in, doubl
     }
 }
 
-static const sf_loop duffing_H_A_loops[] = {
-    duffing_H_A_loop,
-};
+static const sf_loop duffing_H_A_loops[] = {duffing_H_A_loop};
 
 static SF_WIDE void duffing_H_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -259,9 +227,7 @@ static SF_WIDE void duffing_H_AA_loop(ptrdiff_t n, const double *const *in, doub
     }
 }
 
-static const sf_loop duffing_H_AA_loops[] = {
-    duffing_H_AA_loop,
-};
+static const sf_loop duffing_H_AA_loops[] = {duffing_H_AA_loop};
 
 static SF_WIDE void duffing_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -274,9 +240,7 @@ static SF_WIDE void duffing_F_loop(ptrdiff_t n, const double *const *in, double 
     }
 }
 
-static const sf_loop duffing_F_loops[] = {
-    duffing_F_loop,
-};
+static const sf_loop duffing_F_loops[] = {duffing_F_loop};
 
 static SF_WIDE void duffing_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -289,9 +253,7 @@ static SF_WIDE void duffing_F_A_loop(ptrdiff_t n, const double *const *in, doubl
     }
 }
 
-static const sf_loop duffing_F_A_loops[] = {
-    duffing_F_A_loop,
-};
+static const sf_loop duffing_F_A_loops[] = {duffing_F_A_loop};
 
 static SF_WIDE void duffing_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -304,9 +266,7 @@ static SF_WIDE void duffing_level_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop duffing_level_loops[] = {
-    duffing_level_loop,
-};
+static const sf_loop duffing_level_loops[] = {duffing_level_loop};
 
 static SF_WIDE void duffing_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -319,9 +279,7 @@ static SF_WIDE void duffing_phase_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop duffing_phase_loops[] = {
-    duffing_phase_loop,
-};
+static const sf_loop duffing_phase_loops[] = {duffing_phase_loop};
 
 static SF_WIDE void duffing_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -337,9 +295,7 @@ static SF_WIDE void duffing_jacobian_loop(ptrdiff_t n, const double *const *in, 
     }
 }
 
-static const sf_loop duffing_jacobian_loops[] = {
-    duffing_jacobian_loop,
-};
+static const sf_loop duffing_jacobian_loops[] = {duffing_jacobian_loop};
 
 static SF_WIDE void duffing_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -352,9 +308,7 @@ static SF_WIDE void duffing_stability_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop duffing_stability_loops[] = {
-    duffing_stability_loop,
-};
+static const sf_loop duffing_stability_loops[] = {duffing_stability_loop};
 
 static SF_WIDE void duffing_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -367,9 +321,7 @@ static SF_WIDE void duffing_transmissibility_loop(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop duffing_transmissibility_loops[] = {
-    duffing_transmissibility_loop,
-};
+static const sf_loop duffing_transmissibility_loops[] = {duffing_transmissibility_loop};
 
 static SF_WIDE void duffing_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -382,9 +334,7 @@ static SF_WIDE void duffing_backbone_loop(ptrdiff_t n, const double *const *in, 
     }
 }
 
-static const sf_loop duffing_backbone_loops[] = {
-    duffing_backbone_loop,
-};
+static const sf_loop duffing_backbone_loops[] = {duffing_backbone_loop};
 
 static SF_WIDE void duffing_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -394,9 +344,7 @@ static SF_WIDE void duffing_limit_envelope_loop(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop duffing_limit_envelope_loops[] = {
-    duffing_limit_envelope_loop,
-};
+static const sf_loop duffing_limit_envelope_loops[] = {duffing_limit_envelope_loop};
 
 static SF_WIDE void duffing_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -406,9 +354,7 @@ static SF_WIDE void duffing_equivalent_damping_loop(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop duffing_equivalent_damping_loops[] = {
-    duffing_equivalent_damping_loop,
-};
+static const sf_loop duffing_equivalent_damping_loops[] = {duffing_equivalent_damping_loop};
 
 static SF_WIDE void duffing_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -424,9 +370,7 @@ static SF_WIDE void duffing_response_quartic_loop(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop duffing_response_quartic_loops[] = {
-    duffing_response_quartic_loop,
-};
+static const sf_loop duffing_response_quartic_loops[] = {duffing_response_quartic_loop};
 
 static SF_WIDE void duffing_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -442,9 +386,7 @@ static SF_WIDE void duffing_fold_quartic_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop duffing_fold_quartic_loops[] = {
-    duffing_fold_quartic_loop,
-};
+static const sf_loop duffing_fold_quartic_loops[] = {duffing_fold_quartic_loop};
 
 static SF_WIDE void duffing_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -460,9 +402,7 @@ static SF_WIDE void duffing_peak_cubic_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop duffing_peak_cubic_loops[] = {
-    duffing_peak_cubic_loop,
-};
+static const sf_loop duffing_peak_cubic_loops[] = {duffing_peak_cubic_loop};
 
 static SF_WIDE void duffing_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -478,9 +418,7 @@ static SF_WIDE void duffing_detachment_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop duffing_detachment_loops[] = {
-    duffing_detachment_loop,
-};
+static const sf_loop duffing_detachment_loops[] = {duffing_detachment_loop};
 
 static const sf_kernel kernels[] = {
     {"averaged",

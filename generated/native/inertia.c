@@ -16,9 +16,7 @@ static SF_WIDE void inertia_force_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop inertia_force_loops[] = {
-    inertia_force_loop,
-};
+static const sf_loop inertia_force_loops[] = {inertia_force_loop};
 
 static SF_WIDE void inertia_force_slopes_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -31,9 +29,7 @@ static SF_WIDE void inertia_force_slopes_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop inertia_force_slopes_loops[] = {
-    inertia_force_slopes_loop,
-};
+static const sf_loop inertia_force_slopes_loops[] = {inertia_force_slopes_loop};
 
 static SF_WIDE void inertia_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -43,9 +39,7 @@ static SF_WIDE void inertia_level_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop inertia_level_loops[] = {
-    inertia_level_loop,
-};
+static const sf_loop inertia_level_loops[] = {inertia_level_loop};
 
 static SF_WIDE void inertia_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -55,9 +49,7 @@ static SF_WIDE void inertia_F_loop(ptrdiff_t n, const double *const *in, double 
     }
 }
 
-static const sf_loop inertia_F_loops[] = {
-    inertia_F_loop,
-};
+static const sf_loop inertia_F_loops[] = {inertia_F_loop};
 
 static SF_WIDE void inertia_level_slope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -67,9 +59,7 @@ static SF_WIDE void inertia_level_slope_loop(ptrdiff_t n, const double *const *i
     }
 }
 
-static const sf_loop inertia_level_slope_loops[] = {
-    inertia_level_slope_loop,
-};
+static const sf_loop inertia_level_slope_loops[] = {inertia_level_slope_loop};
 
 static SF_WIDE void inertia_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -79,9 +69,7 @@ static SF_WIDE void inertia_Omega_A_loop(ptrdiff_t n, const double *const *in, d
     }
 }
 
-static const sf_loop inertia_Omega_A_loops[] = {
-    inertia_Omega_A_loop,
-};
+static const sf_loop inertia_Omega_A_loops[] = {inertia_Omega_A_loop};
 
 static SF_WIDE void inertia_terms_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -94,9 +82,7 @@ static SF_WIDE void inertia_terms_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop inertia_terms_loops[] = {
-    inertia_terms_loop,
-};
+static const sf_loop inertia_terms_loops[] = {inertia_terms_loop};
 
 static SF_WIDE void inertia_least_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -106,9 +92,7 @@ static SF_WIDE void inertia_least_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop inertia_least_loops[] = {
-    inertia_least_loop,
-};
+static const sf_loop inertia_least_loops[] = {inertia_least_loop};
 
 static SF_WIDE void inertia_least_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -118,9 +102,7 @@ static SF_WIDE void inertia_least_Omega_A_loop(ptrdiff_t n, const double *const 
     }
 }
 
-static const sf_loop inertia_least_Omega_A_loops[] = {
-    inertia_least_Omega_A_loop,
-};
+static const sf_loop inertia_least_Omega_A_loops[] = {inertia_least_Omega_A_loop};
 
 static SF_WIDE void inertia_peak_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -134,9 +116,7 @@ static SF_WIDE void inertia_peak_loop(ptrdiff_t n, const double *const *in, doub
     }
 }
 
-static const sf_loop inertia_peak_loops[] = {
-    inertia_peak_loop,
-};
+static const sf_loop inertia_peak_loops[] = {inertia_peak_loop};
 
 static SF_WIDE void inertia_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -150,9 +130,7 @@ static SF_WIDE void inertia_isola_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop inertia_isola_loops[] = {
-    inertia_isola_loop,
-};
+static const sf_loop inertia_isola_loops[] = {inertia_isola_loop};
 
 static SF_WIDE void inertia_level_rise_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -163,9 +141,7 @@ static SF_WIDE void inertia_level_rise_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop inertia_level_rise_loops[] = {
-    inertia_level_rise_loop,
-};
+static const sf_loop inertia_level_rise_loops[] = {inertia_level_rise_loop};
 
 static SF_WIDE void inertia_cusp_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -176,9 +152,7 @@ static SF_WIDE void inertia_cusp_bend_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop inertia_cusp_bend_loops[] = {
-    inertia_cusp_bend_loop,
-};
+static const sf_loop inertia_cusp_bend_loops[] = {inertia_cusp_bend_loop};
 
 static SF_WIDE void inertia_hessian_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -189,9 +163,7 @@ static SF_WIDE void inertia_hessian_loop(ptrdiff_t n, const double *const *in, d
     }
 }
 
-static const sf_loop inertia_hessian_loops[] = {
-    inertia_hessian_loop,
-};
+static const sf_loop inertia_hessian_loops[] = {inertia_hessian_loop};
 
 static SF_WIDE void inertia_bound_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -205,9 +177,7 @@ static SF_WIDE void inertia_bound_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop inertia_bound_loops[] = {
-    inertia_bound_loop,
-};
+static const sf_loop inertia_bound_loops[] = {inertia_bound_loop};
 
 static const sf_kernel kernels[] = {
     {"force",

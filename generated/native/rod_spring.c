@@ -56,9 +56,7 @@ static SF_WIDE void rod_spring_averaged_regime(ptrdiff_t n, const double *const 
 }
 
 static const sf_loop rod_spring_averaged_loops[] = {
-    rod_spring_averaged_passed_0_loop,
-    rod_spring_averaged_passed_1_loop,
-    rod_spring_averaged_passed_1_far_1_loop,
+    rod_spring_averaged_passed_0_loop, rod_spring_averaged_passed_1_loop, rod_spring_averaged_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_averaged_2_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -98,9 +96,8 @@ static SF_WIDE void rod_spring_averaged_2_passed_1_far_1_loop(ptrdiff_t n, const
 }
 
 static const sf_loop rod_spring_averaged_2_loops[] = {
-    rod_spring_averaged_2_passed_0_loop,
-    rod_spring_averaged_2_passed_1_loop,
-    rod_spring_averaged_2_passed_1_far_1_loop,
+    rod_spring_averaged_2_passed_0_loop, rod_spring_averaged_2_passed_1_loop,
+    rod_spring_averaged_2_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_averaged_H_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -140,9 +137,8 @@ static SF_WIDE void rod_spring_averaged_H_passed_1_far_1_loop(ptrdiff_t n, const
 }
 
 static const sf_loop rod_spring_averaged_H_loops[] = {
-    rod_spring_averaged_H_passed_0_loop,
-    rod_spring_averaged_H_passed_1_loop,
-    rod_spring_averaged_H_passed_1_far_1_loop,
+    rod_spring_averaged_H_passed_0_loop, rod_spring_averaged_H_passed_1_loop,
+    rod_spring_averaged_H_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_intercept_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -170,9 +166,7 @@ static SF_WIDE void rod_spring_intercept_passed_1_far_1_loop(ptrdiff_t n, const 
 }
 
 static const sf_loop rod_spring_intercept_loops[] = {
-    rod_spring_intercept_passed_0_loop,
-    rod_spring_intercept_passed_1_loop,
-    rod_spring_intercept_passed_1_far_1_loop,
+    rod_spring_intercept_passed_0_loop, rod_spring_intercept_passed_1_loop, rod_spring_intercept_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_harmonics_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -212,9 +206,7 @@ static SF_WIDE void rod_spring_harmonics_passed_1_far_1_loop(ptrdiff_t n, const 
 }
 
 static const sf_loop rod_spring_harmonics_loops[] = {
-    rod_spring_harmonics_passed_0_loop,
-    rod_spring_harmonics_passed_1_loop,
-    rod_spring_harmonics_passed_1_far_1_loop,
+    rod_spring_harmonics_passed_0_loop, rod_spring_harmonics_passed_1_loop, rod_spring_harmonics_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -228,9 +220,7 @@ static SF_WIDE void rod_spring_coefficients_loop(ptrdiff_t n, const double *cons
     }
 }
 
-static const sf_loop rod_spring_coefficients_loops[] = {
-    rod_spring_coefficients_loop,
-};
+static const sf_loop rod_spring_coefficients_loops[] = {rod_spring_coefficients_loop};
 
 static SF_WIDE void rod_spring_breakpoints_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -243,9 +233,7 @@ static SF_WIDE void rod_spring_breakpoints_loop(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop rod_spring_breakpoints_loops[] = {
-    rod_spring_breakpoints_loop,
-};
+static const sf_loop rod_spring_breakpoints_loops[] = {rod_spring_breakpoints_loop};
 
 static SF_WIDE void rod_spring_jumps_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -258,9 +246,7 @@ static SF_WIDE void rod_spring_jumps_loop(ptrdiff_t n, const double *const *in, 
     }
 }
 
-static const sf_loop rod_spring_jumps_loops[] = {
-    rod_spring_jumps_loop,
-};
+static const sf_loop rod_spring_jumps_loops[] = {rod_spring_jumps_loop};
 
 static SF_WIDE void rod_spring_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -273,9 +259,7 @@ static SF_WIDE void rod_spring_hardening_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop rod_spring_hardening_loops[] = {
-    rod_spring_hardening_loop,
-};
+static const sf_loop rod_spring_hardening_loops[] = {rod_spring_hardening_loop};
 
 static SF_WIDE void rod_spring_force_force_1_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -305,8 +289,7 @@ static SF_WIDE void rod_spring_force_regime(ptrdiff_t n, const double *const *in
 }
 
 static const sf_loop rod_spring_force_loops[] = {
-    rod_spring_force_force_1_loop,
-    rod_spring_force_force_2_loop,
+    rod_spring_force_force_1_loop, rod_spring_force_force_2_loop
 };
 
 static SF_WIDE void rod_spring_saddle_node_onset_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -321,9 +304,7 @@ static SF_WIDE void rod_spring_saddle_node_onset_loop(ptrdiff_t n, const double 
     }
 }
 
-static const sf_loop rod_spring_saddle_node_onset_loops[] = {
-    rod_spring_saddle_node_onset_loop,
-};
+static const sf_loop rod_spring_saddle_node_onset_loops[] = {rod_spring_saddle_node_onset_loop};
 
 static SF_WIDE void rod_spring_saddle_nodes_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -337,9 +318,7 @@ static SF_WIDE void rod_spring_saddle_nodes_loop(ptrdiff_t n, const double *cons
     }
 }
 
-static const sf_loop rod_spring_saddle_nodes_loops[] = {
-    rod_spring_saddle_nodes_loop,
-};
+static const sf_loop rod_spring_saddle_nodes_loops[] = {rod_spring_saddle_nodes_loop};
 
 static SF_WIDE void rod_spring_h_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -375,9 +354,7 @@ static SF_WIDE void rod_spring_h_passed_1_far_1_loop(ptrdiff_t n, const double *
 }
 
 static const sf_loop rod_spring_h_loops[] = {
-    rod_spring_h_passed_0_loop,
-    rod_spring_h_passed_1_loop,
-    rod_spring_h_passed_1_far_1_loop,
+    rod_spring_h_passed_0_loop, rod_spring_h_passed_1_loop, rod_spring_h_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_h_A_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -414,9 +391,7 @@ static SF_WIDE void rod_spring_h_A_passed_1_far_1_loop(ptrdiff_t n, const double
 }
 
 static const sf_loop rod_spring_h_A_loops[] = {
-    rod_spring_h_A_passed_0_loop,
-    rod_spring_h_A_passed_1_loop,
-    rod_spring_h_A_passed_1_far_1_loop,
+    rod_spring_h_A_passed_0_loop, rod_spring_h_A_passed_1_loop, rod_spring_h_A_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_h_AA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -453,9 +428,7 @@ static SF_WIDE void rod_spring_h_AA_passed_1_far_1_loop(ptrdiff_t n, const doubl
 }
 
 static const sf_loop rod_spring_h_AA_loops[] = {
-    rod_spring_h_AA_passed_0_loop,
-    rod_spring_h_AA_passed_1_loop,
-    rod_spring_h_AA_passed_1_far_1_loop,
+    rod_spring_h_AA_passed_0_loop, rod_spring_h_AA_passed_1_loop, rod_spring_h_AA_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_h_AAA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -492,9 +465,7 @@ static SF_WIDE void rod_spring_h_AAA_passed_1_far_1_loop(ptrdiff_t n, const doub
 }
 
 static const sf_loop rod_spring_h_AAA_loops[] = {
-    rod_spring_h_AAA_passed_0_loop,
-    rod_spring_h_AAA_passed_1_loop,
-    rod_spring_h_AAA_passed_1_far_1_loop,
+    rod_spring_h_AAA_passed_0_loop, rod_spring_h_AAA_passed_1_loop, rod_spring_h_AAA_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_H_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -531,9 +502,7 @@ static SF_WIDE void rod_spring_H_passed_1_far_1_loop(ptrdiff_t n, const double *
 }
 
 static const sf_loop rod_spring_H_loops[] = {
-    rod_spring_H_passed_0_loop,
-    rod_spring_H_passed_1_loop,
-    rod_spring_H_passed_1_far_1_loop,
+    rod_spring_H_passed_0_loop, rod_spring_H_passed_1_loop, rod_spring_H_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_H_A_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -570,9 +539,7 @@ static SF_WIDE void rod_spring_H_A_passed_1_far_1_loop(ptrdiff_t n, const double
 }
 
 static const sf_loop rod_spring_H_A_loops[] = {
-    rod_spring_H_A_passed_0_loop,
-    rod_spring_H_A_passed_1_loop,
-    rod_spring_H_A_passed_1_far_1_loop,
+    rod_spring_H_A_passed_0_loop, rod_spring_H_A_passed_1_loop, rod_spring_H_A_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_H_AA_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -609,9 +576,7 @@ static SF_WIDE void rod_spring_H_AA_passed_1_far_1_loop(ptrdiff_t n, const doubl
 }
 
 static const sf_loop rod_spring_H_AA_loops[] = {
-    rod_spring_H_AA_passed_0_loop,
-    rod_spring_H_AA_passed_1_loop,
-    rod_spring_H_AA_passed_1_far_1_loop,
+    rod_spring_H_AA_passed_0_loop, rod_spring_H_AA_passed_1_loop, rod_spring_H_AA_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_F_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -659,9 +624,7 @@ static SF_WIDE void rod_spring_F_regime(ptrdiff_t n, const double *const *in, un
 }
 
 static const sf_loop rod_spring_F_loops[] = {
-    rod_spring_F_passed_0_loop,
-    rod_spring_F_passed_1_loop,
-    rod_spring_F_passed_1_far_1_loop,
+    rod_spring_F_passed_0_loop, rod_spring_F_passed_1_loop, rod_spring_F_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_F_A_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -709,9 +672,7 @@ static SF_WIDE void rod_spring_F_A_regime(ptrdiff_t n, const double *const *in, 
 }
 
 static const sf_loop rod_spring_F_A_loops[] = {
-    rod_spring_F_A_passed_0_loop,
-    rod_spring_F_A_passed_1_loop,
-    rod_spring_F_A_passed_1_far_1_loop,
+    rod_spring_F_A_passed_0_loop, rod_spring_F_A_passed_1_loop, rod_spring_F_A_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_level_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -748,9 +709,7 @@ static SF_WIDE void rod_spring_level_passed_1_far_1_loop(ptrdiff_t n, const doub
 }
 
 static const sf_loop rod_spring_level_loops[] = {
-    rod_spring_level_passed_0_loop,
-    rod_spring_level_passed_1_loop,
-    rod_spring_level_passed_1_far_1_loop,
+    rod_spring_level_passed_0_loop, rod_spring_level_passed_1_loop, rod_spring_level_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_phase_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -787,9 +746,7 @@ static SF_WIDE void rod_spring_phase_passed_1_far_1_loop(ptrdiff_t n, const doub
 }
 
 static const sf_loop rod_spring_phase_loops[] = {
-    rod_spring_phase_passed_0_loop,
-    rod_spring_phase_passed_1_loop,
-    rod_spring_phase_passed_1_far_1_loop,
+    rod_spring_phase_passed_0_loop, rod_spring_phase_passed_1_loop, rod_spring_phase_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_jacobian_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -835,9 +792,7 @@ static SF_WIDE void rod_spring_jacobian_passed_1_far_1_loop(ptrdiff_t n, const d
 }
 
 static const sf_loop rod_spring_jacobian_loops[] = {
-    rod_spring_jacobian_passed_0_loop,
-    rod_spring_jacobian_passed_1_loop,
-    rod_spring_jacobian_passed_1_far_1_loop,
+    rod_spring_jacobian_passed_0_loop, rod_spring_jacobian_passed_1_loop, rod_spring_jacobian_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_stability_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -874,9 +829,7 @@ static SF_WIDE void rod_spring_stability_passed_1_far_1_loop(ptrdiff_t n, const 
 }
 
 static const sf_loop rod_spring_stability_loops[] = {
-    rod_spring_stability_passed_0_loop,
-    rod_spring_stability_passed_1_loop,
-    rod_spring_stability_passed_1_far_1_loop,
+    rod_spring_stability_passed_0_loop, rod_spring_stability_passed_1_loop, rod_spring_stability_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_transmissibility_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -913,9 +866,8 @@ static SF_WIDE void rod_spring_transmissibility_passed_1_far_1_loop(ptrdiff_t n,
 }
 
 static const sf_loop rod_spring_transmissibility_loops[] = {
-    rod_spring_transmissibility_passed_0_loop,
-    rod_spring_transmissibility_passed_1_loop,
-    rod_spring_transmissibility_passed_1_far_1_loop,
+    rod_spring_transmissibility_passed_0_loop, rod_spring_transmissibility_passed_1_loop,
+    rod_spring_transmissibility_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_backbone_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -952,9 +904,7 @@ static SF_WIDE void rod_spring_backbone_passed_1_far_1_loop(ptrdiff_t n, const d
 }
 
 static const sf_loop rod_spring_backbone_loops[] = {
-    rod_spring_backbone_passed_0_loop,
-    rod_spring_backbone_passed_1_loop,
-    rod_spring_backbone_passed_1_far_1_loop,
+    rod_spring_backbone_passed_0_loop, rod_spring_backbone_passed_1_loop, rod_spring_backbone_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -965,9 +915,7 @@ static SF_WIDE void rod_spring_limit_envelope_loop(ptrdiff_t n, const double *co
     }
 }
 
-static const sf_loop rod_spring_limit_envelope_loops[] = {
-    rod_spring_limit_envelope_loop,
-};
+static const sf_loop rod_spring_limit_envelope_loops[] = {rod_spring_limit_envelope_loop};
 
 static SF_WIDE void rod_spring_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -977,9 +925,7 @@ static SF_WIDE void rod_spring_equivalent_damping_loop(ptrdiff_t n, const double
     }
 }
 
-static const sf_loop rod_spring_equivalent_damping_loops[] = {
-    rod_spring_equivalent_damping_loop,
-};
+static const sf_loop rod_spring_equivalent_damping_loops[] = {rod_spring_equivalent_damping_loop};
 
 static SF_WIDE void rod_spring_response_quartic_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -1035,9 +981,8 @@ static SF_WIDE void rod_spring_response_quartic_regime(ptrdiff_t n, const double
 }
 
 static const sf_loop rod_spring_response_quartic_loops[] = {
-    rod_spring_response_quartic_passed_0_loop,
-    rod_spring_response_quartic_passed_1_loop,
-    rod_spring_response_quartic_passed_1_far_1_loop,
+    rod_spring_response_quartic_passed_0_loop, rod_spring_response_quartic_passed_1_loop,
+    rod_spring_response_quartic_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_fold_quartic_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1094,9 +1039,8 @@ static SF_WIDE void rod_spring_fold_quartic_regime(ptrdiff_t n, const double *co
 }
 
 static const sf_loop rod_spring_fold_quartic_loops[] = {
-    rod_spring_fold_quartic_passed_0_loop,
-    rod_spring_fold_quartic_passed_1_loop,
-    rod_spring_fold_quartic_passed_1_far_1_loop,
+    rod_spring_fold_quartic_passed_0_loop, rod_spring_fold_quartic_passed_1_loop,
+    rod_spring_fold_quartic_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_peak_cubic_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1142,9 +1086,8 @@ static SF_WIDE void rod_spring_peak_cubic_passed_1_far_1_loop(ptrdiff_t n, const
 }
 
 static const sf_loop rod_spring_peak_cubic_loops[] = {
-    rod_spring_peak_cubic_passed_0_loop,
-    rod_spring_peak_cubic_passed_1_loop,
-    rod_spring_peak_cubic_passed_1_far_1_loop,
+    rod_spring_peak_cubic_passed_0_loop, rod_spring_peak_cubic_passed_1_loop,
+    rod_spring_peak_cubic_passed_1_far_1_loop
 };
 
 static SF_WIDE void rod_spring_detachment_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -1190,9 +1133,8 @@ static SF_WIDE void rod_spring_detachment_passed_1_far_1_loop(ptrdiff_t n, const
 }
 
 static const sf_loop rod_spring_detachment_loops[] = {
-    rod_spring_detachment_passed_0_loop,
-    rod_spring_detachment_passed_1_loop,
-    rod_spring_detachment_passed_1_far_1_loop,
+    rod_spring_detachment_passed_0_loop, rod_spring_detachment_passed_1_loop,
+    rod_spring_detachment_passed_1_far_1_loop
 };
 
 static const sf_kernel kernels[] = {

@@ -128,15 +128,13 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_regime(ptrdiff_t n, cons
 }
 
 static const sf_loop rod_spring_untruncated_averaged_all_loops[] = {
-    rod_spring_untruncated_averaged_all_passed_0_end_loop,
-    rod_spring_untruncated_averaged_all_passed_0_loop,
-    rod_spring_untruncated_averaged_all_passed_0_steep_loop,
-    rod_spring_untruncated_averaged_all_passed_1_far_loop,
+    rod_spring_untruncated_averaged_all_passed_0_end_loop, rod_spring_untruncated_averaged_all_passed_0_loop,
+    rod_spring_untruncated_averaged_all_passed_0_steep_loop, rod_spring_untruncated_averaged_all_passed_1_far_loop,
     rod_spring_untruncated_averaged_all_passed_1_loop,
     rod_spring_untruncated_averaged_all_passed_1_steeper_far_loop,
     rod_spring_untruncated_averaged_all_passed_1_steep_far_loop,
     rod_spring_untruncated_averaged_all_passed_1_steep_away_loop,
-    rod_spring_untruncated_averaged_all_passed_1_steep_loop,
+    rod_spring_untruncated_averaged_all_passed_1_steep_loop
 };
 
 static SF_WIDE void rod_spring_untruncated_harmonics_passed_0_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -175,8 +173,7 @@ static SF_WIDE void rod_spring_untruncated_harmonics_regime(ptrdiff_t n, const d
 }
 
 static const sf_loop rod_spring_untruncated_harmonics_loops[] = {
-    rod_spring_untruncated_harmonics_passed_0_loop,
-    rod_spring_untruncated_harmonics_passed_1_loop,
+    rod_spring_untruncated_harmonics_passed_0_loop, rod_spring_untruncated_harmonics_passed_1_loop
 };
 
 static SF_WIDE void rod_spring_untruncated_coefficients_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -190,9 +187,7 @@ static SF_WIDE void rod_spring_untruncated_coefficients_loop(ptrdiff_t n, const 
     }
 }
 
-static const sf_loop rod_spring_untruncated_coefficients_loops[] = {
-    rod_spring_untruncated_coefficients_loop,
-};
+static const sf_loop rod_spring_untruncated_coefficients_loops[] = {rod_spring_untruncated_coefficients_loop};
 
 static SF_WIDE void rod_spring_untruncated_breakpoints_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -205,9 +200,7 @@ static SF_WIDE void rod_spring_untruncated_breakpoints_loop(ptrdiff_t n, const d
     }
 }
 
-static const sf_loop rod_spring_untruncated_breakpoints_loops[] = {
-    rod_spring_untruncated_breakpoints_loop,
-};
+static const sf_loop rod_spring_untruncated_breakpoints_loops[] = {rod_spring_untruncated_breakpoints_loop};
 
 static SF_WIDE void rod_spring_untruncated_jumps_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -220,9 +213,7 @@ static SF_WIDE void rod_spring_untruncated_jumps_loop(ptrdiff_t n, const double 
     }
 }
 
-static const sf_loop rod_spring_untruncated_jumps_loops[] = {
-    rod_spring_untruncated_jumps_loop,
-};
+static const sf_loop rod_spring_untruncated_jumps_loops[] = {rod_spring_untruncated_jumps_loop};
 
 static SF_WIDE void rod_spring_untruncated_hardening_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -235,9 +226,7 @@ static SF_WIDE void rod_spring_untruncated_hardening_loop(ptrdiff_t n, const dou
     }
 }
 
-static const sf_loop rod_spring_untruncated_hardening_loops[] = {
-    rod_spring_untruncated_hardening_loop,
-};
+static const sf_loop rod_spring_untruncated_hardening_loops[] = {rod_spring_untruncated_hardening_loop};
 
 static SF_WIDE void rod_spring_untruncated_force_force_2_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -267,8 +256,7 @@ static SF_WIDE void rod_spring_untruncated_force_regime(ptrdiff_t n, const doubl
 }
 
 static const sf_loop rod_spring_untruncated_force_loops[] = {
-    rod_spring_untruncated_force_force_2_loop,
-    rod_spring_untruncated_force_force_1_loop,
+    rod_spring_untruncated_force_force_2_loop, rod_spring_untruncated_force_force_1_loop
 };
 
 static SF_WIDE void rod_spring_untruncated_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
@@ -279,9 +267,7 @@ static SF_WIDE void rod_spring_untruncated_limit_envelope_loop(ptrdiff_t n, cons
     }
 }
 
-static const sf_loop rod_spring_untruncated_limit_envelope_loops[] = {
-    rod_spring_untruncated_limit_envelope_loop,
-};
+static const sf_loop rod_spring_untruncated_limit_envelope_loops[] = {rod_spring_untruncated_limit_envelope_loop};
 
 static SF_WIDE void rod_spring_untruncated_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -291,9 +277,7 @@ static SF_WIDE void rod_spring_untruncated_equivalent_damping_loop(ptrdiff_t n, 
     }
 }
 
-static const sf_loop rod_spring_untruncated_equivalent_damping_loops[] = {
-    rod_spring_untruncated_equivalent_damping_loop,
-};
+static const sf_loop rod_spring_untruncated_equivalent_damping_loops[] = {rod_spring_untruncated_equivalent_damping_loop};
 
 static const sf_kernel kernels[] = {
     {"averaged_all",

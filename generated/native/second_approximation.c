@@ -22,9 +22,7 @@ static SF_WIDE void second_approximation_response_loop(ptrdiff_t n, const double
     }
 }
 
-static const sf_loop second_approximation_response_loops[] = {
-    second_approximation_response_loop,
-};
+static const sf_loop second_approximation_response_loops[] = {second_approximation_response_loop};
 
 static SF_WIDE void second_approximation_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -40,9 +38,7 @@ static SF_WIDE void second_approximation_detachment_loop(ptrdiff_t n, const doub
     }
 }
 
-static const sf_loop second_approximation_detachment_loops[] = {
-    second_approximation_detachment_loop,
-};
+static const sf_loop second_approximation_detachment_loops[] = {second_approximation_detachment_loop};
 
 static SF_WIDE void second_approximation_detachment_by_inertia_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -58,9 +54,7 @@ static SF_WIDE void second_approximation_detachment_by_inertia_loop(ptrdiff_t n,
     }
 }
 
-static const sf_loop second_approximation_detachment_by_inertia_loops[] = {
-    second_approximation_detachment_by_inertia_loop,
-};
+static const sf_loop second_approximation_detachment_by_inertia_loops[] = {second_approximation_detachment_by_inertia_loop};
 
 static SF_WIDE void second_approximation_folds_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -77,9 +71,7 @@ static SF_WIDE void second_approximation_folds_loop(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop second_approximation_folds_loops[] = {
-    second_approximation_folds_loop,
-};
+static const sf_loop second_approximation_folds_loops[] = {second_approximation_folds_loop};
 
 static const sf_kernel kernels[] = {
     {"response",

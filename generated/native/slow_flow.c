@@ -16,9 +16,7 @@ static SF_WIDE void slow_flow_friction_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop slow_flow_friction_loops[] = {
-    slow_flow_friction_loop,
-};
+static const sf_loop slow_flow_friction_loops[] = {slow_flow_friction_loop};
 
 static SF_WIDE void slow_flow_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -28,9 +26,7 @@ static SF_WIDE void slow_flow_R_loop(ptrdiff_t n, const double *const *in, doubl
     }
 }
 
-static const sf_loop slow_flow_R_loops[] = {
-    slow_flow_R_loop,
-};
+static const sf_loop slow_flow_R_loops[] = {slow_flow_R_loop};
 
 static SF_WIDE void slow_flow_I_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -40,9 +36,7 @@ static SF_WIDE void slow_flow_I_loop(ptrdiff_t n, const double *const *in, doubl
     }
 }
 
-static const sf_loop slow_flow_I_loops[] = {
-    slow_flow_I_loop,
-};
+static const sf_loop slow_flow_I_loops[] = {slow_flow_I_loop};
 
 static SF_WIDE void slow_flow_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -52,9 +46,7 @@ static SF_WIDE void slow_flow_F_loop(ptrdiff_t n, const double *const *in, doubl
     }
 }
 
-static const sf_loop slow_flow_F_loops[] = {
-    slow_flow_F_loop,
-};
+static const sf_loop slow_flow_F_loops[] = {slow_flow_F_loop};
 
 static SF_WIDE void slow_flow_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -64,9 +56,7 @@ static SF_WIDE void slow_flow_F_A_loop(ptrdiff_t n, const double *const *in, dou
     }
 }
 
-static const sf_loop slow_flow_F_A_loops[] = {
-    slow_flow_F_A_loop,
-};
+static const sf_loop slow_flow_F_A_loops[] = {slow_flow_F_A_loop};
 
 static SF_WIDE void slow_flow_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -77,9 +67,7 @@ static SF_WIDE void slow_flow_F_AA_loop(ptrdiff_t n, const double *const *in, do
     }
 }
 
-static const sf_loop slow_flow_F_AA_loops[] = {
-    slow_flow_F_AA_loop,
-};
+static const sf_loop slow_flow_F_AA_loops[] = {slow_flow_F_AA_loop};
 
 static SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -89,9 +77,7 @@ static SF_WIDE void slow_flow_F_Omega_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop slow_flow_F_Omega_loops[] = {
-    slow_flow_F_Omega_loop,
-};
+static const sf_loop slow_flow_F_Omega_loops[] = {slow_flow_F_Omega_loop};
 
 static SF_WIDE void slow_flow_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -101,9 +87,7 @@ static SF_WIDE void slow_flow_F_AOmega_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop slow_flow_F_AOmega_loops[] = {
-    slow_flow_F_AOmega_loop,
-};
+static const sf_loop slow_flow_F_AOmega_loops[] = {slow_flow_F_AOmega_loop};
 
 static SF_WIDE void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -113,9 +97,7 @@ static SF_WIDE void slow_flow_phase_loop(ptrdiff_t n, const double *const *in, d
     }
 }
 
-static const sf_loop slow_flow_phase_loops[] = {
-    slow_flow_phase_loop,
-};
+static const sf_loop slow_flow_phase_loops[] = {slow_flow_phase_loop};
 
 static SF_WIDE void slow_flow_backbone_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -125,9 +107,7 @@ static SF_WIDE void slow_flow_backbone_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop slow_flow_backbone_loops[] = {
-    slow_flow_backbone_loop,
-};
+static const sf_loop slow_flow_backbone_loops[] = {slow_flow_backbone_loop};
 
 static SF_WIDE void slow_flow_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -137,9 +117,7 @@ static SF_WIDE void slow_flow_limit_envelope_loop(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop slow_flow_limit_envelope_loops[] = {
-    slow_flow_limit_envelope_loop,
-};
+static const sf_loop slow_flow_limit_envelope_loops[] = {slow_flow_limit_envelope_loop};
 
 static SF_WIDE void slow_flow_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -149,9 +127,7 @@ static SF_WIDE void slow_flow_equivalent_damping_loop(ptrdiff_t n, const double 
     }
 }
 
-static const sf_loop slow_flow_equivalent_damping_loops[] = {
-    slow_flow_equivalent_damping_loop,
-};
+static const sf_loop slow_flow_equivalent_damping_loops[] = {slow_flow_equivalent_damping_loop};
 
 static SF_WIDE void slow_flow_transmissibility_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -161,9 +137,7 @@ static SF_WIDE void slow_flow_transmissibility_loop(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop slow_flow_transmissibility_loops[] = {
-    slow_flow_transmissibility_loop,
-};
+static const sf_loop slow_flow_transmissibility_loops[] = {slow_flow_transmissibility_loop};
 
 static SF_WIDE void slow_flow_jacobian_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -176,9 +150,7 @@ static SF_WIDE void slow_flow_jacobian_loop(ptrdiff_t n, const double *const *in
     }
 }
 
-static const sf_loop slow_flow_jacobian_loops[] = {
-    slow_flow_jacobian_loop,
-};
+static const sf_loop slow_flow_jacobian_loops[] = {slow_flow_jacobian_loop};
 
 static SF_WIDE void slow_flow_mean_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -188,9 +160,7 @@ static SF_WIDE void slow_flow_mean_stiffness_loop(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop slow_flow_mean_stiffness_loops[] = {
-    slow_flow_mean_stiffness_loop,
-};
+static const sf_loop slow_flow_mean_stiffness_loops[] = {slow_flow_mean_stiffness_loop};
 
 static SF_WIDE void slow_flow_offset_stiffness_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -200,9 +170,7 @@ static SF_WIDE void slow_flow_offset_stiffness_loop(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop slow_flow_offset_stiffness_loops[] = {
-    slow_flow_offset_stiffness_loop,
-};
+static const sf_loop slow_flow_offset_stiffness_loops[] = {slow_flow_offset_stiffness_loop};
 
 static SF_WIDE void slow_flow_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -212,9 +180,7 @@ static SF_WIDE void slow_flow_stability_loop(ptrdiff_t n, const double *const *i
     }
 }
 
-static const sf_loop slow_flow_stability_loops[] = {
-    slow_flow_stability_loop,
-};
+static const sf_loop slow_flow_stability_loops[] = {slow_flow_stability_loop};
 
 static SF_WIDE void slow_flow_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -227,9 +193,7 @@ static SF_WIDE void slow_flow_response_quartic_loop(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop slow_flow_response_quartic_loops[] = {
-    slow_flow_response_quartic_loop,
-};
+static const sf_loop slow_flow_response_quartic_loops[] = {slow_flow_response_quartic_loop};
 
 static SF_WIDE void slow_flow_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -242,9 +206,7 @@ static SF_WIDE void slow_flow_fold_quartic_loop(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop slow_flow_fold_quartic_loops[] = {
-    slow_flow_fold_quartic_loop,
-};
+static const sf_loop slow_flow_fold_quartic_loops[] = {slow_flow_fold_quartic_loop};
 
 static SF_WIDE void slow_flow_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -257,9 +219,7 @@ static SF_WIDE void slow_flow_peak_cubic_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop slow_flow_peak_cubic_loops[] = {
-    slow_flow_peak_cubic_loop,
-};
+static const sf_loop slow_flow_peak_cubic_loops[] = {slow_flow_peak_cubic_loop};
 
 static SF_WIDE void slow_flow_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -272,9 +232,7 @@ static SF_WIDE void slow_flow_detachment_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop slow_flow_detachment_loops[] = {
-    slow_flow_detachment_loop,
-};
+static const sf_loop slow_flow_detachment_loops[] = {slow_flow_detachment_loop};
 
 static SF_WIDE void slow_flow_F_OmegaOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -284,9 +242,7 @@ static SF_WIDE void slow_flow_F_OmegaOmega_loop(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop slow_flow_F_OmegaOmega_loops[] = {
-    slow_flow_F_OmegaOmega_loop,
-};
+static const sf_loop slow_flow_F_OmegaOmega_loops[] = {slow_flow_F_OmegaOmega_loop};
 
 static SF_WIDE void slow_flow_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -296,9 +252,7 @@ static SF_WIDE void slow_flow_level_loop(ptrdiff_t n, const double *const *in, d
     }
 }
 
-static const sf_loop slow_flow_level_loops[] = {
-    slow_flow_level_loop,
-};
+static const sf_loop slow_flow_level_loops[] = {slow_flow_level_loop};
 
 static SF_WIDE void slow_flow_rest_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -311,9 +265,7 @@ static SF_WIDE void slow_flow_rest_loop(ptrdiff_t n, const double *const *in, do
     }
 }
 
-static const sf_loop slow_flow_rest_loops[] = {
-    slow_flow_rest_loop,
-};
+static const sf_loop slow_flow_rest_loops[] = {slow_flow_rest_loop};
 
 static SF_WIDE void slow_flow_intercept_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -326,9 +278,7 @@ static SF_WIDE void slow_flow_intercept_loop(ptrdiff_t n, const double *const *i
     }
 }
 
-static const sf_loop slow_flow_intercept_loops[] = {
-    slow_flow_intercept_loop,
-};
+static const sf_loop slow_flow_intercept_loops[] = {slow_flow_intercept_loop};
 
 static SF_WIDE void slow_flow_fold_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -342,9 +292,7 @@ static SF_WIDE void slow_flow_fold_loop(ptrdiff_t n, const double *const *in, do
     }
 }
 
-static const sf_loop slow_flow_fold_loops[] = {
-    slow_flow_fold_loop,
-};
+static const sf_loop slow_flow_fold_loops[] = {slow_flow_fold_loop};
 
 static SF_WIDE void slow_flow_isola_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -354,9 +302,7 @@ static SF_WIDE void slow_flow_isola_Omega_loop(ptrdiff_t n, const double *const 
     }
 }
 
-static const sf_loop slow_flow_isola_Omega_loops[] = {
-    slow_flow_isola_Omega_loop,
-};
+static const sf_loop slow_flow_isola_Omega_loops[] = {slow_flow_isola_Omega_loop};
 
 static SF_WIDE void slow_flow_isola_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -369,9 +315,7 @@ static SF_WIDE void slow_flow_isola_loop(ptrdiff_t n, const double *const *in, d
     }
 }
 
-static const sf_loop slow_flow_isola_loops[] = {
-    slow_flow_isola_loop,
-};
+static const sf_loop slow_flow_isola_loops[] = {slow_flow_isola_loop};
 
 static SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -384,9 +328,7 @@ static SF_WIDE void slow_flow_cusps_loop(ptrdiff_t n, const double *const *in, d
     }
 }
 
-static const sf_loop slow_flow_cusps_loops[] = {
-    slow_flow_cusps_loop,
-};
+static const sf_loop slow_flow_cusps_loops[] = {slow_flow_cusps_loop};
 
 static SF_WIDE void slow_flow_cusp_R_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -399,9 +341,7 @@ static SF_WIDE void slow_flow_cusp_R_loop(ptrdiff_t n, const double *const *in, 
     }
 }
 
-static const sf_loop slow_flow_cusp_R_loops[] = {
-    slow_flow_cusp_R_loop,
-};
+static const sf_loop slow_flow_cusp_R_loops[] = {slow_flow_cusp_R_loop};
 
 static SF_WIDE void slow_flow_cusp_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -415,9 +355,7 @@ static SF_WIDE void slow_flow_cusp_loop(ptrdiff_t n, const double *const *in, do
     }
 }
 
-static const sf_loop slow_flow_cusp_loops[] = {
-    slow_flow_cusp_loop,
-};
+static const sf_loop slow_flow_cusp_loops[] = {slow_flow_cusp_loop};
 
 static SF_WIDE void slow_flow_cusp_balance_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -431,9 +369,7 @@ static SF_WIDE void slow_flow_cusp_balance_loop(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop slow_flow_cusp_balance_loops[] = {
-    slow_flow_cusp_balance_loop,
-};
+static const sf_loop slow_flow_cusp_balance_loops[] = {slow_flow_cusp_balance_loop};
 
 static SF_WIDE void slow_flow_peak_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -446,9 +382,7 @@ static SF_WIDE void slow_flow_peak_loop(ptrdiff_t n, const double *const *in, do
     }
 }
 
-static const sf_loop slow_flow_peak_loops[] = {
-    slow_flow_peak_loop,
-};
+static const sf_loop slow_flow_peak_loops[] = {slow_flow_peak_loop};
 
 static SF_WIDE void slow_flow_peak_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -458,9 +392,7 @@ static SF_WIDE void slow_flow_peak_Omega_A_loop(ptrdiff_t n, const double *const
     }
 }
 
-static const sf_loop slow_flow_peak_Omega_A_loops[] = {
-    slow_flow_peak_Omega_A_loop,
-};
+static const sf_loop slow_flow_peak_Omega_A_loops[] = {slow_flow_peak_Omega_A_loop};
 
 static SF_WIDE void slow_flow_Omega_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -470,9 +402,7 @@ static SF_WIDE void slow_flow_Omega_A_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop slow_flow_Omega_A_loops[] = {
-    slow_flow_Omega_A_loop,
-};
+static const sf_loop slow_flow_Omega_A_loops[] = {slow_flow_Omega_A_loop};
 
 static SF_WIDE void slow_flow_level_rise_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -483,9 +413,7 @@ static SF_WIDE void slow_flow_level_rise_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop slow_flow_level_rise_loops[] = {
-    slow_flow_level_rise_loop,
-};
+static const sf_loop slow_flow_level_rise_loops[] = {slow_flow_level_rise_loop};
 
 static SF_WIDE void slow_flow_cusp_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -496,9 +424,7 @@ static SF_WIDE void slow_flow_cusp_bend_loop(ptrdiff_t n, const double *const *i
     }
 }
 
-static const sf_loop slow_flow_cusp_bend_loops[] = {
-    slow_flow_cusp_bend_loop,
-};
+static const sf_loop slow_flow_cusp_bend_loops[] = {slow_flow_cusp_bend_loop};
 
 static SF_WIDE void slow_flow_isola_bend_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -509,9 +435,7 @@ static SF_WIDE void slow_flow_isola_bend_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop slow_flow_isola_bend_loops[] = {
-    slow_flow_isola_bend_loop,
-};
+static const sf_loop slow_flow_isola_bend_loops[] = {slow_flow_isola_bend_loop};
 
 static SF_WIDE void slow_flow_hessian_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -522,9 +446,7 @@ static SF_WIDE void slow_flow_hessian_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop slow_flow_hessian_loops[] = {
-    slow_flow_hessian_loop,
-};
+static const sf_loop slow_flow_hessian_loops[] = {slow_flow_hessian_loop};
 
 static SF_WIDE void slow_flow_tail_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -534,9 +456,7 @@ static SF_WIDE void slow_flow_tail_loop(ptrdiff_t n, const double *const *in, do
     }
 }
 
-static const sf_loop slow_flow_tail_loops[] = {
-    slow_flow_tail_loop,
-};
+static const sf_loop slow_flow_tail_loops[] = {slow_flow_tail_loop};
 
 static SF_WIDE void slow_flow_most_restoring_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -546,9 +466,7 @@ static SF_WIDE void slow_flow_most_restoring_loop(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop slow_flow_most_restoring_loops[] = {
-    slow_flow_most_restoring_loop,
-};
+static const sf_loop slow_flow_most_restoring_loops[] = {slow_flow_most_restoring_loop};
 
 static SF_WIDE void slow_flow_least_restoring_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -558,9 +476,7 @@ static SF_WIDE void slow_flow_least_restoring_loop(ptrdiff_t n, const double *co
     }
 }
 
-static const sf_loop slow_flow_least_restoring_loops[] = {
-    slow_flow_least_restoring_loop,
-};
+static const sf_loop slow_flow_least_restoring_loops[] = {slow_flow_least_restoring_loop};
 
 static const sf_kernel kernels[] = {
     {"friction",

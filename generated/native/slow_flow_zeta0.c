@@ -16,9 +16,7 @@ static SF_WIDE void slow_flow_zeta0_I_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop slow_flow_zeta0_I_loops[] = {
-    slow_flow_zeta0_I_loop,
-};
+static const sf_loop slow_flow_zeta0_I_loops[] = {slow_flow_zeta0_I_loop};
 
 static SF_WIDE void slow_flow_zeta0_F_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -28,9 +26,7 @@ static SF_WIDE void slow_flow_zeta0_F_loop(ptrdiff_t n, const double *const *in,
     }
 }
 
-static const sf_loop slow_flow_zeta0_F_loops[] = {
-    slow_flow_zeta0_F_loop,
-};
+static const sf_loop slow_flow_zeta0_F_loops[] = {slow_flow_zeta0_F_loop};
 
 static SF_WIDE void slow_flow_zeta0_F_A_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -40,9 +36,7 @@ static SF_WIDE void slow_flow_zeta0_F_A_loop(ptrdiff_t n, const double *const *i
     }
 }
 
-static const sf_loop slow_flow_zeta0_F_A_loops[] = {
-    slow_flow_zeta0_F_A_loop,
-};
+static const sf_loop slow_flow_zeta0_F_A_loops[] = {slow_flow_zeta0_F_A_loop};
 
 static SF_WIDE void slow_flow_zeta0_F_AA_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -53,9 +47,7 @@ static SF_WIDE void slow_flow_zeta0_F_AA_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop slow_flow_zeta0_F_AA_loops[] = {
-    slow_flow_zeta0_F_AA_loop,
-};
+static const sf_loop slow_flow_zeta0_F_AA_loops[] = {slow_flow_zeta0_F_AA_loop};
 
 static SF_WIDE void slow_flow_zeta0_F_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -65,9 +57,7 @@ static SF_WIDE void slow_flow_zeta0_F_Omega_loop(ptrdiff_t n, const double *cons
     }
 }
 
-static const sf_loop slow_flow_zeta0_F_Omega_loops[] = {
-    slow_flow_zeta0_F_Omega_loop,
-};
+static const sf_loop slow_flow_zeta0_F_Omega_loops[] = {slow_flow_zeta0_F_Omega_loop};
 
 static SF_WIDE void slow_flow_zeta0_F_AOmega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -77,9 +67,7 @@ static SF_WIDE void slow_flow_zeta0_F_AOmega_loop(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop slow_flow_zeta0_F_AOmega_loops[] = {
-    slow_flow_zeta0_F_AOmega_loop,
-};
+static const sf_loop slow_flow_zeta0_F_AOmega_loops[] = {slow_flow_zeta0_F_AOmega_loop};
 
 static SF_WIDE void slow_flow_zeta0_phase_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -89,9 +77,7 @@ static SF_WIDE void slow_flow_zeta0_phase_loop(ptrdiff_t n, const double *const 
     }
 }
 
-static const sf_loop slow_flow_zeta0_phase_loops[] = {
-    slow_flow_zeta0_phase_loop,
-};
+static const sf_loop slow_flow_zeta0_phase_loops[] = {slow_flow_zeta0_phase_loop};
 
 static SF_WIDE void slow_flow_zeta0_limit_envelope_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -101,9 +87,7 @@ static SF_WIDE void slow_flow_zeta0_limit_envelope_loop(ptrdiff_t n, const doubl
     }
 }
 
-static const sf_loop slow_flow_zeta0_limit_envelope_loops[] = {
-    slow_flow_zeta0_limit_envelope_loop,
-};
+static const sf_loop slow_flow_zeta0_limit_envelope_loops[] = {slow_flow_zeta0_limit_envelope_loop};
 
 static SF_WIDE void slow_flow_zeta0_equivalent_damping_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -113,9 +97,7 @@ static SF_WIDE void slow_flow_zeta0_equivalent_damping_loop(ptrdiff_t n, const d
     }
 }
 
-static const sf_loop slow_flow_zeta0_equivalent_damping_loops[] = {
-    slow_flow_zeta0_equivalent_damping_loop,
-};
+static const sf_loop slow_flow_zeta0_equivalent_damping_loops[] = {slow_flow_zeta0_equivalent_damping_loop};
 
 static SF_WIDE void slow_flow_zeta0_stability_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -125,9 +107,7 @@ static SF_WIDE void slow_flow_zeta0_stability_loop(ptrdiff_t n, const double *co
     }
 }
 
-static const sf_loop slow_flow_zeta0_stability_loops[] = {
-    slow_flow_zeta0_stability_loop,
-};
+static const sf_loop slow_flow_zeta0_stability_loops[] = {slow_flow_zeta0_stability_loop};
 
 static SF_WIDE void slow_flow_zeta0_response_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -140,9 +120,7 @@ static SF_WIDE void slow_flow_zeta0_response_quartic_loop(ptrdiff_t n, const dou
     }
 }
 
-static const sf_loop slow_flow_zeta0_response_quartic_loops[] = {
-    slow_flow_zeta0_response_quartic_loop,
-};
+static const sf_loop slow_flow_zeta0_response_quartic_loops[] = {slow_flow_zeta0_response_quartic_loop};
 
 static SF_WIDE void slow_flow_zeta0_fold_quartic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -155,9 +133,7 @@ static SF_WIDE void slow_flow_zeta0_fold_quartic_loop(ptrdiff_t n, const double 
     }
 }
 
-static const sf_loop slow_flow_zeta0_fold_quartic_loops[] = {
-    slow_flow_zeta0_fold_quartic_loop,
-};
+static const sf_loop slow_flow_zeta0_fold_quartic_loops[] = {slow_flow_zeta0_fold_quartic_loop};
 
 static SF_WIDE void slow_flow_zeta0_peak_cubic_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -170,9 +146,7 @@ static SF_WIDE void slow_flow_zeta0_peak_cubic_loop(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop slow_flow_zeta0_peak_cubic_loops[] = {
-    slow_flow_zeta0_peak_cubic_loop,
-};
+static const sf_loop slow_flow_zeta0_peak_cubic_loops[] = {slow_flow_zeta0_peak_cubic_loop};
 
 static SF_WIDE void slow_flow_zeta0_detachment_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -185,9 +159,7 @@ static SF_WIDE void slow_flow_zeta0_detachment_loop(ptrdiff_t n, const double *c
     }
 }
 
-static const sf_loop slow_flow_zeta0_detachment_loops[] = {
-    slow_flow_zeta0_detachment_loop,
-};
+static const sf_loop slow_flow_zeta0_detachment_loops[] = {slow_flow_zeta0_detachment_loop};
 
 static SF_WIDE void slow_flow_zeta0_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -197,9 +169,7 @@ static SF_WIDE void slow_flow_zeta0_level_loop(ptrdiff_t n, const double *const 
     }
 }
 
-static const sf_loop slow_flow_zeta0_level_loops[] = {
-    slow_flow_zeta0_level_loop,
-};
+static const sf_loop slow_flow_zeta0_level_loops[] = {slow_flow_zeta0_level_loop};
 
 static SF_WIDE void slow_flow_zeta0_undamped_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -209,9 +179,7 @@ static SF_WIDE void slow_flow_zeta0_undamped_Omega_loop(ptrdiff_t n, const doubl
     }
 }
 
-static const sf_loop slow_flow_zeta0_undamped_Omega_loops[] = {
-    slow_flow_zeta0_undamped_Omega_loop,
-};
+static const sf_loop slow_flow_zeta0_undamped_Omega_loops[] = {slow_flow_zeta0_undamped_Omega_loop};
 
 static SF_WIDE void slow_flow_zeta0_fold_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -224,9 +192,7 @@ static SF_WIDE void slow_flow_zeta0_fold_loop(ptrdiff_t n, const double *const *
     }
 }
 
-static const sf_loop slow_flow_zeta0_fold_loops[] = {
-    slow_flow_zeta0_fold_loop,
-};
+static const sf_loop slow_flow_zeta0_fold_loops[] = {slow_flow_zeta0_fold_loop};
 
 static SF_WIDE void slow_flow_zeta0_undamped_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
@@ -239,9 +205,7 @@ static SF_WIDE void slow_flow_zeta0_undamped_loop(ptrdiff_t n, const double *con
     }
 }
 
-static const sf_loop slow_flow_zeta0_undamped_loops[] = {
-    slow_flow_zeta0_undamped_loop,
-};
+static const sf_loop slow_flow_zeta0_undamped_loops[] = {slow_flow_zeta0_undamped_loop};
 
 static const sf_kernel kernels[] = {
     {"I",

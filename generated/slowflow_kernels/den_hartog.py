@@ -17,12 +17,7 @@ from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import floats
 
 __all__ = [
-    "S_ratio",
-    "U",
-    "V",
-    "amplitude",
-    "bound",
-    "motion",
+    "S_ratio", "U", "V", "amplitude", "bound", "motion",
 ]
 
 
@@ -116,12 +111,7 @@ def motion(tau, Omega, A, mu):
 
 if NATIVE is not None:
     (
-        V,
-        U,
-        S_ratio,
-        amplitude,
-        bound,
-        motion,
+        V, U, S_ratio, amplitude, bound, motion,
     ) = compiled(
         (V, U, S_ratio, amplitude, bound, motion,),
         NATIVE.den_hartog(),

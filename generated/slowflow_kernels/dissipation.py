@@ -15,45 +15,12 @@ import numpy as np
 
 
 __all__ = [
-    "F_A",
-    "F_AA",
-    "F_AOmega",
-    "F_AOmegaOmega",
-    "F_Omega",
-    "F_OmegaOmega",
-    "I",
-    "Omega_A",
-    "at_rest",
-    "beside",
-    "cusps",
-    "fold_quartic",
-    "folds",
-    "isolas",
-    "limit_envelope",
-    "moves_of_corner_backbone",
-    "moves_of_corner_end",
-    "moves_of_corner_fold",
-    "moves_of_corner_rest",
-    "moves_of_corner_top",
-    "moves_of_cusp",
-    "moves_of_fold",
-    "moves_of_isola",
-    "moves_of_peak",
-    "moves_of_phase",
-    "moves_of_state",
-    "peaks",
-    "quadratic",
-    "released",
-    "released_moves",
-    "resistance",
-    "response_quartic",
-    "rest",
-    "rest_moves",
-    "restoring",
-    "stability",
-    "stiffness",
-    "turn_share",
-    "turns",
+    "F_A", "F_AA", "MOVES", "F_AOmega", "F_AOmegaOmega", "F_Omega", "F_OmegaOmega", "I", "Omega_A", "at_rest",
+    "beside", "cusps", "fold_quartic", "folds", "isolas", "limit_envelope", "moves_of_corner_backbone",
+    "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp",
+    "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "peaks", "quadratic",
+    "released", "released_moves", "resistance", "response_quartic", "rest", "rest_moves", "restoring", "stability",
+    "stiffness", "turn_share", "turns",
 ]
 
 
@@ -1033,3 +1000,9 @@ def moves_of_phase(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p,
         t8 * (-F_0_p * t8 * t9 + I * I_moved * t10 + h * t10 * t6),
     )
 
+
+# by the numbers of `conventions.Pinned`
+MOVES = (
+    moves_of_state, moves_of_fold, moves_of_corner_fold, moves_of_peak, moves_of_cusp, moves_of_isola,
+    moves_of_corner_top, moves_of_corner_end, moves_of_corner_backbone, moves_of_corner_rest,
+)

@@ -18,24 +18,9 @@ ROUGH = 8.881784197001252e-16
 FINE = 3.1554436208840472e-30
 
 __all__ = [
-    "FINE",
-    "ROUGH",
-    "cubic",
-    "cubic_fine",
-    "cubic_slope",
-    "discriminant",
-    "fold",
-    "fold_at_0",
-    "fold_beside",
-    "fold_derivative",
-    "fold_fine",
-    "response",
-    "response_at_0",
-    "response_beside",
-    "response_derivative",
-    "response_exactly_at_0",
-    "response_fine",
-    "rise",
+    "FINE", "ROUGH", "cubic", "cubic_fine", "cubic_slope", "discriminant", "fold", "fold_at_0", "fold_beside",
+    "fold_derivative", "fold_fine", "response", "response_at_0", "response_beside", "response_derivative",
+    "response_exactly_at_0", "response_fine", "rise",
 ]
 
 

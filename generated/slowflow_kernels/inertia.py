@@ -17,33 +17,10 @@ from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import floats, full
 
 __all__ = [
-    "F",
-    "Omega_A",
-    "beside",
-    "bound",
-    "cusp_bend",
-    "force",
-    "force_slopes",
-    "hessian",
-    "isola",
-    "least",
-    "least_Omega_A",
-    "level",
-    "level_rise",
-    "level_slope",
-    "moves_of_corner_backbone",
-    "moves_of_corner_end",
-    "moves_of_corner_fold",
-    "moves_of_corner_rest",
-    "moves_of_corner_top",
-    "moves_of_cusp",
-    "moves_of_fold",
-    "moves_of_isola",
-    "moves_of_peak",
-    "moves_of_phase",
-    "moves_of_state",
-    "peak",
-    "terms",
+    "MOVES", "F", "Omega_A", "beside", "bound", "cusp_bend", "force", "force_slopes", "hessian", "isola", "least",
+    "least_Omega_A", "level", "level_rise", "level_slope", "moves_of_corner_backbone", "moves_of_corner_end",
+    "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
+    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "peak", "terms",
 ]
 
 
@@ -732,23 +709,16 @@ def moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_
 
 if NATIVE is not None:
     (
-        force,
-        force_slopes,
-        level,
-        F,
-        level_slope,
-        Omega_A,
-        terms,
-        least,
-        least_Omega_A,
-        peak,
-        isola,
-        level_rise,
-        cusp_bend,
-        hessian,
-        bound,
+        force, force_slopes, level, F, level_slope, Omega_A, terms, least, least_Omega_A, peak, isola, level_rise,
+        cusp_bend, hessian, bound,
     ) = compiled(
         (force, force_slopes, level, F, level_slope, Omega_A, terms, least, least_Omega_A, peak, isola, level_rise,
          cusp_bend, hessian, bound,),
         NATIVE.inertia(),
     )
+
+# by the numbers of `conventions.Pinned`
+MOVES = (
+    moves_of_state, moves_of_fold, moves_of_corner_fold, moves_of_peak, moves_of_cusp, moves_of_isola,
+    moves_of_corner_top, moves_of_corner_end, moves_of_corner_backbone, moves_of_corner_rest,
+)

@@ -13,14 +13,7 @@ symbols. Each docstring gives equation number, domain and the operations after e
 
 
 __all__ = [
-    "acceleration",
-    "breakaway",
-    "push",
-    "push_slopes",
-    "rates",
-    "rates_by_parameter",
-    "rates_by_state",
-    "smoothed",
+    "acceleration", "breakaway", "push", "push_slopes", "rates", "rates_by_parameter", "rates_by_state", "smoothed",
     "smoothed_by_state",
 ]
 

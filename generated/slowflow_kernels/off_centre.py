@@ -13,15 +13,7 @@ symbols. Each docstring gives equation number, domain and the operations after e
 
 
 __all__ = [
-    "averaged",
-    "begin",
-    "beside",
-    "down",
-    "fold",
-    "past",
-    "state",
-    "turns",
-    "up",
+    "averaged", "begin", "beside", "down", "fold", "past", "state", "turns", "up",
 ]
 
 

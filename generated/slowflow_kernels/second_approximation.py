@@ -19,11 +19,7 @@ from slowflow_support.broadcast import floats, full
 RESONANCE = 9.0
 
 __all__ = [
-    "RESONANCE",
-    "detachment",
-    "detachment_by_inertia",
-    "folds",
-    "response",
+    "RESONANCE", "detachment", "detachment_by_inertia", "folds", "response",
 ]
 
 
@@ -513,10 +509,7 @@ def folds(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_A
 
 if NATIVE is not None:
     (
-        response,
-        detachment,
-        detachment_by_inertia,
-        folds,
+        response, detachment, detachment_by_inertia, folds,
     ) = compiled(
         (response, detachment, detachment_by_inertia, folds,),
         NATIVE.second_approximation(),

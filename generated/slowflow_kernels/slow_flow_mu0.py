@@ -20,27 +20,9 @@ from slowflow_support.broadcast import floats, full, stacked
 SCENE = "mu = 0: F is a quadratic in Omega^2, roots in closed form"
 
 __all__ = [
-    "F_A",
-    "F_AA",
-    "SCENE",
-    "F",
-    "F_AOmega",
-    "F_Omega",
-    "I",
-    "R",
-    "backbone",
-    "detachment",
-    "equivalent_damping",
-    "fold",
-    "fold_quartic",
-    "isola",
-    "isola_Omega",
-    "level",
-    "limit_envelope",
-    "peak_cubic",
-    "phase",
-    "response_quartic",
-    "stability",
+    "F_A", "F_AA", "SCENE", "F", "F_AOmega", "F_Omega", "I", "R", "backbone", "detachment", "equivalent_damping",
+    "fold", "fold_quartic", "isola", "isola_Omega", "level", "limit_envelope", "peak_cubic", "phase",
+    "response_quartic", "stability",
 ]
 
 
@@ -304,23 +286,8 @@ def isola(A, m, zeta, h, h_A, h_AA):
 
 if NATIVE is not None:
     (
-        I,
-        F,
-        F_A,
-        F_AA,
-        F_Omega,
-        F_AOmega,
-        phase,
-        limit_envelope,
-        equivalent_damping,
-        stability,
-        response_quartic,
-        fold_quartic,
-        peak_cubic,
-        detachment,
-        level,
-        fold,
-        isola,
+        I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability, response_quartic,
+        fold_quartic, peak_cubic, detachment, level, fold, isola,
     ) = compiled(
         (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
          response_quartic, fold_quartic, peak_cubic, detachment, level, fold, isola,),

@@ -20,27 +20,9 @@ from slowflow_support.broadcast import floats, full, stacked
 SCENE = "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 
 __all__ = [
-    "F_A",
-    "F_AA",
-    "SCENE",
-    "F",
-    "F_AOmega",
-    "F_Omega",
-    "I",
-    "R",
-    "backbone",
-    "detachment",
-    "equivalent_damping",
-    "fold",
-    "fold_quartic",
-    "level",
-    "limit_envelope",
-    "peak_cubic",
-    "phase",
-    "response_quartic",
-    "stability",
-    "undamped",
-    "undamped_Omega",
+    "F_A", "F_AA", "SCENE", "F", "F_AOmega", "F_Omega", "I", "R", "backbone", "detachment", "equivalent_damping",
+    "fold", "fold_quartic", "level", "limit_envelope", "peak_cubic", "phase", "response_quartic", "stability",
+    "undamped", "undamped_Omega",
 ]
 
 
@@ -284,24 +266,8 @@ def undamped(A, h, h_A, h_AA, h_AAA):
 
 if NATIVE is not None:
     (
-        I,
-        F,
-        F_A,
-        F_AA,
-        F_Omega,
-        F_AOmega,
-        phase,
-        limit_envelope,
-        equivalent_damping,
-        stability,
-        response_quartic,
-        fold_quartic,
-        peak_cubic,
-        detachment,
-        level,
-        undamped_Omega,
-        fold,
-        undamped,
+        I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability, response_quartic,
+        fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped,
     ) = compiled(
         (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
          response_quartic, fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped,),

@@ -243,7 +243,7 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
         of_rest[1 + number, k] = 1.0
     out = np.full((A.size, rows, columns), np.nan)
     for pinned, side in [(one, side) for one in np.unique(kinds) for side in np.unique(past[kinds == one])]:
-        function = getattr(kernels, f"moves_of_{Pinned(pinned).name.lower()}")
+        function = kernels.MOVES[pinned]
         damps = beyond if side and beyond else own
         at = (Omega, A, F_0, *damps.most, h, h_A, h_AA, h_AAA)
         found = [np.broadcast_to(value, (columns, A.size)) for value in function(*at, *of_h, *damps.causes, *of_rest)]

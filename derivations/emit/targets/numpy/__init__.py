@@ -13,6 +13,7 @@ import jinja2
 import sympy as sp
 
 from ....conventions import CONVENTIONS
+from ....gradients import KINDS
 from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....quadrature import rule
 from ....scaling import Scale, of_every_excitation, of_every_law, of_every_oscillator
@@ -78,6 +79,7 @@ def text(module: Module, code: Code) -> str:
             selections=[selection_view(selection) for selection in module.selections],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
+            moves=moves_of(module),
             borrowed=sorted(module.borrowed, key=in_import),
             general=GENERAL,
             regimes=regimes(module),
@@ -123,6 +125,12 @@ def compiled(module: Module) -> dict[str, list[str]]:
     }
 
 
+def moves_of(module: Module) -> list[str]:
+    """How each kind of answer moves, in the order of the kinds; none where a module does not say it."""
+    own = {kernel.name for kernel in module.kernels}
+    return [name for kind in KINDS if (name := f"moves_of_{kind}") in own]
+
+
 def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [
@@ -130,6 +138,7 @@ def exported(module: Module) -> list[str]:
         *(one.name for one in (*module.kernels, *module.twofolds, *module.selections, *module.compositions)),
         *module.borrowed,
         *(["MECHANISM"] if module.record else []),
+        *(["MOVES"] if moves_of(module) else []),
     ]
     return sorted(own, key=in_import)
 
