@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, Oscillator
+from slowflow.results import Remark
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import MovesStatus, Status
@@ -442,6 +443,53 @@ def test_a_mass_that_static_friction_holds_moves_as_an_independent_integration_h
     change = np.diff(off)
     early = np.flatnonzero(np.abs(change) > 1e-7)[-3:]
     assert np.abs(state.multipliers).max() == pytest.approx((change[early[1:]] / change[early[:-1]])[-1] ** 2, rel=1e-3)
+
+
+def test_motions_beyond_u_cr_go_on_beside_a_mass_that_friction_holds():
+    """Up to 4 mu/pi friction holds a mass at rest, but beyond u_cr its share falls: an isolated curve from F_SN on."""
+    osc = LOOSE.replace(zeta=0.002)
+    onset, F_0 = osc.saddle_node_onset(), 0.03
+    assert onset.F_SN < F_0 < osc.sticking_forcing
+    folds, A = osc.saddle_nodes(F_0), np.geomspace(0.1, 20.0, 20001)
+    assert len(folds) == 2 and not len(osc.saddle_nodes(0.999 * onset.F_SN))
+    assert Remark.HELD_AT_REST in folds.remarks and Remark.UNDECIDED not in folds.remarks
+    for Omega, count in ((0.99 * folds.Omega[0], 0), (1.0, 2), (folds.Omega[1] - 1e-3, 2), (1.01 * folds.Omega[1], 0)):
+        level = np.hypot(*balances(osc, Omega, A)) - F_0
+        places = A[:-1][level[:-1] * level[1:] < 0]
+        states = osc.amplitudes(Omega=Omega, F_0=F_0)
+        assert len(places) == len(states) == count
+        assert states.A == pytest.approx(places, rel=1e-3)
+    peak, margins = osc.peak(F_0), osc.margins(F_0)
+    assert np.hypot(*balances(osc, peak.Omega, peak.A)) == pytest.approx(F_0, rel=1e-12)
+    assert peak.A == pytest.approx(osc.frequency_response(F_0).A.max(), rel=1e-3)
+    assert margins.sticks and margins.detaches and margins.folds == 2
+    given = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": [0.002]}
+    many = Isolator.many(**given, rubs="attached", force="untruncated")
+    assert many.saddle_nodes(F_0).count == 2 and many.saddle_nodes(F_0).remarks == folds.remarks
+    assert many.margins(F_0).detaches == many.margins(F_0).sticks == 1
+    with pytest.raises(ValueError, match=r"F_0 = 0.029 does not exceed mu = 0.03: friction holds a mass at rest"):
+        osc.steady_state(Omega=1.0, F_0=0.029)
+
+
+@pytest.mark.slow
+def test_friction_that_holds_a_mass_at_rest_does_not_deny_exact_motions_beside_that():
+    """Where the springs turn a mass round that static friction could not hold it is the motion without that."""
+    grips = Duffing(1.0, 0.5, mu=0.02, zeta=0.02, mu_s=0.06)
+    A = grips.replace(mu_s=0.0).steady_state(Omega=0.9, F_0=0.05, A=0.2).A
+    assert grips.steady_state(Omega=0.9, F_0=0.05, A=0.2).A == pytest.approx(A, rel=1e-12)
+    with pytest.raises(ArithmeticError, match="comes to rest, where friction holds the mass"):
+        grips.steady_state(Omega=2.5, F_0=0.05, A=0.2)
+    osc = LOOSE.replace(zeta=0.002)
+    found, (_, A) = osc.steady_state(Omega=1.0, F_0=0.029, A=6.0), osc.amplitudes(Omega=1.0, F_0=0.029).A
+    assert found.stable and found.A == pytest.approx(A, rel=0.01)
+    _, u, v = found.series(3)
+
+    def moves(t, y):
+        friction = osc.mu * np.sign(y[1]) * (abs(y[0]) < osc.breakpoints[0])
+        return y[1], 0.029 * np.cos(t) - 2 * osc.zeta * y[1] - friction - float(osc.force(y[0]))
+
+    end = solve_ivp(moves, (0, 2 * np.pi), (u[0], v[0]), rtol=1e-10, atol=1e-10, max_step=1e-3).y[:, -1]
+    assert end == pytest.approx((u[0], v[0]), abs=1e-4)
 
 
 def test_static_friction_is_part_of_exact_motions_and_of_nothing_else():

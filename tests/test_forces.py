@@ -361,7 +361,8 @@ def test_small_motions_with_a_preload_are_not_missed(folder, compiled):
         peak = one.peak(F_0)
         assert peak.A == pytest.approx(A, rel=1e-12)
         assert peak.Omega == pytest.approx(math.sqrt(1 + p_ / A - 2 * zeta**2), rel=1e-9)
-        a, b = 1.1 * peak.Omega, 2 * zeta * 1.1 * peak.Omega  # (a^2 - 1)^2 A^2 - 2 p (a^2 - 1) A + p^2 + b^2 A^2 = F_0^2
+        # (a^2 - 1)^2 A^2 - 2 p (a^2 - 1) A + p^2 + b^2 A^2 = F_0^2
+        a, b = 1.1 * peak.Omega, 2 * zeta * 1.1 * peak.Omega
         roots = np.roots([(a * a - 1) ** 2 + b * b, -2 * p_ * (a * a - 1), p_**2 - F_0**2])
         roots = np.sort(roots[(roots.imag == 0) & (roots.real > 0)].real)
         assert one.amplitudes(Omega=a, F_0=F_0).A == pytest.approx(roots, rel=1e-9)

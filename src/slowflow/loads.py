@@ -152,7 +152,8 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
     if F_cr is None and oscillator.model.inertial and oscillator.breakpoints:
         # as no amplitude is lower at a higher frequency, which tends to F_0
         F_cr = oscillator.breakpoints[0]
-    sticks = folds.F_0 <= oscillator.sticking_forcing
+    # beside a mass at rest that stays there motions may be that detach
+    sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not oscillator.model.sticks(folds.F_0)
     return Margins(
         folds.F_0,
         onset.F_SN,
@@ -161,7 +162,7 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
         None if F_cr is None else F_cr / folds.F_0,
         onset.kind,
         len(folds),
-        not sticks and (detaches(folds.F_0) if detaches else _detaches(oscillator, folds.F_0)),
+        moves and (detaches(folds.F_0) if detaches else _detaches(oscillator, folds.F_0)),
         sticks,
         joined(
             folds.message if sticks else "",

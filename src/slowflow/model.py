@@ -339,8 +339,8 @@ class Model:
         return np.asarray(kernels.level(Omega, A, *self.alike(Omega, A), self.averaged(A)[0]))
 
     def sticks(self, F_0: float) -> bool:
-        """Whether the excitation leaves the mass at rest at every frequency (27)."""
-        return F_0 <= self.m and not self.inertial
+        """Whether friction leaves no motion at any frequency (27)."""
+        return F_0 <= self.m and not self.inertial and self.laws.rubs == THROUGHOUT
 
     @cached_property
     def held(self) -> float:
@@ -351,8 +351,12 @@ class Model:
         return math.hypot(self.m, self.preload) if self.preload > 0 else self.m
 
     def holds(self, F_0: float) -> bool:
-        """Whether a mass at rest stays there while there are motions as well, which only a preload makes."""
-        return not self.inertial and self.preload > 0 and F_0 <= self.held
+        """Whether a mass at rest stays there while there are motions as well.
+
+        A preload makes them, and friction that ends at u_cr: beyond, its share m u_cr/A may be as little as one asks.
+        """
+        beside = self.preload > 0 or self.laws.rubs != THROUGHOUT
+        return beside and not self.inertial and F_0 <= self.held
 
     @property
     def reach(self) -> float:

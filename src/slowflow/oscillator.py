@@ -107,11 +107,11 @@ class Oscillator(Averaged):
         # not by attribute: these cannot be set
         self.__dict__.update(zip(mechanism.parameter_names, model.parameters, strict=True))
         self.__dict__.update(own, design=model.design, given={**given, **laws.said})
-        if mu_s != 0:
+        if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
                 raise ValueError(f"mu_s = {static!r} is not allowed: static friction is not less than mu = {self.mu!r}")
             self.given["mu_s"] = static
-        if load != 0 or not mechanism.odd:
+        if isinstance(load, np.ndarray) or load != 0 or not mechanism.odd:
             self._put(load)
 
     def _put(self, load: float) -> None:

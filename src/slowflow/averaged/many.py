@@ -468,7 +468,7 @@ class Designs:
             force = np.asarray(F_0)[..., np.newaxis]
             if self.excitation != "force":
                 force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
-            return remarks.of_designs(self.mechanism, parameters, mu, force, Omega, A, corner)
+            return remarks.of_designs(self.mechanism, parameters, mu, force, Omega, A, corner, self.rubs)
 
     def spanned(
         self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]

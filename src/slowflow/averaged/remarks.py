@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from slowflow.measured import validity
 from slowflow.mechanism import Mechanism
-from slowflow.model import Model
+from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark
 from slowflow_kernels import slow_flow
 
@@ -34,8 +34,7 @@ WORDS = {
     Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to "
     "0; .off_centre has those that are off it",
-    Remark.HELD_AT_REST: "a mass at rest stays there, whatever the frequency, up to F_0 = {held:g}: preload and "
-    "friction hold it",
+    Remark.HELD_AT_REST: "a mass at rest stays there, whatever the frequency, up to F_0 = {held:g}: {holds} it",
     Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many",
     Remark.OF_TRUNCATION: "at the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
@@ -56,13 +55,14 @@ def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, 
 
 
 def of_designs(
-    mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, force: Any, Omega: Any, A: Any, corner: Any
+    mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, force: Any, Omega: Any, A: Any, corner: Any, rubs: str
 ) -> Codes:
     """What `Remark` has for states (Omega, A); NaN is no state.
 
     Omega, A, corner    -- of each design, along one more, last axis; corner: of folds, which are on one, None of others
     parameters, mu      -- of the designs, shapes that broadcast
     force               -- on each state, of a shape that broadcasts with Omega; NaN where the question has none
+    rubs                -- where dry friction acts
     """
     A = np.asarray(A, dtype=float)
     there = A > 0
@@ -70,7 +70,7 @@ def of_designs(
     kept = keeps_centre(mechanism, beside, np.where(there, Omega, 1.0), np.where(there, A, 1.0))
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.averaged(0.0, *parameters)[:2])
-    held = np.where(pull < 0, np.hypot(slow_flow.friction(mu), pull), -np.inf)
+    held = np.where((pull < 0) | (rubs != THROUGHOUT), np.hypot(slow_flow.friction(mu), pull), -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
         jumps = zip(mechanism.breakpoints(*beside), mechanism.jumps(*beside), strict=True)
@@ -158,4 +158,5 @@ def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     else:
         near = [NEAR_STICKING_BELOW] if model.inertial else [validity.near_sticking(model, F_0)]
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.held}
+    known["holds"] = "preload and friction hold" if model.preload > 0 else "friction holds"
     return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near

@@ -49,6 +49,11 @@ ADRIFT = (
     "A = {A:.6g} gives the one about u = 0"
 )
 
+COMES_TO_REST = (
+    "no steady state found at Omega = {Omega:g}, F_0 = {F_0:g}: a motion from A = {u:.6g} on comes to rest, where "
+    "friction holds the mass"
+)
+
 
 class NotSettled(ArithmeticError):
     """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
@@ -269,7 +274,7 @@ def steady_state(
     Raises ValueError for parameters out of range or where friction holds the mass for ever, ArithmeticError if nothing
     periodic is found.
     """
-    check_forcing(system, Omega, F_0)
+    check_forcing(system, Omega, F_0, from_rest=guess is None)
     integrator = integrator or default_integrator(system)
     forced = Forced(system, float(Omega), float(F_0), integrator)
     tries = lengths(system) if half_turns is None else (half_turns,)
@@ -333,14 +338,22 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: flo
     return None
 
 
-def check_forcing(system: EquationOfMotion, Omega: float, F_0: float) -> None:
-    """Raises ValueError unless Omega > 0, F_0 > 0 are finite, the forcing can move the mass, and damping settles it."""
+def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_rest: bool = False) -> None:
+    """Raises ValueError unless Omega > 0, F_0 > 0 are finite, damping settles a motion, and the forcing keeps one up.
+
+    Kinetic friction that acts throughout takes more than a force that does not exceed it can give. Static friction, and
+    one that ends at a breakpoint, holds a mass at rest (`from_rest`), beside which there may be motions.
+    """
     check_numbers(system, Omega, F_0)
-    if system.forcing(Omega, F_0) <= system.holds(0):
+    force = system.forcing(Omega, F_0)
+    told = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
+    if force <= system.mu and not system.released:
+        raise ValueError(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
+    if from_rest and force <= system.holds(0):
         name = "mu_s" if system.mu_s > system.mu else "mu"
-        force = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
         raise ValueError(
-            f"{force} does not exceed {name} = {system.holds(0)}: friction holds the mass for ever, it never moves"
+            f"{told} does not exceed {name} = {system.holds(0)}: friction holds a mass at rest for ever; of motions "
+            "beside that, if there are any, steady_state has the one next to A="
         )
 
 
@@ -488,6 +501,8 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
     if settled.adrift is not None:
         A, gap = settled.adrift.A, forced.system.force.breakpoints[0]
         raise ArithmeticError(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=A, gap=gap))
+    if at_rest(settled.phases):
+        raise NotSettled(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=u))
     drifts = settled.change < 1e-3 * _largest(settled.phases)
     raise NotSettled(
         f"no steady state found at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {settled.turns} turns of the "

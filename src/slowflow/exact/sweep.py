@@ -90,7 +90,7 @@ def sweep(
         raise ValueError(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
-    check_forcing(system, float(frequencies.max()), F_0)
+    check_forcing(system, float(frequencies.max()), F_0, from_rest=True)
     integrator = integrator or default_integrator(system)
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
     settled, rested, drifts = (np.zeros(frequencies.size, bool) for _ in range(3))

@@ -75,8 +75,8 @@ def _is_corner_close(model: Model, F_0: Any, b: float, jump: float) -> bool:
 
 
 def nearly_sticks(model: Model, F_0: float) -> bool:
-    """Whether F_0 exceeds the forcing that leaves the mass at rest by no more than rounding may make of it."""
-    return not model.inertial and bool(F_0 <= model.m * (1 + CLOSE))
+    """Whether rounding may decide if F_0 exceeds the forcing that leaves the mass at rest."""
+    return not model.inertial and abs(F_0 - model.m) <= CLOSE * model.m
 
 
 def is_at_fold(model: Model, F_0: float, Omega: Floats, at: Floats, A: Floats) -> Bools:

@@ -386,6 +386,8 @@ def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:
     peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
     tops = peaks.take(dissipated.is_top(model, peaks.Omega, peaks.A))
     A, Omega = (tops.A, tops.Omega) if len(tops) else (static.A, np.zeros(len(static)))
+    if not A.size and F_0 <= model.m:
+        return PeakFound(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
     if not A.size:
         raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
     highest = int(np.argmax(A))
