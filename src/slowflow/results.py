@@ -39,7 +39,7 @@ class Remark(IntFlag):
     OF_TRUNCATION = 16
     #: below the onset there are folds that end at Omega = 0, or with a preload at A = 0
     FOLDS_AT_REST = 32
-    #: a preload holds a mass that is at rest; the motions are beside that
+    #: a preload, or friction that ends at u_cr, holds a mass that is at rest; the motions are beside that
     HELD_AT_REST = 64
     #: next to where folds meet, or states do: doubles do not tell how many there are, nor does a proof in intervals
     UNDECIDED = 128
